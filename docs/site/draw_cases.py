@@ -25,6 +25,7 @@ DRAWN = {
     "three_pads": lambda case: figures.bump_loads(bumpfoil.run_cycle(case), width="double"),
     "tolerances": lambda case: figures.ensemble(bumpfoil.run_montecarlo(case)),
     "running_tolerances": lambda case: figures.ensemble(bumpfoil.run_montecarlo(case, samples=20, film=COARSE)),
+    "coast_down": lambda case: figures.waterfall(bumpfoil.run_transient(case)),
     "rotor_tolerances": lambda case: figures.ensemble(bumpfoil.run_montecarlo(case, samples=20)),
     "vibration": lambda case: figures.coefficients(bumpfoil.run_vibration(case)),
 }

@@ -68,6 +68,8 @@ def small_results():
     two_speeds = {"film": FILM["film"], "stability": {"speeds": ["12000 rpm", "14000 rpm"]}}
     yield "stability", "", bumpfoil.run_stability(EXAMPLES / "rotor.toml", **two_speeds)
     yield "unbalance", "", bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film=FILM["film"], unbalance=two_speeds["stability"])
+    short = {"speed": {"to": "12000 rpm", "time": "11 ms"}, "steps_per_revolution": 20, "revolutions_per_spectrum": 1}
+    yield "transient", "", bumpfoil.run_transient(EXAMPLES / "rotor.toml", film=FILM["film"], transient=short)
     yield "film", "", run_film(EXAMPLES / "gen1.toml")
     yield "sweep", "", bumpfoil.run_sweep(gen1, swept)
     yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)

@@ -21,6 +21,7 @@ from .runs import (
     run_stability,
     run_strip,
     run_sweep,
+    run_transient,
     run_unbalance,
     run_vibration,
 )
@@ -50,6 +51,7 @@ __all__ = [
     "run_stability",
     "run_strip",
     "run_sweep",
+    "run_transient",
     "run_unbalance",
     "run_vibration",
     "template",

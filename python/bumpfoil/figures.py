@@ -317,6 +317,99 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
     return _coefficients_drawn(width, panels, "amplitude (µm)", lines)
 
 
+@styled
+def waterfall(result: Result, *, width: str = "single", station: int = 1, axis: str = "x", orders: float = 3.0) -> Figure:
+    """Spectra of the motion of a rotor in time, one above the other: amplitude over frequency, from speed to speed.
+
+    Dashed lines are at half of the frequency of rotation, at it and at twice it.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``transient``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    station : int
+        Place on the rotor, from 1: its bearings first.
+    axis : {"x", "y"}
+        Direction.
+    orders : float
+        Highest frequency over that of rotation at the highest speed.
+    """
+    demand(result, "revolutions")
+    if axis not in ("x", "y"):
+        raise ValueError(f"axis is {axis!r}; it is one of x, y")
+    data = result.to_xarray()
+    spectra = 1e6 * data["spectrum_amplitude"].isel(station=station - 1, axis="xy".index(axis)).to_numpy()
+    speed = abs(data["spectrum_speed"].to_numpy()) / (2.0 * np.pi)
+    if len(speed) == 0:
+        raise ValueError("the run has no spectrum: march more revolutions, or give fewer revolutions_per_spectrum")
+    order = data["order"].to_numpy()
+    sheet = Sheet(width, 1, 1, panel_height=90)
+    (ax,) = sheet.panels
+    rpm = 60.0 * speed
+    spread = np.ptp(rpm) or 0.1 * rpm[0]
+    height = spread / max(len(rpm), 4) * 3.0 / max(spectra.max(), 1e-12)
+    end = orders * speed.max()
+    # What is in front hides what is behind it.
+    for place in np.argsort(-rpm):
+        shown = order * speed[place] <= end
+        base = rpm[place]
+        line = base + height * spectra[place][shown]
+        ax.fill_between(order[shown] * speed[place], base, line, color="white", zorder=-base)
+        ax.plot(order[shown] * speed[place], line, color="black", linewidth=0.5, zorder=-base)
+    for ratio, label in ((0.5, "½x"), (1.0, "1x"), (2.0, "2x")):
+        if ratio <= orders:
+            ends = np.array([rpm.min(), rpm.max()])
+            ax.plot(ratio * ends / 60.0, ends, color="grey", linewidth=0.5, linestyle="--", zorder=1)
+            ax.annotate(label, (ratio * rpm.max() / 60.0, rpm.max()), textcoords="offset points", xytext=(2, 2), color="grey")
+    ax.set_xlim(0.0, end)
+    ax.set_xlabel("frequency (Hz)")
+    ax.set_ylabel("speed (rpm)")
+    ax.set_title(f"station {station}, {axis.upper()}: largest {spectra.max():.3g} µm")
+    return sheet.finish(None)
+
+
+@styled
+def revolutions(result: Result, *, width: str = "double", station: int = 1) -> Figure:
+    """What a rotor does revolution by revolution: amplitudes at half of the frequency of rotation and at it, the whole way,
+    the thinnest film, and speed, over time.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``transient``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    station : int
+        Place on the rotor, from 1: its bearings first.
+    """
+    demand(result, "revolutions")
+    data = result.to_xarray()
+    time = 1e3 * data["revolution_time"].to_numpy()
+    if len(time) == 0:
+        raise ValueError("the run has no whole revolution")
+    at = data.isel(station=station - 1)
+    sheet = Sheet(width, *arranged(width, 2), panel_height=60)
+    way, film = sheet.panels
+    for number, (name, label) in enumerate(
+        (("half_peak_to_peak", "half way"), ("amplitude", "1x"), ("amplitude_half", "1/2x"))
+    ):
+        for axis, dashes in (("x", "-"), ("y", "--")):
+            key = f"amplitude_{axis}_half" if name == "amplitude_half" else f"{name}_{axis}"
+            way.plot(time, 1e6 * at[key].to_numpy(), label=f"{axis.upper()}, {label}", color=_style(number)["color"], linestyle=dashes)
+    way.set_ylabel("motion (µm)")
+    way.set_ylim(bottom=0.0)
+    film.plot(time, 1e6 * data["thinnest_film"].min("station").to_numpy(), label="thinnest film (µm)", **_style(0))
+    film.plot(time, 1e-3 * abs(data["revolution_speed"].to_numpy()) * 30.0 / np.pi, label="speed (1000 rpm)", **_style(1))
+    film.set_ylim(bottom=0.0)
+    for ax in sheet.panels:
+        ax.set_xlabel("time (ms)")
+        ax.legend(frameon=False)
+    sheet.entitle([f"motion of station {station}", "film and speed"])
+    return sheet.finish(None)
+
+
 def _modes(result: Result, contacts: str) -> Any:
     """Free motions with these contacts, mode by mode: (name, rows of stability.csv)."""
     demand(result, "free motions")

@@ -208,6 +208,15 @@ def run_unbalance(case: Any, /, *, orbits: bool = False, progress: Progress = No
     return _run("unbalance", case, progress, tables)
 
 
+@_documented()
+def run_transient(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Marches [rotor] on its bearings through the speeds of [transient] in time, film, foils and friction included.
+
+    ``to_xarray()`` has the steps over ``step``, what whole revolutions do over ``revolution``, and spectra over
+    ``spectrum`` and ``order``."""
+    return _run("transient", case, progress, tables)
+
+
 @_documented(
     """
     over : mapping

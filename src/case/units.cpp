@@ -40,6 +40,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::density, "a density", "kg/m3", "\"7800 kg/m3\""},
     DimensionText{Dimension::unbalance, "an unbalance", "kg m", "\"2 g mm\""},
     DimensionText{Dimension::velocity, "a velocity", "m/s", "\"2.5 mm/s\""},
+    DimensionText{Dimension::duration, "a time", "s", "\"0.2 s\""},
 };
 
 /// Longer texts are no quantities; the grammar of units recurses.

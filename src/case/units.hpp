@@ -24,6 +24,7 @@ enum class Dimension {
   density,
   unbalance,
   velocity,
+  duration,
 };
 
 /// Why a text is not the expected quantity.

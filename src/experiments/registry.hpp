@@ -11,4 +11,5 @@
   EACH(film)                       \
   EACH(equilibrium)                \
   EACH(stability)                  \
-  EACH(unbalance)
+  EACH(unbalance)                  \
+  EACH(transient)

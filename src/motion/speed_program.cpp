@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
 /// Part of a turn, or of a step, that is rounding.
 constexpr double rounded_part = 1e-7;
 /// Part of a time that is.
@@ -27,14 +26,14 @@ double time_to_turn(double angle, double speed, double acceleration) {
 }
 
 /// Equal parts of a length, none longer than `part`.
-double parts(double length, double part) {
+double equal_parts(double length, double part) {
   return std::max(1.0, std::ceil(length / part - rounded_part));
 }
 
 }  // namespace
 
 long whole_turns(double angle) {
-  return static_cast<long>(std::floor(std::abs(angle) / full_turn + rounded_part));
+  return static_cast<long>(std::floor(std::abs(angle) / turn + rounded_part));
 }
 
 SpeedProgram::SpeedProgram(std::vector<SpeedRamp> ramps) : ramps_(std::move(ramps)) {
@@ -65,12 +64,12 @@ TimeStep SpeedProgram::next_step(const MachineState& state, int steps_per_turn, 
   const double rate = (ramp.to - ramp.from) / ramp.time;
   const double speed = std::abs(state.speed);
   const double acceleration = ramp.from + ramp.to < 0.0 ? -rate : rate;
-  const double step = full_turn / steps_per_turn;
-  const double left_of_turn = full_turn * static_cast<double>(whole_turns(state.angle) + 1) - std::abs(state.angle);
-  double dt = time_to_turn(left_of_turn / parts(left_of_turn, step), speed, acceleration);
+  const double step = turn / steps_per_turn;
+  const double left_of_turn = turn * static_cast<double>(whole_turns(state.angle) + 1) - std::abs(state.angle);
+  double dt = time_to_turn(left_of_turn / equal_parts(left_of_turn, step), speed, acceleration);
   if (dt > longest) {
     const double to_its_end = time_to_turn(left_of_turn, speed, acceleration);
-    dt = std::isfinite(to_its_end) ? to_its_end / parts(to_its_end, longest) : longest;
+    dt = std::isfinite(to_its_end) ? to_its_end / equal_parts(to_its_end, longest) : longest;
   }
   const double left_of_ramp = ends_[at] - state.time;
   if (dt > (1.0 - rounded_part) * left_of_ramp) return {.dt = left_of_ramp, .speed = ramp.to};

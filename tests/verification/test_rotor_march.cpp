@@ -15,7 +15,7 @@
 
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/branch.hpp"
-#include "bumpfoil/motion/energy_balance.hpp"
+#include "bumpfoil/motion/work_balance.hpp"
 #include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/motion/orbit.hpp"
 #include "bumpfoil/motion/response.hpp"
@@ -241,9 +241,9 @@ TEST(RotorMarch, FindsTheOrbitsOfThePrototype) {
 }
 
 /// The balance of a turn of the machine that began at `start`.
-EnergyBalance balance_of_turn(MachineStepper& stepper, const RotorForces& forces, int steps, MachineState& state) {
+WorkBalance balance_of_turn(MachineStepper& stepper, const RotorForces& forces, int steps, MachineState& state) {
   EnergyMeter meter(stepper, forces, state);
-  EnergyBalance turn;
+  WorkBalance turn;
   for (int i = 0; i < steps; ++i) {
     const MachineReport report =
         stepper.advance({.dt = step_of(state.speed, steps), .speed = state.speed}, forces, state);
@@ -264,7 +264,7 @@ TEST(RotorMarch, BalancesTheEnergyOfAnOrbit) {
     add_motion(machine.stepper, machine.linear(1e-6, {0.0, std::abs(machine.speed)}), start);
     Orbit orbit = find_orbit(machine.stepper, forces, start, {.steps_per_turn = steps, .tolerance = 1e-8});
     ASSERT_EQ(orbit.status, Status::converged);
-    const EnergyBalance turn = balance_of_turn(machine.stepper, forces, steps, orbit.state);
+    const WorkBalance turn = balance_of_turn(machine.stepper, forces, steps, orbit.state);
     // Of the prototype, J: the work of the unbalance, of the moving surface, and what the flow dissipates.
     EXPECT_NEAR(turn.forces, refined == 0 ? 4.556603558126453e-06 : 4.556142976879104e-06, 2e-10);
     EXPECT_NEAR(turn.entrained, refined == 0 ? 0.004009817480778845 : 0.004009855259488219, 1e-8);
@@ -284,7 +284,7 @@ TEST(RotorMarch, BalancesTheEnergyWithFriction) {
   MachineState state = machine.stepper.at_rest({machine.rest}, machine.load);
   add_motion(machine.stepper, machine.linear(1e-6, {0.0, std::abs(machine.speed)}, true), state);
   balance_of_turn(machine.stepper, forces, 100, state);
-  const EnergyBalance turn = balance_of_turn(machine.stepper, forces, 100, state);
+  const WorkBalance turn = balance_of_turn(machine.stepper, forces, 100, state);
   EXPECT_GT(turn.friction, 1e-6);
   EXPECT_LT(std::abs(turn.defect()), 0.02 * turn.friction);  // steps in time; the prototype's was 1.7 %
 }

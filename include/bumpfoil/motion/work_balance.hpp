@@ -14,7 +14,7 @@ namespace bumpfoil {
 ///
 /// exact in space, see FilmPowers; what is left is the error of the steps in time. The drag of the films on the
 /// surfaces that move at Omega R (Couette) is no part of it: it is dissipated where it is done.
-struct EnergyBalance {
+struct WorkBalance {
   double entrained{};   ///< work of the turning journals on the gas that they draw along
   double supplied{};    ///< by gas that enters at edges above ambient pressure
   double forces{};      ///< work of the known forces on the rotor: weight, unbalance, impulses
@@ -27,7 +27,7 @@ struct EnergyBalance {
   [[nodiscard]] double defect() const {
     return entrained + supplied + forces + rubbing - dissipated - friction - damping - stored;
   }
-  EnergyBalance& operator+=(const EnergyBalance& other);
+  WorkBalance& operator+=(const WorkBalance& other);
 };
 
 /// Balances the energy of a machine step by step, with the trapezoidal rule for powers and forces.
@@ -37,7 +37,7 @@ class EnergyMeter {
   EnergyMeter(const MachineStepper& stepper, RotorForces forces, const MachineState& start);
 
   /// The balance of a step that led to `end`, from where the one before ended.
-  EnergyBalance step_to(const MachineState& end);
+  WorkBalance step_to(const MachineState& end);
 
  private:
   struct Bearing {

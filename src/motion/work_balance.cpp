@@ -1,10 +1,10 @@
-#include "bumpfoil/motion/energy_balance.hpp"
+#include "bumpfoil/motion/work_balance.hpp"
 
 #include <utility>
 
 namespace bumpfoil {
 
-EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
+WorkBalance& WorkBalance::operator+=(const WorkBalance& other) {
   entrained += other.entrained;
   supplied += other.supplied;
   forces += other.forces;
@@ -40,13 +40,13 @@ EnergyMeter::Instant EnergyMeter::read(const MachineState& state) const {
   return instant;
 }
 
-EnergyBalance EnergyMeter::step_to(const MachineState& end) {
+WorkBalance EnergyMeter::step_to(const MachineState& end) {
   Instant now = read(end);
   const double dt = now.at.time - last_.at.time;
   // Both ends have the acceleration of the step.
   last_.at.acceleration = now.at.acceleration = (now.at.speed - last_.at.speed) / dt;
   const Eigen::VectorXd way = now.rotor.y - last_.rotor.y;
-  EnergyBalance step{.forces = 0.5 * (forces_(last_.at) + forces_(now.at)).dot(way)};
+  WorkBalance step{.forces = 0.5 * (forces_(last_.at) + forces_(now.at)).dot(way)};
   const Rotor& rotor = stepper_.rotor();
   const auto twice_energy = [&](const RotorMotion& motion) {
     return motion.v.dot(rotor.mass * motion.v) + motion.y.dot(rotor.stiffness * motion.y);

@@ -1,0 +1,203 @@
+#include "bumpfoil/experiments/transient/transient.hpp"
+
+#include <cmath>
+#include <complex>
+#include <deque>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/motion/response.hpp"
+#include "bumpfoil/motion/rotor_equilibria.hpp"
+#include "experiments/transient/step_row.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Rows that are appended together, and after which a run can go on.
+constexpr std::size_t rows_at_once = 500;
+/// Part of the highest speed at which a step is as long as it may be.
+constexpr double slow_part = 0.1;
+
+const TransientSettings& transient_settings_of(const Case& input) {
+  const TransientSettings* const settings = input.settings.find<TransientSettings>();
+  if (settings == nullptr) {
+    throw Error(ErrorKind::input, {{"", 0, "transient", "", "this table is missing", "add [transient] with a speed"}});
+  }
+  return *settings;
+}
+
+class MemoryTable : public StepTable {
+ public:
+  explicit MemoryTable(std::size_t width) : width_(width) {}
+  [[nodiscard]] std::size_t rows() const override { return numbers_.size() / width_; }
+  void append(std::span<const double> rows) override { numbers_.insert(numbers_.end(), rows.begin(), rows.end()); }
+  [[nodiscard]] std::vector<double> column(std::size_t column, std::size_t first, std::size_t count) const override {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i) values[i] = numbers_[(first + i) * width_ + column];
+    return values;
+  }
+
+ private:
+  std::size_t width_;
+  std::vector<double> numbers_;
+};
+
+/// Half a sine wave of size 1, or so much of one of some frequency; zero outside of its time.
+double wave_at(double time, double begin, double duration, const std::optional<double>& frequency) {
+  if (time < begin || time > begin + duration) return 0.0;
+  return std::sin(frequency.value_or(std::numbers::pi / duration) * (time - begin));
+}
+
+const RotorStation& place_named(const Rotor& rotor, const std::string& name) {
+  for (const std::vector<RotorStation>* places : {&rotor.bearings, &rotor.stations}) {
+    for (const RotorStation& place : *places) {
+      if (place.name == name) return place;
+    }
+  }
+  std::string names;
+  for (const std::vector<RotorStation>* places : {&rotor.bearings, &rotor.stations}) {
+    for (const RotorStation& place : *places) names += (names.empty() ? "" : ", ") + place.name;
+  }
+  throw Error(ErrorKind::input,
+              {{"", 0, "transient.pulse.at", name, "is no place of the rotor", "give one of these: " + names}});
+}
+
+/// Weight, unbalance, pulses and the inertia of a base that moves.
+RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSettings& settings, const Rotor& rotor) {
+  struct Pulse {
+    RotorPulse wave;
+    Eigen::VectorXd force;
+  };
+  std::vector<Pulse> pulses;
+  // On half a rotor that does not tilt, half of a force.
+  const double part = rotor_settings.tilts() ? 1.0 : 0.5;
+  for (const RotorPulse& pulse : settings.pulses) {
+    const Eigen::Vector2d force(pulse.force[0], pulse.force[1]);
+    pulses.push_back({pulse, part * place_named(rotor, pulse.at).motion.transpose() * force});
+  }
+  std::vector<std::pair<BaseMotion, Eigen::VectorXd>> base;
+  base.reserve(settings.base.size());
+  for (const BaseMotion& motion : settings.base) {
+    const Eigen::Vector2d acceleration(motion.acceleration[0], motion.acceleration[1]);
+    base.emplace_back(motion, -(rotor.mass * (rotor.rigid.leftCols(2) * acceleration)));
+  }
+  return [turning = forces_on(rotor_settings, rotor), pulses, base](const RotorInstant& now) {
+    Eigen::VectorXd force = turning(now);
+    for (const Pulse& pulse : pulses) {
+      force += wave_at(now.time, pulse.wave.begin, pulse.wave.duration, {}) * pulse.force;
+    }
+    for (const auto& [motion, inertia] : base) {
+      force += wave_at(now.time, motion.begin, motion.duration, motion.frequency) * inertia;
+    }
+    return force;
+  };
+}
+
+/// From the equilibrium at the first speed, on the small orbit that unbalance makes there.
+Status begin_run(const RotorSettings& settings, MachineStepper& machine, double speed, MachineState& state) {
+  const Rotor& rotor = machine.rotor();
+  const RotorEquilibria equilibria(rotor, machine.bearings(), settings.gravity_vector());
+  std::vector<BearingState> states;
+  const Status status = equilibria.go_to(speed, states);
+  if (status != Status::converged) return status;
+  state = machine.at_rest(states, forces_on(settings, rotor)(RotorInstant{}));
+  if (speed == 0.0 || settings.unbalances.empty()) return status;
+  const auto orbit = linear_response(rotor, equilibria.carrying(states), unbalance_force(settings, rotor, speed),
+                                     {0.0, std::abs(speed)}, true);
+  if (orbit) add_motion(machine, *orbit, state);
+  return status;
+}
+
+}  // namespace
+
+SpeedProgram speed_program(const TransientSettings& settings) {
+  std::vector<SpeedRamp> ramps;
+  ramps.reserve(settings.speed.size());
+  for (const SpeedPhase& phase : settings.speed) {
+    const double before = ramps.empty() ? phase.to : ramps.back().to;
+    ramps.push_back({.from = phase.from.value_or(before), .to = phase.to, .time = phase.time});
+  }
+  return SpeedProgram(std::move(ramps));
+}
+
+std::unique_ptr<StepTable> make_step_table(std::size_t width) {
+  return std::make_unique<MemoryTable>(width);
+}
+
+TransientResult transient_not_begun(const Case& input) {
+  const TransientSettings& settings = transient_settings_of(input);
+  const SpeedProgram program = speed_program(settings);
+  TransientResult result{.machine = make_machine(input, {program.highest()}, "transient"),
+                         .settings = settings,
+                         .layout = {},
+                         .steps = {}};
+  for (const RotorPulse& pulse : settings.pulses) place_named(result.machine.rotor, pulse.at);
+  result.layout = {.places = result.machine.places().size(), .bearings = result.machine.rotor.bearings.size()};
+  result.speed = program.start();
+  return result;
+}
+
+TransientResult run_transient(const Case& input, std::shared_ptr<StepTable> table, const TransientRun& run) {
+  TransientResult result = transient_not_begun(input);
+  result.steps = table;
+  const RotorSettings& rotor_settings = rotor_settings_of(input);
+  const TransientSettings& settings = result.settings;
+  const Rotor& rotor = result.machine.rotor;
+  std::deque<FilmStepper> steppers = result.machine.make_steppers();
+  MachineStepper machine(rotor, pointers_to(steppers));
+  const SpeedProgram program = speed_program(settings);
+  const double longest = settings.longest_step.value_or(2.0 * std::numbers::pi / settings.steps_per_revolution /
+                                                        (slow_part * program.highest()));
+  const RotorForces forces = all_forces(rotor_settings, settings, rotor);
+  const auto goes_on = [&](double time) { return !run.progress || run.progress(time / program.duration()); };
+
+  result.status = Status::interrupted;
+  MachineState state;
+  std::vector<double> rows;
+  if (run.from) {
+    state = *run.from;
+  } else {
+    if (!goes_on(0.0)) return result;
+    result.status = begin_run(rotor_settings, machine, program.start(), state);
+    if (result.status != Status::converged) return result;
+    rows = step_row({result.machine, state, {}, 0});
+  }
+  const auto keep = [&] {
+    if (rows.empty()) return;
+    table->append(rows);
+    rows.clear();
+    if (run.keep) run.keep(state);
+  };
+  EnergyMeter meter(machine, forces, state);
+  result.status = Status::converged;
+  while (!program.is_over(state)) {
+    if (!goes_on(state.time)) {
+      result.status = Status::interrupted;
+      break;
+    }
+    const TimeStep step = program.next_step(state, settings.steps_per_revolution, longest);
+    const MachineReport report = machine.advance(step, forces, state);
+    if (report.status != Status::converged) {
+      result.status = report.status;
+      break;
+    }
+    const std::vector<double> row = step_row({result.machine, state, meter.step_to(state), report.iterations});
+    rows.insert(rows.end(), row.begin(), row.end());
+    if (rows.size() >= rows_at_once * row.size()) keep();
+  }
+  keep();
+  result.time = state.time;
+  result.speed = state.speed;
+  return result;
+}
+
+TransientResult run_transient(const Case& input, const std::function<bool(double)>& progress) {
+  const StepLayout layout = transient_not_begun(input).layout;
+  return run_transient(input, make_step_table(layout.width()), {.progress = progress});
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,97 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/transient/transient.hpp"
+#include "experiments/transient/transient_quantities.hpp"
+#include "results/result_files.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+RunStatus status_of(const TransientReading& reading) {
+  return run_status({reading.result.status}, 1);
+}
+
+/// What summary.json lists: totals of the run, and rubs.
+Json transient_lists(const TransientReading& reading) {
+  Json json{{"end_status", name_of(reading.result.status)}, {"revolutions", reading.turns.size()}};
+  for (const RunQuantity& quantity : run_quantities()) {
+    json[quantity.key()] = value_json(quantity.value(reading), quantity.form);
+  }
+  const WorkBalance& sum = reading.energy.sum;
+  json["energy"] = {
+      {"entrained_J", sum.entrained}, {"supplied_J", sum.supplied},     {"forces_J", sum.forces},
+      {"rubbing_J", sum.rubbing},     {"dissipated_J", sum.dissipated}, {"friction_J", sum.friction},
+      {"damping_J", sum.damping},     {"stored_J", sum.stored},         {"defect_J", reading.energy.defect}};
+  json["rubs"] = Json::array();
+  for (const RubEvent& rub : reading.rubs) {
+    json["rubs"].push_back(
+        {{"bearing", rub.bearing + 1}, {"begin_s", rub.begin}, {"end_s", rub.end}, {"asperity_load_N", rub.load}});
+  }
+  return json;
+}
+
+RunRecord record_of(const Case& input, const TransientReading& reading, const Provenance& provenance) {
+  const RunStatus status = status_of(reading);
+  return {.input = input,
+          .command = "transient",
+          .status = status,
+          .message = message_of(failure_lines(reading), status),
+          .warnings = warning_lines(input, reading),
+          .provenance = provenance};
+}
+
+std::vector<ResultFile> transient_files(const Case& input, const TransientReading& reading,
+                                        const Provenance& provenance) {
+  return make_result_files(
+      record_of(input, reading, provenance), "result.nc", "use fewer steps", [&](const std::string& /*run_id*/) {
+        return ResultContents{
+            .texts = {{"transient.csv", transient_csv(reading)}}, .dataset = transient_dataset(reading), .lists = [&] {
+              Json json{{"failures", failure_lines(reading)}, {"warnings", warning_lines(input, reading)}};
+              json.update(transient_lists(reading));
+              return json;
+            }};
+      });
+}
+
+Outcome transient_outcome(const Case& input, TransientResult made) {
+  const auto reading = std::make_shared<const TransientReading>(std::move(made));
+  return {.status = status_of(*reading),
+          .warnings = warning_lines(input, *reading),
+          .failures = failure_lines(*reading),
+          .table = [=] { return transient_table(*reading); },
+          .dataset = [=] { return transient_dataset(*reading); },
+          .files = [=](const Provenance& provenance) { return transient_files(input, *reading, provenance); }};
+}
+
+}  // namespace
+
+ExperimentInfo transient_experiment() {
+  const std::vector<std::string> small{"transient.speed={to=\"12000 rpm\", time=\"11 ms\"}",
+                                       "transient.steps_per_revolution=20",
+                                       "transient.revolutions_per_spectrum=1",
+                                       "film.columns_per_pitch=4",
+                                       "film.rows=4",
+                                       "rotor.mass=2 kg",
+                                       "rotor.unbalance=[{amount=\"2 g mm\"}]"};
+  return {
+      .name = "transient",
+      .summary = "March a rotor on its bearings in time: run-up, coast-down, impulses, base motion",
+      .examples =
+          "  bumpfoil transient examples/coast_down.toml -o coast_down\n"
+          "  bumpfoil transient examples/rotor.toml -o whirl --set 'transient.speed={to=\"16000 rpm\", "
+          "time=\"0.1 s\"}' --set 'transient.pulse={force=[\"0 N\", \"20 N\"], begin=\"5 ms\", duration=\"1 "
+          "ms\"}'\n",
+      .files = {"summary.json", "transient.csv", "result.nc"},
+      .run = [](const Case& input,
+                const ProgressCallback& progress) { return transient_outcome(input, run_transient(input, progress)); },
+      .quantities = meanings_of(turn_quantities()),
+      .small_runs = {small}};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,196 @@
+#include "experiments/transient/transient_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/experiments/case_warnings.hpp"
+#include "bumpfoil/motion/response.hpp"
+#include "experiments/rotor_speeds.hpp"
+#include "experiments/transient/step_row.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using namespace tag;  // NOLINT(google-build-using-namespace): the tables below are made of them
+
+/// Part of the energy that turns over which the defect of the balance may be.
+constexpr double largest_energy_defect = 0.05;
+/// Part of the entrained work that is no defect but rounding.
+constexpr double rounded_work = 1e-9;
+
+template <int axis>
+double turn_amplitude(const TurnView& view) {
+  return std::abs(view.place.orbit.once[axis]);
+}
+template <int axis>
+double turn_phase(const TurnView& view) {
+  return to_degrees(std::arg(view.place.orbit.once[axis]));
+}
+template <int axis>
+double turn_twice(const TurnView& view) {
+  return std::abs(view.place.orbit.twice[axis]);
+}
+template <int axis>
+double turn_half(const TurnView& view) {
+  return view.revolution.number > 1 ? std::abs(view.place.half[axis]) : absent;
+}
+template <int axis>
+double turn_way(const TurnView& view) {
+  return view.place.orbit.half_peak_to_peak[axis];
+}
+template <int axis>
+double turn_mean(const TurnView& view) {
+  return view.place.orbit.mean[axis];
+}
+template <int axis>
+double turn_end(const TurnView& view) {
+  return view.place.at_end[axis];
+}
+
+constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
+    {"amplitude_x", "m", "amplitude along X at the frequency of rotation", turn_amplitude<0>, csv, "amplitude, X",
+     shown::micrometres},
+    {"phase_x", "degree", "phase of X in x = Re(X exp(i a)), a the size of the angle of the rotor", turn_phase<0>, csv},
+    {"amplitude_y", "m", "amplitude along Y at the frequency of rotation", turn_amplitude<1>, csv, "amplitude, Y",
+     shown::micrometres},
+    {"phase_y", "degree", "phase of Y in y = Re(Y exp(i a)), a the size of the angle of the rotor", turn_phase<1>, csv},
+    {"half_peak_to_peak_x", "m", "half of the way along X from end to end", turn_way<0>, csv | leading, "half way, X",
+     shown::micrometres},
+    {"half_peak_to_peak_y", "m", "half of the way along Y from end to end", turn_way<1>, csv, "half way, Y",
+     shown::micrometres},
+    {"amplitude_x_half", "m", "amplitude along X at half of the frequency of rotation, of two revolutions",
+     turn_half<0>, csv},
+    {"amplitude_y_half", "m", "amplitude along Y at half of the frequency of rotation, of two revolutions",
+     turn_half<1>, csv},
+    {"amplitude_x_2x", "m", "amplitude along X at twice the frequency of rotation", turn_twice<0>, csv},
+    {"amplitude_y_2x", "m", "amplitude along Y at twice the frequency of rotation", turn_twice<1>, csv},
+    {"mean_x", "m", "mean of the position along X", turn_mean<0>, csv},
+    {"mean_y", "m", "mean of the position along Y", turn_mean<1>, csv},
+    {"section_x", "m", "position along X at the end of the revolution: of a Poincare section", turn_end<0>, csv},
+    {"section_y", "m", "position along Y at the end of the revolution: of a Poincare section", turn_end<1>, csv},
+    {"thinnest_film", "m", "minimum film thickness of the bearing in the revolution",
+     [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->thinnest; }, csv,
+     "minimum film thickness", shown::micrometres},
+    {"mean_power", "W", "mean power of the film of the bearing in the revolution",
+     [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->power; }, csv, "power",
+     shown::watts},
+    {"largest_asperity_load", "N", "largest force that asperities of the bearing carry in the revolution",
+     [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->asperity_load; }, csv},
+});
+
+template <double WorkBalance::*term>
+double turn_energy(const TransientTurn& revolution) {
+  return revolution.energy.*term;
+}
+
+constexpr auto whole_turn_quantity_table = std::to_array<WholeTurnQuantity>({
+    {"revolution_time", "s", "time at the end of the revolution", [](const TransientTurn& revolution) { return revolution.time; }},
+    {"revolution_speed", "rad/s", "mean speed in the revolution", [](const TransientTurn& revolution) { return revolution.speed; }},
+    {"revolution_force_work", "J", "work of weight, unbalance, pulses and base on the rotor in the revolution",
+     turn_energy<&WorkBalance::forces>},
+    {"revolution_film_work", "J",
+     "work of the films on the rotor and its foils in the revolution: entrained and supplied less dissipated",
+     [](const TransientTurn& revolution) { return revolution.energy.entrained + revolution.energy.supplied - revolution.energy.dissipated; }},
+    {"revolution_friction_loss", "J", "work that friction of the foils takes in the revolution",
+     turn_energy<&WorkBalance::friction>},
+    {"revolution_stored_energy", "J", "change of the energy of motion, of films, foils and asperities",
+     turn_energy<&WorkBalance::stored>},
+    {"energy_defect", "J", "what is missing in the balance of energy of the revolution: the error of the steps in time",
+     [](const TransientTurn& revolution) { return revolution.energy.defect(); }},
+});
+
+/// Largest over all turns and bearings; not a number where there is none.
+template <typename Value>
+double largest_of(const TransientReading& reading, const Value& value) {
+  double largest = absent;
+  for (const TransientTurn& revolution : reading.turns) {
+    for (std::size_t i = 0; i < revolution.bearings.size(); ++i) {
+      const double one = value(revolution, i);
+      if (!(largest >= one)) largest = one;
+    }
+  }
+  return largest;
+}
+
+constexpr auto run_quantity_table = std::to_array<RunQuantity>({
+    {"end_time", "s", "time that was reached", [](const TransientReading& reading) { return reading.result.time; }},
+    {"end_speed", "rad/s", "speed at the end", [](const TransientReading& reading) { return reading.result.speed; }},
+    {"largest_half_peak_to_peak", "m", "largest half of the way of a journal along X or Y in a revolution",
+     [](const TransientReading& reading) {
+       return largest_of(reading, [](const TransientTurn& revolution, std::size_t i) {
+         return revolution.places[i].orbit.half_peak_to_peak.maxCoeff();
+       });
+     },
+     headline | csv, "largest half way", shown::micrometres},
+    {"thinnest_film_of_run", "m", "minimum film thickness of all bearings in all revolutions",
+     [](const TransientReading& reading) {
+       return -largest_of(reading, [](const TransientTurn& revolution, std::size_t i) { return -revolution.bearings[i].thinnest; });
+     },
+     headline | csv, "minimum film thickness", shown::micrometres},
+    {"largest_asperity_load_of_run", "N", "largest force that asperities of a bearing carry",
+     [](const TransientReading& reading) {
+       return largest_of(reading,
+                         [](const TransientTurn& revolution, std::size_t i) { return revolution.bearings[i].asperity_load; });
+     },
+     headline | csv, "largest asperity load", shown::newtons},
+    {"friction_loss_of_run", "J", "work that friction of the foils takes in all whole revolutions",
+     [](const TransientReading& reading) { return reading.energy.sum.friction; }, headline | csv, "friction loss",
+     shown::millijoules},
+    {"energy_defect_of_run", "1",
+     "sum of the sizes of the defects of energy over what drives, is taken or is stored, whichever is larger",
+     [](const TransientReading& reading) { return reading.energy.relative(); }, of_solver},
+});
+
+}  // namespace
+
+std::span<const TurnQuantity> turn_quantities() {
+  return turn_quantity_table;
+}
+std::span<const WholeTurnQuantity> whole_turn_quantities() {
+  return whole_turn_quantity_table;
+}
+std::span<const RunQuantity> run_quantities() {
+  return run_quantity_table;
+}
+
+TransientReading::TransientReading(TransientResult made)
+    : result(std::move(made)),
+      turns(turns_of(result)),
+      rubs(rubs_of(result)),
+      waterfall(waterfall_of(result)),
+      energy(energy_check(turns)) {}
+
+std::vector<std::string> failure_lines(const TransientReading& reading) {
+  const TransientResult& result = reading.result;
+  if (result.status == Status::converged || result.status == Status::interrupted) return {};
+  if (!result.steps || result.steps->rows() == 0) {
+    return {fmt::format("no equilibrium found to begin with, at {}: {}", rotor_speed_text(result.speed),
+                        explanation(result.status))};
+  }
+  return {fmt::format("the march ends after {:.6g} s, at {}, revolution {}: {}", result.time,
+                      rotor_speed_text(result.speed), reading.turns.size() + 1, explanation(result.status))};
+}
+
+std::vector<std::string> warning_lines(const Case& input, const TransientReading& reading) {
+  std::vector<std::string> lines = case_warnings(input);
+  const EnergyCheck& energy = reading.energy;
+  if (energy.defect > largest_energy_defect * energy.largest &&
+      energy.defect > rounded_work * std::abs(energy.sum.entrained)) {
+    lines.push_back(fmt::format("the balance of energy is met to {:.2g} % only: give more steps per revolution",
+                                100.0 * energy.relative()));
+  }
+  if (!reading.rubs.empty()) {
+    const auto worst = std::max_element(reading.rubs.begin(), reading.rubs.end(),
+                                        [](const RubEvent& a, const RubEvent& b) { return a.load < b.load; });
+    lines.push_back(fmt::format("journals rub on foils {} times; at {:.4g} s asperities of bearing {} carry {:.3g} N",
+                                reading.rubs.size(), worst->begin, worst->bearing + 1, worst->load));
+  }
+  return lines;
+}
+
+}  // namespace bumpfoil

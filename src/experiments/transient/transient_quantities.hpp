@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/experiments/transient/transient.hpp"
+#include "bumpfoil/results/dataset.hpp"
+#include "bumpfoil/results/quantity.hpp"
+
+/// What results of the command transient tell, described once for all files.
+namespace bumpfoil {
+
+/// A place of the rotor in a revolution.
+struct TurnView {
+  const TransientTurn& revolution;
+  const PlaceTurn& place;
+  const BearingRecord* bearing{};  ///< none at other stations
+};
+
+using TurnQuantity = Quantity<double (*)(const TurnView&)>;
+std::span<const TurnQuantity> turn_quantities();
+
+/// Of a revolution as a whole.
+using WholeTurnQuantity = Quantity<double (*)(const TransientTurn&)>;
+std::span<const WholeTurnQuantity> whole_turn_quantities();
+
+/// What is read off all steps of a run once it has ended.
+struct TransientReading {
+  explicit TransientReading(TransientResult made);
+
+  TransientResult result;
+  std::vector<TransientTurn> turns;
+  std::vector<RubEvent> rubs;
+  Waterfall waterfall;
+  EnergyCheck energy;
+};
+
+/// Of a run as a whole, as sweeps list it.
+using RunQuantity = Quantity<double (*)(const TransientReading&)>;
+std::span<const RunQuantity> run_quantities();
+
+std::vector<std::string> failure_lines(const TransientReading& reading);
+std::vector<std::string> warning_lines(const Case& input, const TransientReading& reading);
+
+/// The run as a text table: a line for some of its turns, rubs, and the balance of energy.
+std::string transient_table(const TransientReading& reading);
+
+/// The run over the dimensions step, revolution, station, bearing, spectrum and order. It lives as long as the reading.
+Dataset transient_dataset(const TransientReading& reading);
+
+/// Contents of transient.csv: a line for each station and revolution.
+std::string transient_csv(const TransientReading& reading);
+
+}  // namespace bumpfoil

@@ -1,0 +1,233 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+#include <utility>
+
+#include "bumpfoil/experiments/transient/transient.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "experiments/transient/step_row.hpp"
+
+// What is read off the steps of a run, revolution by revolution: as much of them is in memory at a time.
+namespace bumpfoil {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Steps that are looked through at a time for the ends of turns.
+constexpr std::size_t steps_at_once = 10'000;
+/// Part of the weight on a bearing that asperities carry where it rubs.
+constexpr double rubbing_part = 0.01;
+/// Spectra end here.
+constexpr double highest_order = 8.0;
+
+/// Rows at which turns end, the start first.
+std::vector<std::size_t> ends_of_turns(const StepTable& steps) {
+  std::vector<std::size_t> ends;
+  for (std::size_t first = 0; first < steps.rows(); first += steps_at_once) {
+    const std::size_t count = std::min(steps_at_once, steps.rows() - first);
+    const std::vector<double> angles = steps.column(column_of(StepColumn::angle), first, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (whole_turns(angles[i]) >= std::ssize(ends)) ends.push_back(first + i);
+    }
+  }
+  return ends;
+}
+
+/// Places over angles, between two rows.
+struct PlaceMotion {
+  std::vector<double> angles;  ///< sizes of them
+  std::vector<double> x, y;
+
+  [[nodiscard]] Eigen::Vector2d at(std::size_t i) const { return {x[i], y[i]}; }
+};
+
+PlaceMotion motion_of(const TransientResult& result, std::size_t place, std::size_t first, std::size_t last) {
+  const std::size_t count = last - first + 1;
+  PlaceMotion motion{.angles = result.steps->column(column_of(StepColumn::angle), first, count),
+                .x = result.steps->column(place_column(result.layout, place, 0), first, count),
+                .y = result.steps->column(place_column(result.layout, place, 1), first, count)};
+  for (double& angle : motion.angles) angle = std::abs(angle);
+  return motion;
+}
+
+/// Part of the whole angle that each row stands for, by the trapezoidal rule.
+std::vector<double> weights_of(const std::vector<double>& angles) {
+  std::vector<double> weights(angles.size());
+  const double whole = angles.back() - angles.front();
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+    const double share = 0.5 * (angles[i + 1] - angles[i]) / whole;
+    weights[i] += share;
+    weights[i + 1] += share;
+  }
+  return weights;
+}
+
+/// Amplitude of e^{i order angle}.
+Eigen::Vector2cd harmonic(const PlaceMotion& motion, const std::vector<double>& weights, double order) {
+  Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    sum += std::polar(2.0 * weights[i], -order * motion.angles[i]) * motion.at(i);
+  }
+  return sum;
+}
+
+PlaceTurn place_in_turn(const PlaceMotion& motion) {
+  const std::vector<double> weights = weights_of(motion.angles);
+  PlaceTurn revolution{.orbit = {}, .at_end = motion.at(weights.size() - 1)};
+  Eigen::Vector2d least = revolution.at_end;
+  Eigen::Vector2d most = revolution.at_end;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    revolution.orbit.mean += weights[i] * motion.at(i);
+    least = least.cwiseMin(motion.at(i));
+    most = most.cwiseMax(motion.at(i));
+  }
+  revolution.orbit.half_peak_to_peak = 0.5 * (most - least);
+  revolution.orbit.once = harmonic(motion, weights, 1.0);
+  revolution.orbit.twice = harmonic(motion, weights, 2.0);
+  return revolution;
+}
+
+BearingRecord bearing_in_turn(const TransientResult& result, std::size_t bearing, std::size_t first,
+                              std::size_t count) {
+  const auto read = [&](BearingColumn column) {
+    return result.steps->column(bearing_column(result.layout, bearing, column), first, count);
+  };
+  const std::vector<double> thickness = read(BearingColumn::thinnest);
+  const std::vector<double> load = read(BearingColumn::asperity_load);
+  BearingRecord record{.thinnest = *std::min_element(thickness.begin(), thickness.end()),
+                       .asperity_load = *std::max_element(load.begin(), load.end())};
+  for (const double power : read(BearingColumn::power)) record.power += power / static_cast<double>(count);
+  return record;
+}
+
+/// A motion at equal angles from its first, by straight lines between steps.
+Eigen::Matrix2Xd at_equal_angles(const PlaceMotion& motion, std::size_t count, double step) {
+  Eigen::Matrix2Xd places(2, static_cast<Eigen::Index>(count));
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = motion.angles.front() + step * static_cast<double>(i);
+    while (at + 2 < motion.angles.size() && motion.angles[at + 1] < angle) ++at;
+    const double part = (angle - motion.angles[at]) / (motion.angles[at + 1] - motion.angles[at]);
+    places.col(static_cast<Eigen::Index>(i)) = (1.0 - part) * motion.at(at) + part * motion.at(at + 1);
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<TransientTurn> turns_of(const TransientResult& result) {
+  std::vector<TransientTurn> turns;
+  if (!result.steps) return turns;
+  const std::vector<std::size_t> ends = ends_of_turns(*result.steps);
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    const std::size_t first = ends[k - 1];
+    const std::size_t count = ends[k] - first;  // without the first row, which ends the revolution before
+    const auto times = result.steps->column(column_of(StepColumn::time), first, count + 1);
+    TransientTurn& revolution = turns.emplace_back();
+    revolution.number = static_cast<long>(k);
+    revolution.time = times.back();
+    revolution.speed = std::copysign(turn / (times.back() - times.front()),
+                               result.steps->column(column_of(StepColumn::angle), ends[k], 1).front());
+    for (std::size_t place = 0; place < result.layout.places; ++place) {
+      revolution.places.push_back(place_in_turn(motion_of(result, place, first, ends[k])));
+      if (k == 1) continue;
+      const PlaceMotion both = motion_of(result, place, ends[k - 2], ends[k]);
+      revolution.places.back().half = harmonic(both, weights_of(both.angles), 0.5);
+    }
+    for (std::size_t bearing = 0; bearing < result.layout.bearings; ++bearing) {
+      revolution.bearings.push_back(bearing_in_turn(result, bearing, first + 1, count));
+    }
+    for (std::size_t i = 0; i < energy_columns; ++i) {
+      for (const double term : result.steps->column(column_of(StepColumn::energy) + i, first + 1, count)) {
+        revolution.energy.*energy_terms()[i] += term;
+      }
+    }
+  }
+  return turns;
+}
+
+std::vector<RubEvent> rubs_of(const TransientResult& result) {
+  std::vector<RubEvent> rubs;
+  if (!result.steps) return rubs;
+  for (std::size_t bearing = 0; bearing < result.layout.bearings; ++bearing) {
+    const double least = rubbing_part * result.machine.loads[bearing].norm();
+    bool rubs_now = false;
+    for (std::size_t first = 0; first < result.steps->rows(); first += steps_at_once) {
+      const std::size_t count = std::min(steps_at_once, result.steps->rows() - first);
+      const auto times = result.steps->column(column_of(StepColumn::time), first, count);
+      const auto loads =
+          result.steps->column(bearing_column(result.layout, bearing, BearingColumn::asperity_load), first, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (loads[i] <= least) {
+          rubs_now = false;
+          continue;
+        }
+        if (!rubs_now) rubs.push_back({.bearing = bearing, .begin = times[i]});
+        rubs_now = true;
+        rubs.back().end = times[i];
+        rubs.back().load = std::max(rubs.back().load, loads[i]);
+      }
+    }
+  }
+  return rubs;
+}
+
+Waterfall waterfall_of(const TransientResult& result) {
+  const auto per_spectrum = static_cast<std::size_t>(result.settings.revolutions_per_spectrum);
+  const auto per_turn = static_cast<std::size_t>(result.settings.steps_per_revolution);
+  const std::size_t count = per_spectrum * per_turn;
+  Waterfall waterfall;
+  const std::size_t orders = std::min(static_cast<std::size_t>(highest_order) * per_spectrum, (count - 1) / 2) + 1;
+  for (std::size_t i = 0; i < orders; ++i) {
+    waterfall.orders.push_back(static_cast<double>(i) / static_cast<double>(per_spectrum));
+  }
+  if (!result.steps) return waterfall;
+  const std::vector<std::size_t> ends = ends_of_turns(*result.steps);
+  Eigen::FFT<double> transform;
+  for (std::size_t k = per_spectrum; k < ends.size(); k += per_spectrum) {
+    const std::size_t first = ends[k - per_spectrum];
+    const auto at = [&](StepColumn column, std::size_t row) {
+      return result.steps->column(column_of(column), row, 1).front();
+    };
+    const double begin = at(StepColumn::time, first);
+    const double end = at(StepColumn::time, ends[k]);
+    waterfall.times.push_back(0.5 * (begin + end));
+    waterfall.speeds.push_back((at(StepColumn::angle, ends[k]) - at(StepColumn::angle, first)) / (end - begin));
+    for (std::size_t place = 0; place < result.layout.places; ++place) {
+      const Eigen::Matrix2Xd places = at_equal_angles(motion_of(result, place, first, ends[k]), count,
+                                                      turn / static_cast<double>(per_turn));
+      const Eigen::Vector2d mean = places.rowwise().mean();
+      for (const int axis : {0, 1}) {
+        std::vector<double> windowed(count);
+        for (std::size_t i = 0; i < count; ++i) {
+          const double window =
+              1.0 - std::cos(turn * static_cast<double>(i) / static_cast<double>(count));
+          windowed[i] = window * (places(axis, static_cast<Eigen::Index>(i)) - mean[axis]);
+        }
+        std::vector<Complex> spectrum;
+        transform.fwd(spectrum, windowed);
+        for (std::size_t i = 0; i < orders; ++i) {
+          waterfall.amplitudes.push_back(2.0 / static_cast<double>(count) * std::abs(spectrum[i]));
+        }
+      }
+    }
+  }
+  return waterfall;
+}
+
+EnergyCheck energy_check(const std::vector<TransientTurn>& turns) {
+  EnergyCheck check;
+  for (const TransientTurn& revolution : turns) {
+    const WorkBalance& energy = revolution.energy;
+    check.sum += energy;
+    check.defect += std::abs(energy.defect());
+    check.largest += std::max({std::abs(energy.forces), energy.friction, std::abs(energy.stored),
+                               std::abs(energy.entrained + energy.supplied - energy.dissipated)});
+  }
+  return check;
+}
+
+}  // namespace bumpfoil
