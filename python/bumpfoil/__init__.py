@@ -10,6 +10,7 @@ from .case import Case, template
 from .cycle import Cycle
 from .errors import CaseError, Error, FileError, RunWarning
 from .result import Result, write_report
+from .ross_rotor import write_ross_rotor
 from .runs import (
     check,
     properties,
@@ -56,4 +57,5 @@ __all__ = [
     "run_vibration",
     "template",
     "write_report",
+    "write_ross_rotor",
 ]

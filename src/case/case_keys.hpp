@@ -94,7 +94,7 @@ class CaseVisitor {
   /// Any number of such places, all displacements or all loads: a list of lists. @return whether there is one
   virtual bool places(const Key& key, PathPoints& points) = 0;
 
-  /// A file, named relative to the case file, instead of the list `other`. `read` may throw Error.
+  /// A file, named relative to the case file, instead of the list or table `other`. `read` may throw Error.
   /// @return whether there is one
   virtual bool file(const Key& key, std::string_view other,
                     const std::function<void(const std::string& path)>& read) = 0;

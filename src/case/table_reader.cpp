@@ -44,9 +44,10 @@ Key first_key(Key first, const Key& second, bool second_counts) {
   return second_counts ? optional_key(first) : first;
 }
 
-/// @param contradicted  a list that is given as well, if any
+/// @param contradicted  a list or table that is given as well, if any
+/// @param other         key of what the file has in place of it
 void read_file(ReadingLog& log, const std::string& path, const toml::node& node, std::string_view contradicted,
-               const std::function<void(const std::string&)>& read) {
+               const std::string& other, const std::function<void(const std::string&)>& read) {
   std::string name;
   ValueReader{log, path, node}(&name);
   if (!node.is_string()) return;
@@ -58,6 +59,7 @@ void read_file(ReadingLog& log, const std::string& path, const toml::node& node,
     read((std::filesystem::path(log.file()).parent_path() / name).string());
   } catch (const Error& error) {
     for (const Fault& fault : error.faults()) log.add(fault, error.kind());
+    log.told(other);
   }
 }
 
@@ -274,8 +276,10 @@ bool TableReader::places(const Key& key, PathPoints& points) {
 bool TableReader::file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) {
   const auto [node, path] = find(key);
   if (node == nullptr) return false;
-  const auto* list = table_.get_as<toml::array>(other);
-  read_file(log_, path, *node, list != nullptr && !list->empty() ? other : "", read);
+  const toml::node* held = table_.get(other);
+  const auto* list = held == nullptr ? nullptr : held->as_array();
+  const bool contradicts = held != nullptr && (list == nullptr ? held->is_table() : !list->empty());
+  read_file(log_, path, *node, contradicts ? other : "", path_of(other), read);
   return true;
 }
 

@@ -162,8 +162,8 @@ void ValueReader::directions(std::vector<double>& angles) const {
 void ValueReader::read_list(std::vector<double>& values, std::span<const NamedNumber> names) const {
   const auto* list = node.as_array();
   if (list == nullptr) {
-    return refuse("a list", fmt::format("write a list in brackets: [{}]",
-                                        names.empty() ? example_quantity(*dimension) : "\"+X\""));
+    const std::string_view example = dimension ? example_quantity(*dimension) : "0.5";
+    return refuse("a list", fmt::format("write a list in brackets: [{}]", names.empty() ? example : "\"+X\""));
   }
   if (list->size() > static_cast<std::size_t>(most_bumps)) {
     return log.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));

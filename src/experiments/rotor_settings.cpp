@@ -1,15 +1,18 @@
 #include "bumpfoil/experiments/rotor_settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
 #include "case/case_keys.hpp"
 #include "experiments/film/film_keys.hpp"
 #include "experiments/rotor_keys.hpp"
+#include "experiments/rotor_matrices_json.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -23,6 +26,8 @@ constexpr Range density_of_shaft_range{1.0, 1e5, "kg/m3"};
 constexpr double most_gravity = 1e5;      // m/s^2
 constexpr double most_rotor_speed = 1e6;  // rad/s
 constexpr std::size_t most_rotor_speeds = 10'000;
+/// Part of the distance of the bearings by which a plane may miss a place of matrices.
+constexpr double same_plane = 1e-6;
 /// A bearing that carries a smaller part of the weight than this carries none.
 constexpr double least_part_of_weight = 1e-6;
 
@@ -58,7 +63,31 @@ std::vector<std::pair<RotorStation, Unbalance>> placed_unbalances(const RotorSet
   return placed;
 }
 
+/// The place of a rotor of matrices in the plane of an unbalance; null if there is none.
+const MatrixPlace* place_at(const RotorMatrices& matrices, double z) {
+  const double span = std::abs(matrices.bearings.back().z - matrices.bearings.front().z);
+  for (const std::vector<MatrixPlace>* places : {&matrices.bearings, &matrices.stations}) {
+    const auto found = std::find_if(places->begin(), places->end(), [&](const MatrixPlace& place) {
+      return std::abs(place.z - z) <= same_plane * span;
+    });
+    if (found != places->end()) return &*found;
+  }
+  return nullptr;
+}
+
+/// With a station in the plane of each unbalance behind those of the matrices.
+Rotor rotor_of_matrices(const RotorSettings& settings) {
+  RotorMatrices matrices = *settings.matrices;
+  for (std::size_t i = 0; i < settings.unbalances.size(); ++i) {
+    MatrixPlace plane = *place_at(*settings.matrices, settings.unbalances[i].at);
+    plane.name = fmt::format("plane {}", i + 1);
+    matrices.stations.push_back(std::move(plane));
+  }
+  return make_rotor(matrices);
+}
+
 Rotor full_rotor(const RotorSettings& settings) {
+  if (settings.matrices) return rotor_of_matrices(settings);
   if (!settings.tilts()) return make_point_mass(half * settings.mass.value_or(0.0));
   if (settings.is_flexible()) {
     return make_flexible_rotor({.sections = settings.shaft,
@@ -120,6 +149,29 @@ void describe(CaseVisitor& keys, RotorUnbalance& one) {
              &one.phase);
 }
 
+void describe(CaseVisitor& keys, MatrixPlace& place) {
+  using enum Presence;
+  keys.value({"name", required, "Name", "", "\"drive end\""}, &place.name);
+  keys.value({"z", required, "Place", "along the axis", "40 mm", Dimension::length}, &place.z);
+  keys.value({"x", required, "Unknown along X", "number of its row, from 0", "0"}, &place.x);
+  keys.value({"y", required, "Unknown along Y", "number of its row, from 0", "1"}, &place.y);
+}
+
+void describe(CaseVisitor& keys, RotorMatrices& matrices) {
+  using enum Presence;
+  constexpr std::string_view example = "[1.0, 0.0, 0.0, ...]";
+  keys.value({"M", required, "Mass matrix", "M of M y'' + (Omega G + C) y' + K y, symmetric", example}, &matrices.mass);
+  keys.value({"C", required, "Damping matrix", "of what does not turn with the rotor, symmetric", example},
+             &matrices.damping);
+  keys.value({"G", required, "Gyroscopic matrix", "antisymmetric; positive speeds turn X to Y", example},
+             &matrices.gyroscopic);
+  keys.value({"K", required, "Stiffness matrix", "symmetric", example}, &matrices.stiffness);
+  list_of_tables(keys, {"bearing", required, "Bearing", "place of a bearing"}, matrices.bearings,
+                 [](CaseVisitor& inner, MatrixPlace& place) { describe(inner, place); });
+  list_of_tables(keys, {"station", optional, "Station", "another place that results tell of, or with an unbalance"},
+                 matrices.stations, [](CaseVisitor& inner, MatrixPlace& place) { describe(inner, place); });
+}
+
 void describe(CaseVisitor& keys, RotorSettings& rotor) {
   using enum Presence;
   using enum Dimension;
@@ -145,6 +197,16 @@ void describe(CaseVisitor& keys, RotorSettings& rotor) {
                  [](CaseVisitor& inner, ShaftSection& section) { describe(inner, section); });
   list_of_tables(keys, {"disk", optional, "Disk", "rigid, on the shaft"}, rotor.disks,
                  [](CaseVisitor& inner, ShaftDisc& disk) { describe(inner, disk); });
+  keys.file({"matrices", optional, "File of matrices",
+             "of any rotor that nothing holds, in place of all of these: a JSON file beside this one with M, C, G, K, "
+             "bearing and station",
+             "\"rotor.json\""},
+            "matrix", [&rotor](const std::string& path) {
+              rotor.matrices.emplace();  // of this kind, even where the file is wrong
+              rotor.matrices = read_rotor_matrices(path);
+            });
+  optional_table(keys, {"matrix", optional, "Matrices", "of a rotor, what the file holds: row by row, in SI units"},
+                 rotor.matrices, [](CaseVisitor& inner, RotorMatrices& matrices) { describe(inner, matrices); });
   list_of_tables(keys, {"unbalance", optional, "Unbalance", "in one plane, for the command unbalance"},
                  rotor.unbalances, [](CaseVisitor& inner, RotorUnbalance& one) { describe(inner, one); });
 }
@@ -219,7 +281,10 @@ bool judge_unbalances(Judge& judge, const RotorSettings& rotor) {
                            one.grade ? "is missing: a grade is for a speed" : "is given without a grade",
                            "give both, such as grade = \"2.5 mm/s\" and grade_speed = \"60000 rpm\"");
     right &= judge.finite(name + ".phase", one.phase, "rad");
-    if (rotor.is_flexible()) {
+    if (rotor.matrices) {
+      right &= judge.require(place_at(*rotor.matrices, one.at) != nullptr, name + ".at", quantity(one.at, "m"),
+                             "is no place of the matrices", "give the z of a bearing or station");
+    } else if (rotor.is_flexible()) {
       right &= judge.require(one.at >= 0.0 && one.at <= end * (1.0 + round_off), name + ".at", quantity(one.at, "m"),
                              "is not on the shaft",
                              fmt::format("give a place from its begin, 0 m, to its end, {:.6g} m", end));
@@ -239,6 +304,18 @@ bool judge_kind(Judge& judge, const RotorSettings& rotor) {
   const auto belongs = [&](bool is_right, const char* key, const char* what, const char* advice) {
     right &= judge.require(is_right, key, "", what, advice);
   };
+  if (rotor.matrices) {
+    const std::array others{std::pair("rotor.mass", rotor.mass.has_value()),
+                            std::pair("rotor.transverse_inertia", rotor.transverse_inertia.has_value()),
+                            std::pair("rotor.polar_inertia", rotor.polar_inertia.has_value()),
+                            std::pair("rotor.bearings", !rotor.bearings.empty()),
+                            std::pair("rotor.shaft", !rotor.shaft.empty()),
+                            std::pair("rotor.disk", !rotor.disks.empty())};
+    for (const auto& [key, given] : others) {
+      belongs(!given, key, "is given beside matrices, which have it", "remove it, or rotor.matrices");
+    }
+    return right;
+  }
   if (rotor.is_flexible()) {
     belongs(!rotor.mass, "rotor.mass", "is given beside a shaft, whose pieces and disks have the mass",
             "remove rotor.mass, or all [[rotor.shaft]]");
@@ -267,6 +344,14 @@ bool judge_kind(Judge& judge, const RotorSettings& rotor) {
   return right;
 }
 
+bool judge_matrices(Judge& judge, const RotorMatrices& matrices) {
+  const std::vector<Fault> faults = find_matrix_faults(matrices);
+  for (const Fault& fault : faults) {
+    judge.require(false, "rotor.matrix." + fault.key, fault.value, fault.what, fault.advice);
+  }
+  return faults.empty();
+}
+
 /// Bearings that differ: one for each place.
 void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t count) {
   if (count == 0) return;
@@ -275,8 +360,8 @@ void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t co
     return;
   }
   judge.require(
-      count == rotor.bearings.size(), "rotor.bearing", "",
-      fmt::format("is given {} times, for {} places in rotor.bearings", count, rotor.bearings.size()),
+      count == rotor.bearing_count(), "rotor.bearing", "",
+      fmt::format("is given {} times, for {} places of bearings", count, rotor.bearing_count()),
       "give one [[rotor.bearing]] for each place, in their order; one that is like the bearing of the case is "
       "empty");
 }
@@ -285,7 +370,7 @@ void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t co
 
 ReducedRotor rotor_of(const RotorSettings& settings, double range) {
   Rotor rotor = full_rotor(settings);
-  if (!settings.is_flexible()) return {std::move(rotor), 0.0};
+  if (!settings.is_flexible() && !settings.matrices) return {std::move(rotor), 0.0};
   return reduce_rotor(rotor, range);
 }
 
@@ -322,7 +407,7 @@ void describe_rotor(CaseVisitor& keys, Case& input) {
   keys.table(
       {"rotor", Presence::optional, "Rotor",
        "that the bearing carries with an equal one: a mass; with bearings and inertias a rigid rotor that tilts; "
-       "with pieces of a shaft a flexible one"},
+       "with pieces of a shaft a flexible one; or any rotor by its matrices"},
       held != nullptr, [&](CaseVisitor& inner) {
         describe(inner, rotor);
         input.settings.set(rotor);
@@ -350,6 +435,7 @@ void judge_rotor(Judge& judge, const Case& input) {
   for (std::size_t i = 0; i < rotor->bearings.size(); ++i) {
     right &= judge.finite(fmt::format("rotor.bearings[{}]", i + 1), rotor->bearings[i], "m");
   }
+  if (rotor->matrices && !judge_matrices(judge, *rotor->matrices)) return;
   right &= judge_kind(judge, *rotor);
   judge_own_bearings(judge, *rotor, input.rotor_bearings.size());
   right &= judge_shaft(judge, *rotor);

@@ -97,6 +97,7 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   const Eigen::MatrixXd B = bearing_motions(rotor);
   const Eigen::Index n = rotor.size();
   const Eigen::Index held = B.rows();
+  if (n == held) return {rotor, 0.0};
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B.transpose());
   const Eigen::MatrixXd Q = qr.householderQ();
   const Eigen::MatrixXd R = qr.matrixQR().topRows(held).triangularView<Eigen::Upper>();

@@ -11,6 +11,7 @@
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/motion/machine.hpp"
+#include "bumpfoil/rotor/matrices.hpp"
 #include "bumpfoil/rotor/rotor.hpp"
 #include "bumpfoil/rotor/shaft.hpp"
 
@@ -28,7 +29,7 @@ struct RotorUnbalance {
 };
 
 /// Table [rotor] of a case: half of a mass on each of two equal bearings; with places of the bearings and inertias, a
-/// rigid rotor on them; with pieces of a shaft, a flexible one.
+/// rigid rotor on them; with pieces of a shaft, a flexible one; or any rotor by its matrices.
 struct RotorSettings {
   std::optional<double> mass{};                ///< of the whole rotor, kg; that of a shaft follows from its pieces
   std::vector<double> gravity{0.0, -9.81};     ///< along X and Y, m/s^2
@@ -38,11 +39,13 @@ struct RotorSettings {
   std::vector<double> bearings{};
   std::vector<ShaftSection> shaft{};
   std::vector<ShaftDisc> disks{};
+  std::optional<RotorMatrices> matrices{};
   std::vector<RotorUnbalance> unbalances{};
 
   bool operator==(const RotorSettings&) const = default;
   [[nodiscard]] bool is_flexible() const { return !shaft.empty(); }
-  [[nodiscard]] bool tilts() const { return is_flexible() || !bearings.empty(); }
+  [[nodiscard]] bool tilts() const { return is_flexible() || matrices || !bearings.empty(); }
+  [[nodiscard]] std::size_t bearing_count() const { return matrices ? matrices->bearings.size() : bearings.size(); }
   [[nodiscard]] Eigen::Vector2d gravity_vector() const { return {gravity[0], gravity[1]}; }
 };
 

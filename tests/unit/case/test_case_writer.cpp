@@ -236,6 +236,7 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
     if (line.starts_with('[')) {
       in_pad = line.starts_with("[[pad") || line.starts_with("[pad") || line.starts_with("[[rotor.shaft") ||
                line.starts_with("[[rotor.disk") || line.starts_with("[[rotor.bearing") ||
+               line.starts_with("[[rotor.matrix") || line.starts_with("[rotor.matrix") ||
                line.starts_with("[rotor.bearing");
     }
     const bool contradicts = in_pad || line.starts_with("pad_gap") || line.starts_with("height_errors") ||

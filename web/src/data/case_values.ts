@@ -5,6 +5,9 @@ import { directionName } from './kinds';
 import type { Run } from './run';
 import { formatNumber, formatQuantity } from './units';
 
+/** Entries of a list that are written out: matrices of a rotor have thousands. */
+const mostShown = 400;
+
 type Table = { [key: string]: CaseValue };
 
 function isTable(value: CaseValue): value is Table {
@@ -31,8 +34,8 @@ export function flatten(value: CaseValue, path = ''): Map<string, CaseValue> {
 /** What is said of a key or a table; of a list of tables, of the first. */
 export function labelOf(keys: CaseKeys, path: string): CaseKeys[string] | undefined {
   const first = path.replace(/\[\d+\]/g, '[1]');
-  // Foils of pads have the keys of the common ones.
-  return keys[first] ?? keys[first.replace(/^pad\[1\]\./, '')];
+  // Bearings of a rotor, and foils of pads, have the keys of the common ones.
+  return keys[first] ?? keys[first.replace(/^rotor\.bearing\[1\]\./, '').replace(/^pad\[1\]\./, '')];
 }
 
 /** Unit that the numbers of a key, SI, are shown in; of one that takes lengths or forces, which of both the keys beside it are. */
@@ -64,6 +67,7 @@ export function valueText(value: CaseValue | undefined, unit: string): string {
   // What goes along the foil by a law.
   if (isTable(value) && 'law' in value) return `${valueText(value['start'], unit)} to ${valueText(value['end'], unit)}, ${String(value['law'])}`;
   if (Array.isArray(value) && value.length > 0 && value.every(isVector)) return value.map(([x, y]) => vectorText(x, y, unit)).join(', ');
+  if (Array.isArray(value) && value.length > mostShown) return `${value.length} values`;
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
