@@ -18,6 +18,7 @@
 #include "bumpfoil/results/result_folder.hpp"
 #include "case/case_json.hpp"
 #include "experiments/stability/stability_quantities.hpp"
+#include "experiments/unbalance/unbalance_quantities.hpp"
 #include "pages/ensemble_reader.hpp"
 #include "pages/measured_run.hpp"
 #include "pages/report_names.hpp"
@@ -57,13 +58,22 @@ Json quantity_json(VariableMeaning meaning, const Json& result) {
   return shown_quantity(meaning);
 }
 
-/// What tables tell of the results of an experiment; of a rotor, of the whole run, of each speed and of each motion.
+/// What tables tell of the results of an experiment; of a rotor, of the whole run, of each speed, and of each motion or
+/// orbit.
 std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment) {
   std::vector<VariableMeaning> meanings = experiment.quantities;
-  if (!has_onsets(experiment.name)) return meanings;
-  for (const SpeedQuantity& quantity : speed_quantities()) meanings.push_back(quantity.meaning());
-  for (const MotionQuantity& quantity : motion_quantities()) {
-    if (!quantity.is(tag::of_place)) meanings.push_back(quantity.meaning());
+  const auto add = [&meanings](const auto& quantities) {
+    for (const auto& quantity : quantities) {
+      if (!quantity.is(tag::of_place)) meanings.push_back(quantity.meaning());
+    }
+  };
+  if (has_onsets(experiment.name)) {
+    add(speed_quantities());
+    add(motion_quantities());
+  }
+  if (has_peaks(experiment.name)) {
+    add(point_quantities());
+    add(orbit_quantities());
   }
   return meanings;
 }
@@ -135,6 +145,9 @@ Json summary_shown(const Json& summary, const std::string& kind) {
   for (const char* key : shown_of_summary) shown[key] = summary[key];
   if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];
   if (has_onsets(kind)) shown["onsets"] = summary["onsets"];
+  if (has_peaks(kind)) {
+    for (const char* key : {"stations", "peaks"}) shown[key] = summary[key];
+  }
   if (!has_distributions(kind)) return shown;
   for (const char* key : ensemble_summary_parts) {
     if (summary.contains(key)) shown[key] = summary[key];

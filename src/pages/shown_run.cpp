@@ -116,6 +116,12 @@ constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::s
     {"imag", "damped frequency"},
     {"log_decrement", "log. decrement"},
     {"of_foils", "motion of the foils"},
+    {"mean_x", "mean position, X"},
+    {"mean_y", "mean position, Y"},
+    {"amplitude_x_2x", "amplitude at twice the speed, X"},
+    {"amplitude_y_2x", "amplitude at twice the speed, Y"},
+    {"phase_x_2x", "phase at twice the speed, X"},
+    {"phase_y_2x", "phase at twice the speed, Y"},
 });
 
 }  // namespace

@@ -3,8 +3,8 @@
 namespace bumpfoil {
 
 bool is_shown(std::string_view kind) {
-  return has_cycles(kind) || has_distributions(kind) || has_states(kind) || has_onsets(kind) || kind == "path" ||
-         kind == "sweep" || kind == "vibration";
+  return has_cycles(kind) || has_distributions(kind) || has_states(kind) || has_onsets(kind) || has_peaks(kind) ||
+         kind == "path" || kind == "sweep" || kind == "vibration";
 }
 
 bool has_cycles(std::string_view kind) {
@@ -21,6 +21,10 @@ bool has_states(std::string_view kind) {
 
 bool has_onsets(std::string_view kind) {
   return kind == "stability";
+}
+
+bool has_peaks(std::string_view kind) {
+  return kind == "unbalance";
 }
 
 }  // namespace bumpfoil

@@ -140,6 +140,22 @@ class SummaryChecker {
     }
   }
 
+  /// Stations of a rotor, and where its response to unbalance is largest.
+  void check_peaks(const Json& summary) const {
+    const auto is_text = [](const Json& one) { return one.is_string(); };
+    const Json& stations = at(summary, "stations");
+    if (!stations.is_array() || !std::all_of(stations.begin(), stations.end(), is_text)) {
+      refuse("stations", "is not a list of names");
+    }
+    if (!at(summary, "peaks").is_array()) refuse("peaks", "is not a list");
+    for (const Json& peak : summary["peaks"]) {
+      for (const char* key : {"kind", "station"}) static_cast<void>(text(peak, key));
+      for (const char* key : {"speed_rad_per_s", "semi_major_m"}) {
+        if (!at(peak, key).is_number()) refuse(key, "is not a number");
+      }
+    }
+  }
+
  private:
   void check_yield(const Json& yield) const {
     for (const char* key : {"passed", "samples"}) {
@@ -198,6 +214,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   if (has_distributions(command)) checker.check_ensemble(json);
   if (has_states(command) && json.contains("limits")) checker.check_running_limits(json["limits"]);
   if (has_onsets(command)) checker.check_onsets(checker.at(json, "onsets"));
+  if (has_peaks(command)) checker.check_peaks(json);
   summary.xxh3_128 = checker.text(json, "xxh3_128");
   summary.run_id = checker.text(json, "run_id");
   if (summary.run_id.empty()) checker.refuse("run_id", "is empty");

@@ -10,6 +10,7 @@ import { loopView } from './views/loops';
 import { pathView } from './views/paths';
 import { stabilityView } from './views/stability';
 import { sweepView } from './views/sweeps';
+import { unbalanceView } from './views/unbalance';
 import { vibrationView } from './views/vibrations';
 import { part, type MakeView } from './views/view';
 import './style/page.css';
@@ -30,6 +31,7 @@ const views: Record<string, MakeView> = {
   path: pathView,
   stability: stabilityView,
   sweep: sweepView,
+  unbalance: unbalanceView,
   vibration: vibrationView,
 };
 

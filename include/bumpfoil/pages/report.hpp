@@ -58,10 +58,10 @@ struct ReadingOptions {
 /// `series` has the largest at every increment. Measured loops have `measured`: true, series of displacement, force and
 /// work, and no fields.
 ///
-/// Grids (`equilibrium`, `film`, `path`, `stability`, `sweep`, `vibration`): `summary` is what summary.json begins
-/// with, up to the status, and its `limits` or `onsets`; `dimensions` (sizes by name), `variables` (by name: `key` in
-/// tables, `dims`, the last running fastest, `unit`, `text`, `words` of flags, `values`, all binary32) and `left_out`
-/// (names of those that were too large).
+/// Grids (`equilibrium`, `film`, `path`, `stability`, `sweep`, `unbalance`, `vibration`): `summary` is what
+/// summary.json begins with, up to the status, and its `limits`, `onsets`, or `stations` and `peaks`; `dimensions`
+/// (sizes by name), `variables` (by name: `key` in tables, `dims`, the last running fastest, `unit`, `text`, `words` of
+/// flags, `values`, all binary32) and `left_out` (names of those that were too large).
 ///
 /// Ensembles (`montecarlo`): `summary` has the statistics of summary.json as well; `directions` in degrees,
 /// `sample_count`, and `distributions` by the names of quantities: `unit`, `text`, `from` and `to` (the least and the

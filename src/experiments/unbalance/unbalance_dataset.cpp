@@ -5,12 +5,35 @@
 #include "results/csv_value.hpp"
 
 namespace bumpfoil {
+namespace {
+
+void add_points(const UnbalanceResult& result, Dataset& data) {
+  data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"},
+                     each(result.points, [](const UnbalancePoint& point) { return point.speed; }));
+  for (const PointQuantity& quantity : point_quantities()) {
+    data.add(quantity.meaning(), {"speed"},
+             each(result.points, [&](const UnbalancePoint& point) { return quantity.value(result, point); }));
+  }
+  const std::size_t count = result.machine.rotor.bearings.size();
+  data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
+  for (const int axis : {0, 1}) {
+    data.add({axis == 0 ? "x" : "y", "m", fmt::format("journal centre in equilibrium, {}", axis == 0 ? 'X' : 'Y')},
+             {"speed", "bearing"}, [&result, axis, count] {
+               return padded_rows(result.points.size(), count, [&](std::size_t i) {
+                 return each(result.points[i].states,
+                             [axis](const BearingState& state) { return state.position[axis]; });
+               });
+             });
+  }
+}
+
+}  // namespace
+
 Dataset unbalance_dataset(const UnbalanceResult& result) {
   const std::vector<RotorStation> stations = result.machine.places();
   const std::span<const ResponseKind> kinds = kinds_of(result);
   Dataset data;
-  data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"},
-                     each(result.points, [](const UnbalancePoint& point) { return point.speed; }));
+  add_points(result, data);
   data.add_dimension({"kind", "", "how the response was found", flags<ResponseKind>}, numbers_from(0.0, kinds.size()));
   data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
                      numbers_from(1.0, stations.size()));
@@ -19,17 +42,6 @@ Dataset unbalance_dataset(const UnbalanceResult& result) {
   std::string names;
   for (const RotorStation& station : stations) names += (names.empty() ? "" : ", ") + station.name;
   places.attributes["stations"] = names;
-  data.add({"status", "", "how the search for the equilibrium ended", search_status}, {"speed"},
-           each(result.points, [](const UnbalancePoint& point) { return static_cast<double>(point.status); }));
-  data.add({"h_min",
-            "m",
-            "minimum film thickness of all bearings in equilibrium",
-            {},
-            "minimum film thickness",
-            shown::micrometres},
-           {"speed"}, each(result.points, [&result](const UnbalancePoint& point) {
-             return result.machine.thinnest_film(point.states);
-           }));
   for (const ResponseQuantity& quantity : response_quantities()) {
     data.add(quantity.meaning(), {"speed", "kind", "station"}, [&result, stations, kinds, quantity] {
       std::vector<double> values;

@@ -23,19 +23,26 @@ RunStatus status_of(const UnbalanceResult& result) {
                     result.points.size());
 }
 
-/// What summary.json lists: `peaks`, and `speeds` with the response of each kind at each station.
+/// What summary.json lists: `stations` by their names, `peaks`, and `speeds` with the response of each kind at each.
 Json unbalance_lists(const UnbalanceResult& result) {
-  Json json{{"reduction_error", result.machine.reduction_error}, {"peaks", Json::array()}, {"speeds", Json::array()}};
+  const std::vector<RotorStation> stations = result.machine.places();
+  Json json{{"reduction_error", result.machine.reduction_error},
+            {"stations", each(stations, [](const RotorStation& station) { return station.name; })},
+            {"peaks", Json::array()},
+            {"speeds", Json::array()}};
   for (const ResponsePeak& peak : peaks_of(result)) {
     json["peaks"].push_back({{"kind", name_of(peak.kind)},
                              {"station", peak.station},
                              {"speed_rad_per_s", peak.speed},
                              {"semi_major_m", peak.amplitude}});
   }
-  const std::vector<RotorStation> stations = result.machine.places();
   for (const UnbalancePoint& point : result.points) {
-    Json& entry = json["speeds"].emplace_back(
-        Json{{"speed_rad_per_s", point.speed}, {"status", name_of(point.status)}, {"responses", Json::array()}});
+    Json& entry = json["speeds"].emplace_back(Json{{"speed_rad_per_s", point.speed}});
+    for (const PointQuantity& quantity : point_quantities()) {
+      const bool is_status = quantity.name == "speed_status";
+      entry[is_status ? "status" : quantity.key()] = value_json(quantity.value(result, point), quantity.form);
+    }
+    entry["responses"] = Json::array();
     for (const ResponseKind kind : kinds_of(result)) {
       for (std::size_t i = 0; i < stations.size(); ++i) {
         const StationResponse response = response_at(result, point, kind, i);

@@ -45,6 +45,10 @@ template <int axis>
 double twice(const StationResponse& response) {
   return response.orbit == nullptr ? absent : std::abs(response.orbit->twice[axis]);
 }
+template <int axis>
+double phase_twice(const StationResponse& response) {
+  return response.orbit == nullptr ? absent : to_degrees(std::arg(response.orbit->twice[axis]));
+}
 
 constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
     {"amplitude_x", "m", "amplitude along X at the frequency of rotation", amplitude<0>, csv, "amplitude, X",
@@ -71,11 +75,29 @@ constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
     {"mean_x", "m", "mean of the position along X in a turn of an orbit", mean<0>, csv},
     {"mean_y", "m", "mean of the position along Y in a turn of an orbit", mean<1>, csv},
     {"amplitude_x_2x", "m", "amplitude along X at twice the frequency of rotation, of an orbit", twice<0>, csv},
+    {"phase_x_2x", "degree", "phase of X2 in x = ... + Re(X2 exp(2 i nu t)), of an orbit", phase_twice<0>, csv},
     {"amplitude_y_2x", "m", "amplitude along Y at twice the frequency of rotation, of an orbit", twice<1>, csv},
+    {"phase_y_2x", "degree", "phase of Y2 in y = ... + Re(Y2 exp(2 i nu t)), of an orbit", phase_twice<1>, csv},
     {"semi_major", "m", "larger semi-axis of the orbit", orbit_axis<&EllipticOrbit::major>, csv | shown_first | leading,
      "semi-major axis", shown::micrometres},
     {"semi_minor", "m", "smaller semi-axis of the orbit, negative where it is gone round against the rotation",
      orbit_axis<&EllipticOrbit::minor>, csv, "semi-minor axis", shown::micrometres},
+});
+
+constexpr auto point_quantity_table = std::to_array<PointQuantity>({
+    {"speed_status",
+     "",
+     "how the search for the equilibrium ended",
+     [](const UnbalanceResult&, const UnbalancePoint& point) { return static_cast<double>(point.status); },
+     none,
+     "",
+     {},
+     search_status},
+    {"equilibrium_h_min", "m", "minimum film thickness of all bearings without unbalance",
+     [](const UnbalanceResult& result, const UnbalancePoint& point) {
+       return result.machine.thinnest_film(point.states);
+     },
+     none, "minimum film thickness, equilibrium", shown::micrometres},
 });
 
 constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
@@ -100,7 +122,19 @@ constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
      [](const Orbit& orbit) { return orbit.change; }, of_solver},
     {"largest_multiplier", "1",
      "largest Floquet multiplier that the search has met: an orbit lasts where it is smaller than 1",
-     [](const Orbit& orbit) { return orbit.multipliers.empty() ? absent : std::abs(orbit.multipliers.front()); }},
+     [](const Orbit& orbit) { return orbit.multipliers.empty() ? absent : std::abs(orbit.multipliers.front()); }, none,
+     "largest Floquet multiplier", shown::unitless},
+    {"orbit_lasts",
+     "1",
+     "whether the rotor stays on the periodic orbit: no Floquet multiplier that the search has met is larger than 1",
+     [](const Orbit& orbit) {
+       const std::optional<bool> lasts = lasting(orbit);
+       return lasts ? static_cast<double>(*lasts) : absent;
+     },
+     none,
+     "lasts",
+     {},
+     yes_or_no},
 });
 
 /// Largest semi-major axis of all stations, m; not a number where there is no response.
@@ -162,8 +196,17 @@ Status status_of(const UnbalancePoint& point, ResponseKind kind) {
   return kind == ResponseKind::orbit && point.orbit ? point.orbit->status : point.status;
 }
 
+std::span<const PointQuantity> point_quantities() {
+  return point_quantity_table;
+}
+
 std::span<const OrbitQuantity> orbit_quantities() {
   return orbit_quantity_table;
+}
+
+std::optional<bool> lasting(const Orbit& orbit) {
+  if (orbit.status != Status::converged || orbit.multipliers.empty()) return std::nullopt;
+  return std::abs(orbit.multipliers.front()) <= 1.0;
 }
 
 std::span<const ResponseKind> kinds_of(const UnbalanceResult& result) {
@@ -229,8 +272,7 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
     if (!point.sliding || !point.stuck) ++unknown;
     if (point.orbit && point.orbit->status == Status::converged) {
       ++orbits;
-      const auto& multipliers = point.orbit->multipliers;
-      if (!multipliers.empty() && std::abs(multipliers.front()) > 1.0 && left++ == 0) first_left = &point;
+      if (!lasting(*point.orbit).value_or(true) && left++ == 0) first_left = &point;
     }
     double part = 0.0;
     for (std::size_t i = 0; i < point.states.size(); ++i) {

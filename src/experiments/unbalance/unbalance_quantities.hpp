@@ -41,9 +41,16 @@ struct StationResponse {
 using ResponseQuantity = Quantity<double (*)(const StationResponse&)>;
 std::span<const ResponseQuantity> response_quantities();
 
+/// Of the rotor at one speed.
+using PointQuantity = Quantity<double (*)(const UnbalanceResult&, const UnbalancePoint&)>;
+std::span<const PointQuantity> point_quantities();
+
 /// Of an orbit as a whole.
 using OrbitQuantity = Quantity<double (*)(const Orbit&)>;
 std::span<const OrbitQuantity> orbit_quantities();
+
+/// Whether the rotor stays on a periodic orbit; nothing where there is none, or no multiplier is known.
+std::optional<bool> lasting(const Orbit& orbit);
 
 /// Kinds that a result has: orbits where they were asked for.
 std::span<const ResponseKind> kinds_of(const UnbalanceResult& result);
@@ -73,7 +80,7 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
 /// The run as a text table: a line for each speed, and the peaks.
 std::string unbalance_table(const UnbalanceResult& result);
 
-/// The run over the dimensions speed, kind and station. It lives as long as the result.
+/// The run over the dimensions speed, bearing, kind and station. It lives as long as the result.
 Dataset unbalance_dataset(const UnbalanceResult& result);
 
 /// Contents of unbalance.csv: a line for each station, kind and speed.

@@ -66,10 +66,13 @@ std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
 
 /// What the bearings do in a turn, the worst of them or all together.
 std::string orbit_lines(const UnbalanceResult& result) {
-  std::string out = fmt::format("{0:>{6}}{1:>{6}}{2:>{6}}{3:>{6}}{4:>{6}}{5:>{6}}\n", "speed", "min. film", "friction",
-                                "power", "multiplier", "turns", response_cell_width);
-  out += fmt::format("{0:>{6}}{1:>{6}}{2:>{6}}{3:>{6}}{4:>{6}}{5:>{6}}\n", "rpm", "um", "uJ", "W", "", "",
-                     response_cell_width);
+  const auto row = [](std::initializer_list<std::string_view> cells) {
+    std::string line;
+    for (const std::string_view cell : cells) line += fmt::format("{:>{}}", cell, response_cell_width);
+    return line + '\n';
+  };
+  std::string out = row({"speed", "min. film", "friction", "power", "multiplier", "lasts", "turns"});
+  out += row({"rpm", "um", "uJ", "W", "", "", ""});
   const std::size_t listed = std::min(result.points.size(), most_responses_shown);
   for (std::size_t i = 0; i < listed; ++i) {
     const UnbalancePoint& point = result.points[i];
@@ -87,6 +90,8 @@ std::string orbit_lines(const UnbalanceResult& result) {
     const auto& multipliers = point.orbit->multipliers;
     out += response_cell(all.thinnest, 1e-6) + response_cell(all.friction, 1e-6) + response_cell(all.power, 1.0);
     out += response_cell(multipliers.empty() ? absent : std::abs(multipliers.front()), 1.0);
+    const std::optional<bool> lasts = lasting(*point.orbit);
+    out += fmt::format("{:>{}}", !lasts ? "-" : *lasts ? "yes" : "no", response_cell_width);
     out += fmt::format("{:>{}}\n", point.orbit->turns, response_cell_width);
   }
   return out;

@@ -183,6 +183,21 @@ export interface StabilitySummary extends SummaryHead {
   onsets: OnsetData[];
 }
 
+/** Where the response of a rotor to unbalance is largest. */
+export interface PeakData {
+  /** "linear_sliding", "linear_stuck", "orbit" */
+  kind: string;
+  station: string;
+  speed_rad_per_s: number;
+  semi_major_m: number;
+}
+
+export interface UnbalanceSummary extends SummaryHead {
+  /** Names of the places on the rotor, its bearings first. */
+  stations: string[];
+  peaks: PeakData[];
+}
+
 export interface Summary extends SummaryHead {
   cycles: CycleSummary[];
 }

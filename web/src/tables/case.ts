@@ -63,7 +63,7 @@ function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): H
 /** Whether a result is of bearings with a film; the others have nothing of gas and film. */
 function hasFilm({ data }: Result): boolean {
   const of = [data.kind, data.attributes['swept_command']];
-  return of.includes('equilibrium') || of.includes('film') || of.includes('stability') || ('states' in data && Array.isArray(data.states) && data.states.length > 0);
+  return ['equilibrium', 'film', 'stability', 'unbalance'].some((one) => of.includes(one)) || ('states' in data && Array.isArray(data.states) && data.states.length > 0);
 }
 
 function keysOf(runs: Result[]): string[] {

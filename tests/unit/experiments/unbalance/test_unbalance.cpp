@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -86,14 +88,50 @@ TEST(Unbalance, WritesALineForEachStation) {
   const std::string csv = file_of(outcome, "unbalance.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "speed_rad_per_s,station,amplitude_x_m,phase_x_deg,amplitude_y_m,phase_y_deg,half_peak_to_peak_x_m,"
-            "half_peak_to_peak_y_m,h_min_m,friction_loss_J,power_W,mean_x_m,mean_y_m,amplitude_x_2x_m,"
-            "amplitude_y_2x_m,semi_major_m,semi_minor_m,kind,status");
+            "half_peak_to_peak_y_m,h_min_m,friction_loss_J,power_W,mean_x_m,mean_y_m,amplitude_x_2x_m,phase_x_2x_deg,"
+            "amplitude_y_2x_m,phase_y_2x_deg,semi_major_m,semi_minor_m,kind,status");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
   EXPECT_NE(csv.find(",bearing 1,"), std::string::npos);
   EXPECT_NE(csv.find(",linear_stuck,converged\n"), std::string::npos);
   const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
   EXPECT_EQ(summary.at("speeds").at(1).at("responses").size(), 2U);
+  EXPECT_EQ(summary.at("stations"), nlohmann::json::array({"bearing 1"}));
   EXPECT_NE(outcome.table().find("Small orbits, contacts stuck"), std::string::npos);
+}
+
+/// The film of an orbit and that of the equilibrium are two variables, each with its own numbers.
+TEST(Unbalance, KeepsEachVariableOnce) {
+  Case input = unbalanced_case({-11000.0});
+  UnbalanceSettings settings = *input.settings.find<UnbalanceSettings>();
+  settings.orbits = true;
+  settings.steps_per_revolution = 30;
+  input.settings.set(settings);
+  const UnbalanceResult result = run_unbalance(input);
+  const Dataset data = unbalance_dataset(result);
+  std::map<std::string, std::vector<double>> values;
+  for (const Variable& variable : data.variables) {
+    EXPECT_TRUE(values.try_emplace(variable.meaning.name, variable.values()).second) << variable.meaning.name;
+  }
+  const Orbit& orbit = *result.points[0].orbit;
+  EXPECT_EQ(values.at("h_min").at(2), orbit.turn[0].thinnest);
+  EXPECT_EQ(values.at("equilibrium_h_min").at(0), result.machine.thinnest_film(result.points[0].states));
+  EXPECT_LT(orbit.turn[0].thinnest, values.at("equilibrium_h_min").at(0));
+  EXPECT_EQ(values.at("y").at(0), result.points[0].states[0].position.y());
+  EXPECT_NEAR(values.at("phase_y_2x").at(2), std::arg(orbit.bearings[0].twice.y()) * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_EQ(values.at("orbit_lasts").at(0), 1.0);
+}
+
+/// An orbit lasts where it was found and no multiplier is larger than 1; without multipliers nobody knows.
+TEST(Unbalance, SaysWhichOrbitsLast) {
+  Orbit orbit;
+  orbit.status = Status::converged;
+  EXPECT_EQ(lasting(orbit), std::nullopt);
+  orbit.multipliers = {{0.6, 0.7}};
+  EXPECT_EQ(lasting(orbit), true);
+  orbit.multipliers = {{0.8, 0.7}};
+  EXPECT_EQ(lasting(orbit), false);
+  orbit.status = Status::not_converged;
+  EXPECT_EQ(lasting(orbit), std::nullopt);
 }
 
 /// The critical speed of the rotor lies where the orbit is largest.
