@@ -189,8 +189,8 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
   command
       ->add_option("--target-error", options->target_error,
                    "Stop when the standard error of the mean of the maximum force (for running bearings: of the "
-                   "minimum film thickness; for rotors: of stable_up_to) is below this fraction of it everywhere; "
-                   "checked after every 1000 samples")
+                   "minimum film thickness; for rotors: of stable_up_to or largest_amplitude) is below this fraction "
+                   "of it everywhere; checked after every 1000 samples")
       ->check(positive_number())
       ->type_name("E");
   command

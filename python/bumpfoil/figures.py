@@ -173,7 +173,8 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     """Distributions of maximum force, structural stiffness, loss factor and estimated clearance, by direction, and their means.
 
     For running bearings: minimum film thickness, eccentricity, power loss and maximum stress, by state. For rotors: the
-    speed up to which they are stable, that at which whirl begins, contacts sliding and stuck, and the whirl ratio there.
+    speed up to which they are stable, that at which whirl begins, contacts sliding and stuck, and the whirl ratio there; or
+    the largest amplitude under unbalance, its speed, and the film thickness.
 
     Parameters
     ----------
@@ -204,6 +205,10 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
             ("onset_speed", "onset of whirl (rpm)", rpm),
             ("onset_speed_stuck", "onset of whirl, stuck (rpm)", rpm),
             ("onset_whirl_ratio", "whirl ratio at the onset", 1),
+            ("largest_amplitude", "largest amplitude (µm)", 1e-6),
+            ("largest_amplitude_speed", "speed of the largest amplitude (rpm)", rpm),
+            ("largest_amplitude_ratio", "amplitude / film thickness", 1),
+            ("least_h_min", "minimum film thickness, orbits (µm)", 1e-6),
         ]
     shown = [entry for entry in quantities if entry[0] in data and np.isfinite(data[entry[0]]).any()]
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)

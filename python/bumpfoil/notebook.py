@@ -54,7 +54,7 @@ def _end(cycle: Cycle) -> dict[str, float]:
 def of_ensemble(statistics: Mapping[str, Mapping[str, Any]]) -> str:
     """Means and standard deviations of summary.json, a column for each direction, state or rotor."""
     rows = [["mean ± standard deviation", *statistics]]
-    for _, key, words, unit, size in (line for command in ("cycle", "equilibrium", "stability") for line in _native.headlines(command)):
+    for _, key, words, unit, size in (line for command in ("cycle", "equilibrium", "stability", "unbalance") for line in _native.headlines(command)):
         found = [one.get(key) for one in statistics.values()]
         if any(found):
             rows.append([_words(words, unit), *(_mean(entry, size) for entry in found)])

@@ -228,7 +228,8 @@ class Result:
         ----------
         quantity : str, optional
             A variable of ensemble.nc over samples and directions, states or rotor, such as ``loss_factor``; by default
-            the maximum force, the minimum film thickness, or the speed up to which rotors are stable.
+            the maximum force, the minimum film thickness, the speed up to which rotors are stable, or their largest
+            amplitude.
         ax : matplotlib axes, optional
             Axes to draw on; by default new ones.
         """

@@ -224,7 +224,7 @@ def run_transient(case: Any, /, *, progress: Progress = None, **tables: Any) -> 
         range as for the program, ``"60 um:90 um:10 um"`` (end included). With ``equilibrium.speeds`` each point has
         one speed.
     command : str
-        ``cycle``, ``strip``, ``vibration``, ``equilibrium`` or ``stability``.
+        ``cycle``, ``strip``, ``vibration``, ``equilibrium``, ``stability`` or ``unbalance``.
     threads : int, optional
         To run points on; by default all cores.
     limits : bool
@@ -290,7 +290,7 @@ def run_montecarlo(
     **tables: Any,
 ) -> Result:
     """Runs the cycles of many random bearings within the tolerances of [montecarlo], their states on the film
-    (``montecarlo={"command": "equilibrium", ...}``), or a rotor on them (``"stability"``).
+    (``montecarlo={"command": "equilibrium", ...}``), or a rotor on them (``"stability"``, ``"unbalance"``).
 
     Every sample keeps its quantities, see :meth:`Result.to_xarray`, :meth:`Result.to_dataframe` and
     ``summary["statistics"]``."""

@@ -21,7 +21,7 @@ void add_places(const EnsembleLayout& layout, Dataset& data) {
         each(layout.places, [](const EnsemblePlace& one) { return to_degrees(std::get<double>(one.at)); }));
     return;
   }
-  if (layout.command == EnsembleCommand::stability) {
+  if (place == "rotor") {
     data.add_dimension({place, "1", "the rotor on bearings that are all the sample", whole_number}, {1.0});
     return;
   }

@@ -12,6 +12,7 @@
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/stability/stability_quantities.hpp"
+#include "experiments/unbalance/unbalance_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -71,6 +72,13 @@ EnsembleColumn column_of(const StabilityQuantity& quantity) {
           }};
 }
 
+EnsembleColumn column_of(const UnbalanceQuantity& quantity) {
+  return {.meaning = sampled_meaning(quantity.meaning()),
+          .value = [quantity](const SampleResult& result, std::size_t /*place*/, const Case&) {
+            return quantity.value(std::get<UnbalanceResult>(result));
+          }};
+}
+
 /// Of the quantities those that ensembles keep; the status comes first. @param add  (quantity)
 template <typename Quantities, typename Add>
 void add_sampled(const Quantities& quantities, const Add& add) {
@@ -112,6 +120,14 @@ void lay_out_rotor(const Case& input, EnsembleLayout& layout) {
               [&](const StabilityQuantity& quantity) { layout.columns.push_back(column_of(quantity)); });
 }
 
+void lay_out_unbalance(const Case& input, EnsembleLayout& layout) {
+  const bool with_orbits = unbalance_not_begun(input).with_orbits;
+  layout.places.push_back({"rotor"});
+  add_sampled(unbalance_quantities(), [&](const UnbalanceQuantity& quantity) {
+    if (with_orbits || !quantity.is(tag::of_orbits)) layout.columns.push_back(column_of(quantity));
+  });
+}
+
 std::size_t places_run(const SampleResult& result) {
   if (const auto* cycles = std::get_if<CycleResult>(&result)) return cycles->cycles.size();
   if (const auto* running = std::get_if<EquilibriumResult>(&result)) return running->states.size();
@@ -142,12 +158,12 @@ constexpr auto sample_statuses = [] {
 }  // namespace
 
 std::string_view EnsembleLayout::dimension() const {
-  constexpr std::array<std::string_view, 3> names{"direction", "state", "rotor"};
+  constexpr std::array<std::string_view, 4> names{"direction", "state", "rotor", "rotor"};
   return names.at(static_cast<std::size_t>(command));
 }
 
 std::string_view EnsembleLayout::leading() const {
-  constexpr std::array<std::string_view, 3> names{"max_force", "h_min", "stable_up_to"};
+  constexpr std::array<std::string_view, 4> names{"max_force", "h_min", "stable_up_to", "largest_amplitude"};
   return names.at(static_cast<std::size_t>(command));
 }
 
@@ -180,9 +196,13 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
       lay_out_rotor(input, layout);
       statuses = sample_statuses<search_status>;
       break;
+    case EnsembleCommand::unbalance:
+      lay_out_unbalance(input, layout);
+      statuses = sample_statuses<search_status>;
+      break;
   }
   layout.columns.front().meaning.form.words = statuses;
-  layout.loads = layout.command == EnsembleCommand::stability ? 0 : layout.bumps;
+  layout.loads = layout.dimension() == "rotor" ? 0 : layout.bumps;
   return layout;
 }
 

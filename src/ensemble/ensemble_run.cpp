@@ -78,6 +78,9 @@ std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, cons
     case EnsembleCommand::stability:
       keep(run_rotor_sample(sampled, goes_on));
       break;
+    case EnsembleCommand::unbalance:
+      keep(run_unbalance_sample(sampled, goes_on));
+      break;
   }
   if (stopped) return std::nullopt;
   return make_ensemble_row(layout_, sampled, result);

@@ -34,6 +34,7 @@ constexpr auto true_of_samples = std::to_array<TrueOfSamples>({
     {"stable", "stable with the journal held"},
     {"stable_throughout", "stable at all speeds"},
     {"unstable_at_lowest", "unstable at the lowest speed already"},
+    {"orbits_last", "periodic orbits last at all speeds"},
 });
 
 std::string lines_of_truths(const EnsembleLayout& layout, const PlaceStatistics& statistics) {

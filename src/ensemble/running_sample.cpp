@@ -31,4 +31,8 @@ std::optional<StabilityResult> run_rotor_sample(const Case& sampled, const std::
   return unless_faulty([&] { return run_stability(sampled, progress); });
 }
 
+std::optional<UnbalanceResult> run_unbalance_sample(const Case& sampled, const std::function<bool(double)>& progress) {
+  return unless_faulty([&] { return run_unbalance(sampled, progress); });
+}
+
 }  // namespace bumpfoil

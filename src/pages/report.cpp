@@ -72,6 +72,7 @@ std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment
     add(motion_quantities());
   }
   if (has_peaks(experiment.name)) {
+    add(response_quantities());
     add(point_quantities());
     add(orbit_quantities());
   }

@@ -215,6 +215,17 @@ TEST_F(MonteCarloProgram, RunsRotorsOnBearingsOfTheirSample) {
   }
   EXPECT_NEAR(kept.at("mean").get<double>(), sum / 3.0, 1e-9 * sum);
   EXPECT_GT(kept.at("std"), 0.0);
+  // Its response to unbalance, too.
+  const ProgramOutcome unbalance =
+      run(std::vector<std::string>{"montecarlo", case_path_, "-o", results_, "--force", "--samples", "2", "--limit",
+                                   "largest_amplitude < 20 um"} +
+          rotor +
+          std::vector<std::string>{"rotor.unbalance=[{amount=\"2 g mm\"}]", "unbalance.speeds=[\"9000 rpm\"]",
+                                   "montecarlo.command=unbalance", "montecarlo.radial_clearance.std=2 um"});
+  ASSERT_EQ(unbalance.exit_code, 0) << unbalance.errors;
+  EXPECT_NE(unbalance.output.find("\nlargest amplitude "), std::string::npos) << unbalance.output;
+  EXPECT_NE(unbalance.output.find("\nyield: 2 of 2 bearings"), std::string::npos) << unbalance.output;
+  EXPECT_EQ(summary().at("statistics").at("rotor").at("largest_amplitude_speed_rad_per_s").at("std"), 0.0);
   const ProgramOutcome none = run({"montecarlo", case_path_, "-o", results_, "--force", "--set",
                                    "montecarlo.command=stability", "--set", "montecarlo.bump_height.std=1 um"});
   EXPECT_EQ(none.exit_code, 2);

@@ -96,6 +96,24 @@ def test_ensemble_of_running_bearings(program):
     assert "power loss (W)" in result._repr_html_()
 
 
+def test_ensemble_of_unbalanced_rotors():
+    tables = {"film": {"rows": 4}, "rotor": {"unbalance": [{"amount": "2 g mm"}]}, "unbalance": {"speeds": ["8000 rpm", "10000 rpm"]}}
+    of = {"command": "unbalance"}
+    result = bumpfoil.run_montecarlo(EXAMPLES / "rotor_tolerances.toml", samples=4, limits=["largest_amplitude < 1.8 um"], montecarlo=of, **tables)
+    data = result.to_xarray()
+    assert np.all(data.status == 0)
+    assert result.summary["yield"]["passed"] == np.sum(data.largest_amplitude < 1.8e-6)
+    assert "amplitude" in result.plot_ensemble().get_xlabel()
+    assert figures.ensemble(result).axes[0].get_xlabel() == "largest amplitude (µm)"
+
+
+def test_sweep_of_unbalanced_rotors():
+    tables = {"film": {"rows": 4, "columns_per_pitch": 4}, "unbalance": {"speeds": ["8000 rpm", "10000 rpm"]}}
+    swept = bumpfoil.run_sweep(EXAMPLES / "rotor.toml", {"rotor.mass": [1.0, 2.0]}, command="unbalance", **tables).to_xarray()
+    assert swept.journal_amplitude.dims == ("rotor_mass", "speed")
+    np.testing.assert_array_equal(swept.largest_amplitude, swept.journal_amplitude.max("speed"))
+
+
 def test_ensemble_of_rotors():
     tables = {"film": {"rows": 4}, "stability": {"speeds": ["12000 rpm", "15000 rpm"]}}
     result = bumpfoil.run_montecarlo(EXAMPLES / "rotor_tolerances.toml", samples=4, limits=["stable_up_to > 12000 rpm"], **tables)

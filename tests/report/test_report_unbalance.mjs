@@ -21,7 +21,10 @@ before(() => {
   unbalance('back', ['unbalance.speeds=["-9000 rpm", "-12000 rpm"]', 'bearing.wrap=clockwise', ...orbits]);
   unbalance('one', ['unbalance.speeds=["12000 rpm"]', 'title=</script><b>x</b>']);
   unbalance('failed', ['unbalance.speeds=["12000 rpm", "50 rpm"]'], 3);
-  for (const name of ['orbits', 'tilting', 'back', 'one', 'failed']) report(`${name}.html`, name);
+  const film = mesh.flatMap((pair) => ['--set', pair]);
+  run(['sweep', rotorFile, '--command', 'unbalance', '--over', 'rotor.mass=[1 kg, 2 kg]', '-o', join(folder, 'masses'), ...film]);
+  run(['montecarlo', rotorFile, '-o', join(folder, 'tolerances'), '--samples', '4', '--limit', 'largest_amplitude < 5 um', ...film, '--set', 'unbalance.speeds=["8000 rpm", "10000 rpm"]', '--set', 'montecarlo.command=unbalance', '--set', 'montecarlo.radial_clearance.std=2 um']);
+  for (const name of ['orbits', 'tilting', 'back', 'one', 'failed', 'masses', 'tolerances']) report(`${name}.html`, name);
 });
 
 const csvOf = (name) => rowsOf(readFileSync(join(folder, name, 'unbalance.csv'), 'utf8'));
@@ -253,6 +256,28 @@ test('a report does not replace the file of the responses', () => {
   assert.match(run(['report', join(folder, 'one'), '-o', join(folder, 'one', 'unbalance.csv'), '--force'], 4), /is one of the results that this report reads/);
   assert.equal(readFileSync(join(folder, 'one', 'unbalance.csv'), 'utf8'), before);
 });
+
+test('a sweep shows the largest amplitude over its key, and amplitudes over key and speed', () =>
+  withReport('masses.html', async (page) => {
+    const { points } = summaryOf('masses');
+    const shown = await shownIn(page, 'Result vs. parameter');
+    assert.deepEqual(shown.map((row) => row.rotor_mass_kg), ['1', '2']);
+    points.forEach((point, i) => near(Number(shown[i].largest_amplitude_m), point.largest_amplitude_m, 1e-6, 'amplitude'));
+    const heads = await page.getByRole('group', { name: 'Table: Results by point', exact: true }).locator('thead th').allTextContents();
+    assert.deepEqual(heads.slice(0, 4), ['Rotor: Mass', 'Largest amplitude µm', 'Speed of it rpm', 'Amplitude / film']);
+    await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Speed');
+    await page.getByRole('combobox', { name: 'Quantity: Result vs. parameter' }).selectOption('Amplitude of the journals');
+    assert.equal((await shownIn(page, 'Result vs. parameter')).length, 2 * 37);
+    assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+  }));
+
+test('an ensemble shows how amplitudes scatter', () =>
+  withReport('tolerances.html', async (page) => {
+    const text = await page.locator('main').innerText();
+    assert.match(text, /Largest amplitude/);
+    assert.match(text, /largest_amplitude < 5 um\t4\t4\t/);
+    assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+  }));
 
 test('words are words, links lead somewhere, and no row of panels is left half empty', async () => {
   for (const name of ['orbits', 'tilting']) {

@@ -2,6 +2,7 @@
 
 #include "bumpfoil/experiments/rotor_settings.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil::test_support {
@@ -44,6 +45,17 @@ inline Case rotor_ensemble_case(int samples) {
   rotor.gravity = {9.81, 0.0};
   input.settings.set(rotor);
   input.settings.set(StabilitySettings{.speeds = {-1256.6, -1570.8}});  // the gas enters at the weld
+  return input;
+}
+
+/// The same rotor, its centre of mass 1 um from its axis, about the speeds at which its orbit is largest.
+inline Case unbalance_ensemble_case(int samples) {
+  Case input = rotor_ensemble_case(samples);
+  input.montecarlo->command = EnsembleCommand::unbalance;
+  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  rotor.unbalances.emplace_back().amount = 2e-6;
+  input.settings.set(rotor);
+  input.settings.set(UnbalanceSettings{.speeds = {-700.0, -900.0, -1100.0}});
   return input;
 }
 

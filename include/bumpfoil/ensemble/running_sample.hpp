@@ -5,6 +5,7 @@
 
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -22,5 +23,9 @@ std::optional<EquilibriumResult> run_running_sample(const Case& sampled,
 /// Failures are reported at the speeds.
 /// @return nothing if the case makes no bearing
 std::optional<StabilityResult> run_rotor_sample(const Case& sampled, const std::function<bool(double)>& progress = {});
+
+/// The same for its response to unbalance, over the speeds of [unbalance].
+std::optional<UnbalanceResult> run_unbalance_sample(const Case& sampled,
+                                                    const std::function<bool(double)>& progress = {});
 
 }  // namespace bumpfoil

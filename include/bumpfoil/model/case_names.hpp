@@ -45,6 +45,6 @@ template <>
 inline constexpr auto enum_names<ComparedPaths> = std::to_array<std::string_view>({"one", "two", "all"});
 template <>
 inline constexpr auto enum_names<EnsembleCommand> = std::to_array<std::string_view>({"cycle", "equilibrium",
-                                                                                     "stability"});
+                                                                                     "stability", "unbalance"});
 
 }  // namespace bumpfoil

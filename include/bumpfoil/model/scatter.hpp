@@ -59,6 +59,7 @@ enum class EnsembleCommand : std::uint8_t {
   cycle,        ///< a cycle in each direction of [cycle]
   equilibrium,  ///< the running bearing, along the path of [equilibrium] to all its states
   stability,    ///< the rotor of [rotor] on two such bearings, over the speeds of [stability]
+  unbalance,    ///< its response to unbalance over those of [unbalance]
 };
 
 /// An ensemble of bearings that differ within their tolerances. Deviations are from what the case says, and those other

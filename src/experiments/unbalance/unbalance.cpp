@@ -29,9 +29,10 @@ const UnbalanceSettings& unbalance_settings_of(const Case& input) {
 }  // namespace
 
 UnbalanceResult unbalance_not_begun(const Case& input) {
-  const std::vector<double>& speeds = unbalance_settings_of(input).speeds;
-  UnbalanceResult result{.machine = make_machine(input, speeds, "unbalance"), .points = {}};
-  for (const double speed : speeds) {
+  const UnbalanceSettings& settings = unbalance_settings_of(input);
+  UnbalanceResult result{
+      .machine = make_machine(input, settings.speeds, "unbalance"), .points = {}, .with_orbits = settings.orbits};
+  for (const double speed : settings.speeds) {
     UnbalancePoint& point = result.points.emplace_back();
     point.speed = speed;
     point.status = Status::interrupted;

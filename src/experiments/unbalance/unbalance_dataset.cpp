@@ -11,8 +11,16 @@ void add_points(const UnbalanceResult& result, Dataset& data) {
   data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"},
                      each(result.points, [](const UnbalancePoint& point) { return point.speed; }));
   for (const PointQuantity& quantity : point_quantities()) {
+    if (quantity.is(tag::of_orbits) && !result.with_orbits) continue;
     data.add(quantity.meaning(), {"speed"},
              each(result.points, [&](const UnbalancePoint& point) { return quantity.value(result, point); }));
+  }
+  if (result.with_orbits) {
+    for (const OrbitQuantity& quantity : orbit_quantities()) {
+      data.add(quantity.meaning(), {"speed"}, each(result.points, [&quantity](const UnbalancePoint& point) {
+                 return point.orbit ? quantity.value(*point.orbit) : absent;
+               }));
+    }
   }
   const std::size_t count = result.machine.rotor.bearings.size();
   data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
@@ -29,11 +37,16 @@ void add_points(const UnbalanceResult& result, Dataset& data) {
 
 }  // namespace
 
-Dataset unbalance_dataset(const UnbalanceResult& result) {
+Dataset unbalance_dataset(const UnbalanceResult& result, bool with_responses) {
+  Dataset data;
+  for (const UnbalanceQuantity& quantity : unbalance_quantities()) {
+    if (quantity.is(tag::of_orbits) && !result.with_orbits) continue;
+    data.add(quantity.meaning(), {}, std::vector<double>{quantity.value(result)});
+  }
+  add_points(result, data);
+  if (!with_responses) return data;
   const std::vector<RotorStation> stations = result.machine.places();
   const std::span<const ResponseKind> kinds = kinds_of(result);
-  Dataset data;
-  add_points(result, data);
   data.add_dimension({"kind", "", "how the response was found", flags<ResponseKind>}, numbers_from(0.0, kinds.size()));
   data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
                      numbers_from(1.0, stations.size()));
@@ -56,12 +69,6 @@ Dataset unbalance_dataset(const UnbalanceResult& result) {
       }
       return values;
     });
-  }
-  if (kinds.back() != ResponseKind::orbit) return data;
-  for (const OrbitQuantity& quantity : orbit_quantities()) {
-    data.add(quantity.meaning(), {"speed"}, each(result.points, [&quantity](const UnbalancePoint& point) {
-               return point.orbit ? quantity.value(*point.orbit) : absent;
-             }));
   }
   return data;
 }

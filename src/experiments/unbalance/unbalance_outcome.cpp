@@ -5,6 +5,7 @@
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "case/case_json.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
 #include "results/result_files.hpp"
 #include "results/summary_json.hpp"
@@ -26,10 +27,15 @@ RunStatus status_of(const UnbalanceResult& result) {
 /// What summary.json lists: `stations` by their names, `peaks`, and `speeds` with the response of each kind at each.
 Json unbalance_lists(const UnbalanceResult& result) {
   const std::vector<RotorStation> stations = result.machine.places();
-  Json json{{"reduction_error", result.machine.reduction_error},
-            {"stations", each(stations, [](const RotorStation& station) { return station.name; })},
-            {"peaks", Json::array()},
-            {"speeds", Json::array()}};
+  Json json;
+  for (const UnbalanceQuantity& quantity : unbalance_quantities()) {
+    if (quantity.name == "status" || (quantity.is(tag::of_orbits) && !result.with_orbits)) continue;
+    json[quantity.key()] = value_json(quantity.value(result), quantity.form);
+  }
+  json.update({{"reduction_error", result.machine.reduction_error},
+               {"stations", each(stations, [](const RotorStation& station) { return station.name; })},
+               {"peaks", Json::array()},
+               {"speeds", Json::array()}});
   for (const ResponsePeak& peak : peaks_of(result)) {
     json["peaks"].push_back({{"kind", name_of(peak.kind)},
                              {"station", peak.station},
@@ -39,6 +45,7 @@ Json unbalance_lists(const UnbalanceResult& result) {
   for (const UnbalancePoint& point : result.points) {
     Json& entry = json["speeds"].emplace_back(Json{{"speed_rad_per_s", point.speed}});
     for (const PointQuantity& quantity : point_quantities()) {
+      if (quantity.is(tag::of_orbits) && !result.with_orbits) continue;
       const bool is_status = quantity.name == "speed_status";
       entry[is_status ? "status" : quantity.key()] = value_json(quantity.value(result, point), quantity.form);
     }
@@ -90,7 +97,14 @@ Outcome unbalance_outcome(const Case& input, UnbalanceResult made) {
           .failures = failure_lines(*result),
           .table = [=] { return unbalance_table(*result); },
           .dataset = [=] { return unbalance_dataset(*result); },
-          .files = [=](const Provenance& provenance) { return unbalance_files(input, *result, status, provenance); }};
+          .files = [=](const Provenance& provenance) { return unbalance_files(input, *result, status, provenance); },
+          .swept =
+              [=](bool /*with_loops*/) {
+                return SweptResult{.dataset = unbalance_dataset(*result, false),
+                                   .parts = {{"", 0}},
+                                   .rows = unbalance_csv(*result),
+                                   .lists = dump_json(unbalance_lists(*result), -1)};
+              }};
 }
 
 }  // namespace
@@ -102,6 +116,9 @@ ExperimentInfo unbalance_experiment() {
   with_orbits[0] = "unbalance.speeds=[\"-11000 rpm\"]";
   with_orbits.emplace_back("unbalance.orbits=true");
   with_orbits.emplace_back("unbalance.steps_per_revolution=30");
+  const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
+    return unbalance_outcome(input, run_unbalance(input, progress));
+  };
   return {
       .name = "unbalance",
       .summary = "Compute the response of a rotor on its bearings to unbalance, over speed",
@@ -110,15 +127,19 @@ ExperimentInfo unbalance_experiment() {
           "  bumpfoil unbalance examples/rotor.toml -o orbits --orbits --set 'unbalance.speeds=[\"8000 rpm\", \"12000 "
           "rpm\"]'\n"
           "  bumpfoil unbalance examples/rotor.toml -o graded --set 'rotor.unbalance=[{grade=\"2.5 mm/s\", "
-          "grade_speed=\"24000 rpm\"}]'\n",
+          "grade_speed=\"24000 rpm\"}]'\n"
+          "  bumpfoil sweep examples/rotor.toml --command unbalance --over 'rotor.mass=[1 kg, 2 kg, 4 kg]' -o masses\n",
       .files = {"summary.json", "unbalance.csv", "result.nc"},
       .switches = {{.name = "orbits",
                     .help = "Also find the periodic orbits with contacts and friction, by steps in time",
                     .key = "unbalance.orbits",
                     .value = "true"}},
-      .run = [](const Case& input,
-                const ProgressCallback& progress) { return unbalance_outcome(input, run_unbalance(input, progress)); },
-      .quantities = meanings_of(response_quantities()),
+      .sampled = EnsembleCommand::unbalance,
+      .run = run,
+      .sweeping =
+          Sweeping{.run = run,
+                   .not_begun = [](const Case& input) { return unbalance_outcome(input, unbalance_not_begun(input)); }},
+      .quantities = meanings_of(unbalance_quantities()),
       .small_runs = {speeds, with_orbits}};
 }
 

@@ -20,6 +20,113 @@ constexpr double small_part_of_film = 0.3;
 /// Part by which an orbit is larger at a peak than beside it.
 constexpr double least_fall_from_peak = 0.05;
 
+/// Of a bearing in equilibrium, m.
+double film_of(const UnbalanceResult& result, const BearingState& state) {
+  return state.film.thickness.minCoeff() * result.machine.bearing->scales.thickness;
+}
+
+/// Largest semi-major axis of the journals, m; over the minimum film thickness of its bearing where it is a part of it.
+template <ResponseKind kind, bool part_of_film = false>
+double journal_amplitude(const UnbalanceResult& result, const UnbalancePoint& point) {
+  double largest = absent;
+  for (std::size_t i = 0; i < point.states.size(); ++i) {
+    const StationResponse response = response_at(result, point, kind, i);
+    if (!response.motion) continue;
+    const double major = elliptic_orbit(*response.motion, point.speed).major;
+    const double size = part_of_film ? major / film_of(result, point.states[i]) : major;
+    if (!(size <= largest)) largest = size;
+  }
+  return largest;
+}
+
+/// Minimum film thickness of all bearings in the periodic orbit, m.
+double film_in_orbit(const UnbalanceResult& /*result*/, const UnbalancePoint& point) {
+  double thinnest = absent;
+  if (!point.orbit) return thinnest;
+  for (const BearingTurn& turn : point.orbit->turn) {
+    if (!(turn.thinnest >= thinnest)) thinnest = turn.thinnest;
+  }
+  return thinnest;
+}
+
+/// The speed at which a number is largest; nothing where it is known at none.
+template <typename Value>
+const UnbalancePoint* largest_at(const UnbalanceResult& result, const Value& value) {
+  const UnbalancePoint* found = nullptr;
+  for (const UnbalancePoint& point : result.points) {
+    const double number = value(result, point);
+    if (!std::isnan(number) && (found == nullptr || number > value(result, *found))) found = &point;
+  }
+  return found;
+}
+template <double (*value)(const UnbalanceResult&, const UnbalancePoint&)>
+double largest_over_speeds(const UnbalanceResult& result) {
+  const UnbalancePoint* const found = largest_at(result, value);
+  return found == nullptr ? absent : value(result, *found);
+}
+constexpr auto stuck_amplitude = journal_amplitude<ResponseKind::linear_stuck>;
+constexpr auto stuck_part_of_film = journal_amplitude<ResponseKind::linear_stuck, true>;
+
+double least_film_in_orbits(const UnbalanceResult& result) {
+  const auto* const found = largest_at(
+      result, [](const UnbalanceResult& all, const UnbalancePoint& point) { return -film_in_orbit(all, point); });
+  return found == nullptr ? absent : film_in_orbit(result, *found);
+}
+
+/// Whether all periodic orbits last; not a number where one is missing, or it is not known, and the others last.
+double all_last(const UnbalanceResult& result) {
+  bool known = true;
+  for (const UnbalancePoint& point : result.points) {
+    const std::optional<bool> lasts = point.orbit ? lasting(*point.orbit) : std::nullopt;
+    if (lasts == false) return 0.0;
+    known = known && lasts;
+  }
+  return known ? 1.0 : absent;
+}
+
+/// How the first search that failed ended, that for an equilibrium or an orbit.
+Status first_failure(const UnbalanceResult& result) {
+  for (const UnbalancePoint& point : result.points) {
+    for (const Status status : {point.status, status_of(point, ResponseKind::orbit)}) {
+      if (status != Status::converged) return status;
+    }
+  }
+  return Status::converged;
+}
+
+constexpr auto unbalance_quantity_table = std::to_array<UnbalanceQuantity>({
+    {"status",
+     "",
+     "how the first search for an equilibrium or a periodic orbit ended that failed; converged: all were found",
+     [](const UnbalanceResult& result) { return static_cast<double>(first_failure(result)); },
+     sampled,
+     "",
+     {},
+     search_status},
+    {"largest_amplitude", "m", "largest semi-major axis of the orbits of the journals at all speeds, small, full stick",
+     largest_over_speeds<stuck_amplitude>, headline | leading | sampled, "largest amplitude", shown::micrometres},
+    {"largest_amplitude_speed", "rad/s", "magnitude of the speed at which it is",
+     [](const UnbalanceResult& result) {
+       const UnbalancePoint* const found = largest_at(result, stuck_amplitude);
+       return found == nullptr ? absent : std::abs(found->speed);
+     },
+     headline | sampled, "speed of it", shown::revolutions},
+    {"largest_amplitude_ratio", "1",
+     "largest ratio of such a semi-major axis to the minimum film thickness of its bearing in equilibrium",
+     largest_over_speeds<stuck_part_of_film>, headline | sampled, "amplitude / film", shown::unitless},
+    {"least_h_min", "m", "minimum film thickness of all bearings in the periodic orbits at all speeds",
+     least_film_in_orbits, headline | sampled | of_orbits, "minimum film, orbits", shown::micrometres},
+    {"orbits_last",
+     "1",
+     "whether the rotor stays on the periodic orbits at all speeds: no Floquet multiplier that was met is larger than "
+     "1",
+     all_last,
+     sampled | of_orbits,
+     "orbits last",
+     {},
+     yes_or_no},
+});
+
 template <int axis>
 double amplitude(const StationResponse& response) {
   return std::abs((*response.motion)[axis]);
@@ -98,6 +205,18 @@ constexpr auto point_quantity_table = std::to_array<PointQuantity>({
        return result.machine.thinnest_film(point.states);
      },
      none, "minimum film thickness, equilibrium", shown::micrometres},
+    {"journal_amplitude", "m", "largest semi-major axis of the orbits of the journals, small, full stick",
+     stuck_amplitude, none, "amplitude of the journals", shown::micrometres},
+    {"journal_amplitude_sliding", "m",
+     "largest semi-major axis of the orbits of the journals, small, sliding contacts slide on",
+     journal_amplitude<ResponseKind::linear_sliding>, none, "amplitude of the journals, sliding", shown::micrometres},
+    {"journal_amplitude_ratio", "1",
+     "largest ratio of such a semi-major axis, full stick, to the minimum film thickness of its bearing in equilibrium",
+     stuck_part_of_film, none, "amplitude / film", shown::unitless},
+    {"journal_amplitude_orbit", "m", "largest semi-major axis of the journals in the periodic orbit, first harmonic",
+     journal_amplitude<ResponseKind::orbit>, of_orbits, "amplitude of the journals, orbit", shown::micrometres},
+    {"orbit_h_min", "m", "minimum film thickness of all bearings in the periodic orbit", film_in_orbit, of_orbits,
+     "minimum film thickness, orbit", shown::micrometres},
 });
 
 constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
@@ -169,6 +288,10 @@ bool stands_out(const std::vector<double>& values, std::size_t place) {
 
 }  // namespace
 
+std::span<const UnbalanceQuantity> unbalance_quantities() {
+  return unbalance_quantity_table;
+}
+
 std::span<const ResponseQuantity> response_quantities() {
   return response_quantity_table;
 }
@@ -210,9 +333,7 @@ std::optional<bool> lasting(const Orbit& orbit) {
 }
 
 std::span<const ResponseKind> kinds_of(const UnbalanceResult& result) {
-  const bool any = std::any_of(result.points.begin(), result.points.end(),
-                               [](const UnbalancePoint& point) { return point.orbit.has_value(); });
-  return std::span(all_response_kinds).first(any ? 3 : 2);
+  return std::span(all_response_kinds).first(result.with_orbits ? 3 : 2);
 }
 
 std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
@@ -274,14 +395,8 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
       ++orbits;
       if (!lasting(*point.orbit).value_or(true) && left++ == 0) first_left = &point;
     }
-    double part = 0.0;
-    for (std::size_t i = 0; i < point.states.size(); ++i) {
-      const double film = result.machine.thinnest_film(i, point.states[i]);
-      for (const ResponseKind kind : {ResponseKind::linear_sliding, ResponseKind::linear_stuck}) {
-        const StationResponse response = response_at(result, point, kind, i);
-        if (response.motion) part = std::max(part, elliptic_orbit(*response.motion, point.speed).major / film);
-      }
-    }
+    const double part = std::fmax(journal_amplitude<ResponseKind::linear_sliding, true>(result, point),
+                                  stuck_part_of_film(result, point));
     if (part > small_part_of_film) ++large;
     if (part > worst_part) {
       worst_part = part;

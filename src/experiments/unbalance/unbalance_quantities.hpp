@@ -29,6 +29,14 @@ template <>
 inline constexpr auto enum_names<ResponseKind> = std::to_array<std::string_view>({"linear_sliding", "linear_stuck",
                                                                                   "orbit"});
 
+namespace tag {
+inline constexpr Tags of_orbits = 2 * first_of_experiment;  ///< of results that have periodic orbits
+}
+
+/// Of the whole run.
+using UnbalanceQuantity = Quantity<double (*)(const UnbalanceResult&)>;
+std::span<const UnbalanceQuantity> unbalance_quantities();
+
 /// A response at one speed, at one station of the rotor.
 struct StationResponse {
   const UnbalancePoint& point;
@@ -80,8 +88,9 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
 /// The run as a text table: a line for each speed, and the peaks.
 std::string unbalance_table(const UnbalanceResult& result);
 
-/// The run over the dimensions speed, bearing, kind and station. It lives as long as the result.
-Dataset unbalance_dataset(const UnbalanceResult& result);
+/// The run over the dimensions speed, bearing, kind and station; without responses over speed alone, as sweeps keep it.
+/// It lives as long as the result.
+Dataset unbalance_dataset(const UnbalanceResult& result, bool with_responses = true);
 
 /// Contents of unbalance.csv: a line for each station, kind and speed.
 std::string unbalance_csv(const UnbalanceResult& result);

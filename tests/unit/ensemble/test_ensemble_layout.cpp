@@ -133,8 +133,34 @@ TEST(EnsembleLayout, RowsHoldTheRotorOverItsSpeeds) {
   EXPECT_EQ(value("unstable_at_lowest"), 0.0);
 }
 
+TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
+  Case input = test_support::unbalance_ensemble_case(1);
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  EXPECT_EQ(layout.dimension(), "rotor");
+  EXPECT_EQ(layout.leading(), "largest_amplitude");
+  EXPECT_EQ(layout.width(), layout.columns.size());
+  std::vector<std::string> names;
+  for (const EnsembleColumn& column : layout.columns) names.push_back(column.meaning.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"status", "largest_amplitude", "largest_amplitude_speed",
+                                             "largest_amplitude_ratio"}));
+  EXPECT_EQ(layout.status_name(layout.no_bearing()), "not_physical");
+  const UnbalanceResult result = run_unbalance_sample(sampled_case(input, draw_sample(input, 0))).value();
+  const std::vector<double> row = make_ensemble_row(layout, input, result);
+  EXPECT_EQ(row[0], 0.0);
+  EXPECT_GT(row[1], 0.5e-6);  // the centre of mass lies 1 um from the axis
+  EXPECT_LT(row[1], 5e-6);
+  EXPECT_GE(row[2], 700.0);
+  EXPECT_LT(row[3], 1.0);
+  // With orbits, what these are like.
+  input.settings.find<UnbalanceSettings>()->orbits = true;
+  EXPECT_EQ(make_ensemble_layout(input).columns.back().meaning.name, "orbits_last");
+}
+
 /// What is wrong with the case is no fault of a sample.
 TEST(EnsembleLayout, OfRotorsWantsOne) {
+  Case unbalanced = test_support::unbalance_ensemble_case(1);
+  unbalanced.settings.set(UnbalanceSettings{});
+  EXPECT_THROW(static_cast<void>(make_ensemble_layout(unbalanced)), Error);
   Case input = test_support::rotor_ensemble_case(1);
   input.settings.set(StabilitySettings{});
   EXPECT_THROW(static_cast<void>(make_ensemble_layout(input)), Error);

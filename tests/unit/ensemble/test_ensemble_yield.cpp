@@ -79,6 +79,21 @@ TEST(EnsembleYield, BearingsPassInEveryDirection) {
   EXPECT_EQ(yield_text(make_yields({}, layout, log)), "");
 }
 
+/// Limits on amplitudes and their speeds have units.
+TEST(EnsembleYield, RotorsPassWhoseOrbitsAreSmallEnough) {
+  const EnsembleLayout of_rotor = make_ensemble_layout(test_support::unbalance_ensemble_case(3));
+  const std::vector<EnsembleLimit> limits = parse_limits(
+      {"largest_amplitude < 5 um", "largest_amplitude_speed < 9000 rpm", "largest_amplitude_ratio < 0.3"}, of_rotor);
+  EXPECT_EQ(limits[0].bound, 5e-6);
+  EXPECT_NEAR(limits[1].bound, 300.0 * M_PI, 1e-9);
+  // Small; too large for the film; without an equilibrium at some speed.
+  const test_support::TemporaryFolder folder;
+  EnsembleLog log(folder.path() / "log", "", of_rotor.width());
+  const auto not_reached = static_cast<double>(Status::not_reached);
+  log.append(std::vector{0.0, 2e-6, 900.0, 0.1, 0.0, 4e-6, 900.0, 0.4, not_reached, 2e-6, 900.0, 0.1});
+  EXPECT_EQ(make_yields(limits, of_rotor, log).all.passed, 1U);
+}
+
 /// Where there is no onset a rotor may be stable at all speeds or at none: limits are on the speed up to which it is.
 TEST(EnsembleYield, RotorsPassThatAreStableUpToTheLimit) {
   const EnsembleLayout of_rotor = make_ensemble_layout(test_support::rotor_ensemble_case(4));

@@ -48,6 +48,20 @@ TEST(RunningSample, OfARotorIsItsCommandOnTheCaseThatWasDrawn) {
   EXPECT_FALSE(run_rotor_sample(none));
 }
 
+TEST(RunningSample, RespondsToUnbalanceAsItsCommandDoes) {
+  const Case input = test_support::unbalance_ensemble_case(2);
+  const Case sampled = sampled_case(input, draw_sample(input, 1));
+  const UnbalanceResult result = run_unbalance_sample(sampled).value();
+  ASSERT_TRUE(result.points[2].stuck.has_value());
+  EXPECT_EQ(*result.points[2].stuck, *run_unbalance(sampled).points[2].stuck);
+  EXPECT_NE(*result.points[2].stuck, *run_unbalance(input).points[2].stuck);
+  const UnbalanceResult stopped = run_unbalance_sample(sampled, [](double) { return false; }).value();
+  EXPECT_EQ(stopped.points[0].status, Status::interrupted);
+  Case none = sampled;
+  none.bump_foil.thickness = -0.1e-3;
+  EXPECT_FALSE(run_unbalance_sample(none));
+}
+
 TEST(RunningSample, CanBeStopped) {
   const Case input = test_support::running_ensemble_case(1);
   const EquilibriumResult result =

@@ -71,6 +71,7 @@ TEST_F(ReportOfUnbalance, HasResponsesPeaksAndTheWordsForThem) {
     return found == all.end() ? "" : found->at("label").get<std::string>();
   };
   EXPECT_EQ(label_of("equilibrium_h_min"), "minimum film thickness, equilibrium");
+  EXPECT_EQ(label_of("largest_amplitude"), "largest amplitude");
   EXPECT_EQ(label_of("h_min"), "minimum film thickness");
   EXPECT_EQ(label_of("largest_multiplier"), "largest Floquet multiplier");
   EXPECT_EQ(label_of("amplitude_x_2x"), "amplitude at twice the speed, X");

@@ -38,7 +38,7 @@ function keysOf(grid: Grid): Coordinate[] {
 }
 
 function isOfRotors(grid: Grid): boolean {
-  return grid.attribute('swept_command') === 'stability';
+  return ['stability', 'unbalance'].includes(grid.attribute('swept_command'));
 }
 
 /** Of running bearings: speeds, and loads or positions; of rotors, speeds. */

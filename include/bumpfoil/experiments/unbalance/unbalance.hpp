@@ -33,6 +33,7 @@ struct UnbalancePoint {
 struct UnbalanceResult {
   Machine machine;
   std::vector<UnbalancePoint> points;  ///< in the order of the speeds
+  bool with_orbits{};                  ///< periodic orbits were asked for
 };
 
 /// A run that ended before its first speed.

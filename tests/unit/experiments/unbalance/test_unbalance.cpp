@@ -121,6 +121,68 @@ TEST(Unbalance, KeepsEachVariableOnce) {
   EXPECT_EQ(values.at("orbit_lasts").at(0), 1.0);
 }
 
+/// The largest orbit of the journals, where it is, and what part of the film it takes: those of the response.
+TEST(Unbalance, SaysHowLargeOrbitsAreAtMost) {
+  UnbalanceResult result = run_unbalance(unbalanced_case({-6000.0, -8500.0, -11000.0}));
+  const auto value = [&](std::string_view name) {
+    const auto all = unbalance_quantities();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+    return found->value(result);
+  };
+  double largest = 0.0;
+  double speed = 0.0;
+  double ratio = 0.0;
+  for (const UnbalancePoint& point : result.points) {
+    const double major = elliptic_orbit(Eigen::Vector2cd(*point.stuck), point.speed).major;
+    if (major > largest) speed = -point.speed;
+    largest = std::max(largest, major);
+    ratio = std::max(ratio, major / result.machine.thinnest_film(point.states));
+  }
+  EXPECT_EQ(value("status"), 0.0);
+  EXPECT_NEAR(value("largest_amplitude"), largest, 1e-12 * largest);
+  EXPECT_EQ(value("largest_amplitude_speed"), speed);
+  EXPECT_NEAR(value("largest_amplitude_ratio"), ratio, 1e-12 * ratio);
+  EXPECT_TRUE(std::isnan(value("least_h_min")));
+  EXPECT_TRUE(std::isnan(value("orbits_last")));
+  // Of orbits, the thinnest film; one that does not last is enough.
+  for (std::size_t i = 0; i < 3; ++i) {
+    Orbit& orbit = result.points[i].orbit.emplace();
+    orbit.status = Status::converged;
+    orbit.turn = {{.thinnest = std::vector{5e-6, 3e-6, 4e-6}[i]}};
+    orbit.multipliers = {{0.9, 0.0}};
+  }
+  EXPECT_EQ(value("least_h_min"), 3e-6);
+  EXPECT_EQ(value("orbits_last"), 1.0);
+  result.points[1].orbit->multipliers.clear();
+  EXPECT_TRUE(std::isnan(value("orbits_last")));
+  result.points[2].orbit->multipliers = {{-1.1, 0.0}};
+  EXPECT_EQ(value("orbits_last"), 0.0);
+  result.points[1].orbit->status = Status::not_converged;
+  EXPECT_EQ(value("status"), static_cast<double>(Status::not_converged));
+  result.points[0].status = Status::touchdown;
+  EXPECT_EQ(value("status"), static_cast<double>(Status::touchdown));
+}
+
+/// A sweep keeps what is over the speeds, of runs that were not begun, too.
+TEST(Unbalance, IsSwept) {
+  const ExperimentInfo& experiment = experiment_named("unbalance");
+  const Case input = unbalanced_case({-11000.0, -12000.0});
+  const Outcome outcome = experiment.sweeping->run(input, {});
+  const SweptResult swept = outcome.swept(false);
+  const Outcome none = experiment.sweeping->not_begun(input);
+  const SweptResult empty = none.swept(false);
+  ASSERT_EQ(swept.dataset.variables.size(), empty.dataset.variables.size());
+  for (std::size_t i = 0; i < swept.dataset.variables.size(); ++i) {
+    EXPECT_EQ(swept.dataset.variables[i].meaning.name, empty.dataset.variables[i].meaning.name);
+    EXPECT_EQ(swept.dataset.variables[i].values().size(), empty.dataset.variables[i].values().size());
+  }
+  EXPECT_EQ(swept.dataset.dims.size(), 2U);  // speed and bearing
+  const auto lists = nlohmann::json::parse(swept.lists);
+  EXPECT_GT(lists.at("largest_amplitude_m"), 0.0);
+  EXPECT_FALSE(lists.contains("least_h_min_m"));
+  EXPECT_EQ(swept.rows, file_of(outcome, "unbalance.csv"));
+}
+
 /// An orbit lasts where it was found and no multiplier is larger than 1; without multipliers nobody knows.
 TEST(Unbalance, SaysWhichOrbitsLast) {
   Orbit orbit;
