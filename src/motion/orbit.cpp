@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "bumpfoil/bearing/film_bearing.hpp"
@@ -26,6 +27,12 @@ constexpr double no_difference = 1e-9;
 constexpr double least_film_left = 0.5;
 /// Multipliers smaller than this are not told from none.
 constexpr double least_multiplier = 1e-3;
+/// Differences tell multipliers from so many tolerances on, and what is a part of one in them is noise: below, friction
+/// creeps, and steps are solved to some accuracy.
+constexpr double telling_tolerances = 10.0;
+constexpr double noisy_tolerances = 0.3;
+/// By which orbits are disturbed, over c: friction does not hide it, and it is small beside any film.
+constexpr double disturbance = 1e-3;
 
 /// Numbers whose differences are looked at: y/c and v / (c |Omega|) of the journals.
 Eigen::VectorXd journal_numbers(const MachineStepper& stepper, const MachineState& state) {
@@ -107,35 +114,43 @@ void combine(const Eigen::VectorXd& weights, const std::vector<MachineState>& st
   for (std::size_t i = 1; i < states.size(); ++i) to += weights[static_cast<Eigen::Index>(i)] * part(states[i]);
 }
 
+/// The numbers of a bearing that states are combined by, without those of steps before.
+/// @param add  (part of a bearing's state)
+template <typename Add>
+void for_parts_of_bearings(const Add& add) {
+  add([](auto& b) -> auto& { return b.position; });
+  add([](auto& b) -> auto& { return b.film.pressure; });
+  add([](auto& b) -> auto& { return b.film.thickness; });
+  add([](auto& b) -> auto& { return b.film.lift; });
+  add([](auto& b) -> auto& { return b.film.moment; });
+  add([](auto& b) -> auto& { return b.slip_origin; });
+  add([](auto& b) -> auto& { return b.contacts.x; });
+  add([](auto& b) -> auto& { return b.contacts.gap; });
+  add([](auto& b) -> auto& { return b.contacts.normal_force; });
+  add([](auto& b) -> auto& { return b.contacts.friction_force; });
+}
+
 /// sum g_i of whole states. Modes, time and angle are those of the last.
-MachineState combined(const Eigen::VectorXd& weights, const std::vector<MachineState>& states) {
+/// @param with_steps  also of the steps before, which all have
+MachineState combined(const Eigen::VectorXd& weights, const std::vector<MachineState>& states, bool with_steps = true) {
   MachineState sum = states.front();
   const auto add = [&](const auto& part) { combine(weights, states, part, sum); };
   add([](auto& s) -> auto& { return s.rotor.y; });
   add([](auto& s) -> auto& { return s.rotor.v; });
-  add([](auto& s) -> auto& { return s.rotor_before.y; });
-  add([](auto& s) -> auto& { return s.rotor_before.v; });
   for (std::size_t i = 0; i < sum.bearings.size(); ++i) {
-    for (const bool before : {false, true}) {
-      const auto add_of = [&](const auto& part) {
-        add([&](auto& s) -> auto& { return part(before ? s.bearings_before[i] : s.bearings[i]); });
-      };
-      add_of([](auto& b) -> auto& { return b.position; });
-      add_of([](auto& b) -> auto& { return b.film.pressure; });
-      add_of([](auto& b) -> auto& { return b.film.thickness; });
-      add_of([](auto& b) -> auto& { return b.film.lift; });
-      add_of([](auto& b) -> auto& { return b.film.moment; });
-      add_of([](auto& b) -> auto& { return b.last_step.content; });
-      add_of([](auto& b) -> auto& { return b.slip_origin; });
-      add_of([](auto& b) -> auto& { return b.contacts.x; });
-      add_of([](auto& b) -> auto& { return b.contacts.gap; });
-      add_of([](auto& b) -> auto& { return b.contacts.normal_force; });
-      add_of([](auto& b) -> auto& { return b.contacts.friction_force; });
-    }
+    for_parts_of_bearings([&](const auto& part) { add([&](auto& s) -> auto& { return part(s.bearings[i]); }); });
     sum.bearings[i].contacts.mode = states.back().bearings[i].contacts.mode;
   }
   sum.time = states.back().time;
   sum.angle = states.back().angle;
+  if (!with_steps) return sum;
+  add([](auto& s) -> auto& { return s.rotor_before.y; });
+  add([](auto& s) -> auto& { return s.rotor_before.v; });
+  for (std::size_t i = 0; i < sum.bearings.size(); ++i) {
+    for_parts_of_bearings([&](const auto& part) { add([&](auto& s) -> auto& { return part(s.bearings_before[i]); }); });
+    add([i](auto& s) -> auto& { return s.bearings[i].last_step.content; });
+    add([i](auto& s) -> auto& { return s.bearings_before[i].last_step.content; });
+  }
   return sum;
 }
 
@@ -156,12 +171,18 @@ Eigen::VectorXd extrapolating_weights(const Eigen::MatrixXd& differences) {
   return weights / weights.sum();
 }
 
+/// Whether differences are more than those of an orbit that repeats itself.
+bool tell_multipliers(const Eigen::MatrixXd& differences, double tolerance) {
+  return differences.cwiseAbs().maxCoeff() > telling_tolerances * tolerance;
+}
+
 /// Eigenvalues of the map that takes each difference to the next, the largest first.
-std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences) {
+std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences, double tolerance) {
   const Eigen::Index n = differences.cols() - 1;
-  const Eigen::MatrixXd scaled = differences / differences.cwiseAbs().maxCoeff();
+  const double largest = differences.cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd scaled = differences / largest;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(no_difference);
+  decomposition.setThreshold(std::max(no_difference, noisy_tolerances * tolerance / largest));
   decomposition.compute(scaled.leftCols(n).transpose());
   const Eigen::MatrixXd map = decomposition.solve(scaled.rightCols(n).transpose());
   const Eigen::VectorXcd values = map.eigenvalues();
@@ -169,6 +190,26 @@ std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences) {
   std::sort(found.begin(), found.end(), [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
   std::erase_if(found, [&](Complex value) { return std::abs(value) < least_multiplier; });
   return found;
+}
+
+/// A motion of all journals, none like another and in both senses, as large as a disturbance.
+Eigen::VectorXcd disturbing_motion(const MachineStepper& stepper) {
+  const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
+  Eigen::MatrixXd places(2 * static_cast<Eigen::Index>(bearings.size()), stepper.rotor().size());
+  Eigen::VectorXcd motions(places.rows());
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const Eigen::Index at = 2 * static_cast<Eigen::Index>(i);
+    const double size = disturbance * stepper.bearings()[i]->bearing().scales.thickness;
+    places.middleRows(at, 2) = bearings[i].motion;
+    for (const Eigen::Index axis : {0, 1}) motions[at + axis] = std::polar(size, static_cast<double>(at + axis));
+  }
+  return places.completeOrthogonalDecomposition().pseudoInverse() * motions;
+}
+
+/// Steps in time begin anew from here.
+void forget_steps(MachineState& state) {
+  state.last_dt = 0.0;
+  for (BearingState& bearing : state.bearings) bearing.last_step = {};
 }
 
 }  // namespace
@@ -197,28 +238,37 @@ void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, M
   state.rotor.v += part * std::abs(state.speed) * (Complex(0.0, 1.0) * motion).real();
 }
 
+std::optional<MachineState> moved_orbit(const MachineState& linear, const MachineState& orbit,
+                                        const MachineState& before) {
+  MachineState moved = combined(Eigen::Vector3d(1.0, -1.0, 1.0), {linear, before, orbit}, false);
+  forget_steps(moved);
+  if (!has_films(moved)) return std::nullopt;
+  return moved;
+}
+
 Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const MachineState& start,
                  const OrbitOptions& options) {
   BUMPFOIL_ASSERT(!stepper.bearings().empty());
   Orbit orbit{.state = start};
   const double dt = 2.0 * std::numbers::pi / (std::abs(start.speed) * options.steps_per_turn);
-  /// @return whether a turn was taken
-  const auto take_turn = [&](TurnRecord* record) {
+  /// @return what the journals change in a turn; nothing where none was taken
+  const auto take_turn = [&](TurnRecord* record) -> std::optional<Eigen::VectorXd> {
     if (options.keep_going && !options.keep_going()) {
       orbit.status = Status::interrupted;
-      return false;
+      return std::nullopt;
     }
     const Eigen::VectorXd before = journal_numbers(stepper, orbit.state);
     for (int i = 0; i < options.steps_per_turn; ++i) {
       const MachineReport report = stepper.advance({.dt = dt, .speed = start.speed}, forces, orbit.state);
       orbit.iterations += report.iterations;
       orbit.status = report.status;
-      if (report.status != Status::converged) return false;
+      if (report.status != Status::converged) return std::nullopt;
       if (record != nullptr) record->add(orbit.state, options.steps_per_turn);
     }
     ++orbit.turns;
-    orbit.change = (journal_numbers(stepper, orbit.state) - before).cwiseAbs().maxCoeff();
-    return true;
+    Eigen::VectorXd difference = journal_numbers(stepper, orbit.state) - before;
+    orbit.change = difference.cwiseAbs().maxCoeff();
+    return difference;
   };
 
   const auto count = static_cast<Eigen::Index>(4 * stepper.bearings().size() + more_differences);
@@ -226,15 +276,17 @@ Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const Machi
   std::vector<MachineState> ends;
   bool is_periodic = false;
   for (int taken = 0; orbit.turns < options.max_turns; ++taken) {
-    const Eigen::VectorXd before = journal_numbers(stepper, orbit.state);
-    if (!take_turn(nullptr)) return orbit;
+    const auto difference = take_turn(nullptr);
+    if (!difference) return orbit;
     is_periodic = orbit.change < options.tolerance;
     if (is_periodic) break;
     if (taken < forgetting_turns) continue;
-    differences.col(std::ssize(ends)) = journal_numbers(stepper, orbit.state) - before;
+    differences.col(std::ssize(ends)) = *difference;
     ends.push_back(orbit.state);
     if (std::ssize(ends) < count) continue;
-    orbit.multipliers = multipliers_of(differences);
+    if (tell_multipliers(differences, options.tolerance)) {
+      orbit.multipliers = multipliers_of(differences, options.tolerance);
+    }
     MachineState next = combined(extrapolating_weights(differences), ends);
     if (has_films(next)) orbit.state = std::move(next);
     ends.clear();
@@ -244,6 +296,22 @@ Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const Machi
   if (!take_turn(&record)) return orbit;
   record.write(orbit);
   if (!is_periodic) orbit.status = Status::not_converged;
+  if (!is_periodic || !orbit.multipliers.empty()) return orbit;
+  const MachineState found = orbit.state;
+  const double change = orbit.change;
+  add_motion(stepper, disturbing_motion(stepper), orbit.state);
+  forget_steps(orbit.state);
+  Eigen::Index told = -forgetting_turns;
+  for (; told < count; ++told) {
+    const auto difference = take_turn(nullptr);
+    if (!difference) break;
+    if (told >= 0) differences.col(told) = *difference;
+  }
+  if (told == count) orbit.multipliers = multipliers_of(differences, options.tolerance);
+  // Where the disturbed march ends is no matter of the orbit.
+  if (orbit.status != Status::interrupted) orbit.status = Status::converged;
+  orbit.state = found;
+  orbit.change = change;
   return orbit;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "bumpfoil/motion/machine.hpp"
@@ -29,7 +30,7 @@ struct BearingTurn {
 struct OrbitOptions {
   int steps_per_turn{100};
   double tolerance{1e-7};              ///< change of journals over c, and of their velocities over c |Omega|, in a turn
-  int max_turns{60};                   ///< and one more, which is recorded
+  int max_turns{60};                   ///< and one more, which is recorded, and those after a disturbance
   std::function<bool()> keep_going{};  ///< asked before every turn; false ends the search
 };
 
@@ -45,7 +46,7 @@ struct Orbit {
   std::vector<BearingTurn> turn{};       ///< of the bearings
   /// Floquet multipliers that the search has met, the largest first: factors by which what is left of other motions of
   /// the journals changes in a turn, as their differences from turn to turn show. An orbit lasts where all are smaller
-  /// than one. None where the search ended before it had to extrapolate.
+  /// than one. None where no orbit was found and nothing had to be extrapolated.
   std::vector<std::complex<double>> multipliers{};
 };
 
@@ -53,11 +54,22 @@ struct Orbit {
 /// stay. Films are left half as thick at least: where they would not be, all of the motion is scaled.
 void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, MachineState& state);
 
+/// The orbit of a speed as a guess of that of another one, at an angle of whole turns: what it differs by from the
+/// linear start there is added to the linear start here. Steps in time begin anew.
+/// @param linear   at rest, and moved by add_motion(), at the new speed
+/// @param orbit    Orbit::state at the old one
+/// @param before   the linear start there
+/// @return nothing where that leaves no film
+std::optional<MachineState> moved_orbit(const MachineState& linear, const MachineState& orbit,
+                                        const MachineState& before);
+
 /// Looks for the motion of a machine that repeats itself in every turn at constant speed. A turn is a map of states;
 /// film and foils forget in a part of it, the rotor in many. Reduced-rank extrapolation takes what is left of other
 /// motions away: after two turns the differences d_i of journals and their velocities over 4 turns per bearing and two
 /// more give weights g, min |sum g_i d_i| with sum g_i = 1, by which whole states are combined, and the march goes on
-/// from there. It converges to orbits that do not last, too: multipliers tell.
+/// from there. It converges to orbits that do not last, too: multipliers tell. Differences of less than ten tolerances
+/// are of friction that creeps, and tell none; an orbit that is found without larger ones is disturbed by a thousandth
+/// of the clearance, and as many turns of what follows tell them.
 /// @param forces  repeat themselves with the angle
 /// @param start   at an angle of whole turns
 Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const MachineState& start,

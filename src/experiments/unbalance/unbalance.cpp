@@ -4,6 +4,8 @@
 #include <complex>
 #include <cstddef>
 #include <deque>
+#include <optional>
+#include <utility>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/motion/machine.hpp"
@@ -25,6 +27,38 @@ const UnbalanceSettings& unbalance_settings_of(const Case& input) {
   }
   return *settings;
 }
+
+/// Finds the orbits of a machine speed by speed, each from the one before.
+class OrbitFollower {
+ public:
+  OrbitFollower(MachineStepper& machine, RotorForces forces) : machine_(machine), forces_(std::move(forces)) {}
+
+  /// @param linear  start at the speed, by the linear response
+  Orbit find(const MachineState& linear, const OrbitOptions& options) {
+    std::optional<Orbit> orbit;
+    int spent = 0;
+    if (const auto start = before_ ? moved_orbit(linear, before_->orbit, before_->linear) : std::nullopt) {
+      orbit = find_orbit(machine_, forces_, *start, options);
+    }
+    if (!orbit || (orbit->status != Status::converged && orbit->status != Status::interrupted)) {
+      if (orbit) spent = orbit->turns;
+      orbit = find_orbit(machine_, forces_, linear, options);
+      orbit->turns += spent;
+    }
+    before_.reset();
+    if (orbit->status == Status::converged) before_ = Before{.linear = linear, .orbit = orbit->state};
+    return *std::move(orbit);
+  }
+
+ private:
+  struct Before {
+    MachineState linear, orbit;
+  };
+
+  MachineStepper& machine_;
+  RotorForces forces_;
+  std::optional<Before> before_;
+};
 
 }  // namespace
 
@@ -51,6 +85,7 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   const Eigen::VectorXd weight = forces(RotorInstant{});  // at rest there is no unbalance
   const UnbalanceSettings& run = unbalance_settings_of(input);
   const RotorEquilibria equilibria(rotor, pointers, settings.gravity_vector());
+  OrbitFollower follower(machine, forces);
   std::vector<BearingState> states;
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     UnbalancePoint& point = result.points[i];
@@ -73,9 +108,8 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
     const auto goes_on = [&] {
       return !progress || progress(static_cast<double>(i) / static_cast<double>(result.points.size()));
     };
-    point.orbit =
-        find_orbit(machine, forces, start,
-                   {.steps_per_turn = run.steps_per_revolution, .tolerance = orbit_tolerance, .keep_going = goes_on});
+    point.orbit = follower.find(
+        start, {.steps_per_turn = run.steps_per_revolution, .tolerance = orbit_tolerance, .keep_going = goes_on});
     if (point.orbit->status == Status::interrupted) point.status = Status::interrupted;
   }
   return result;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
@@ -67,6 +68,51 @@ TEST_F(OrbitSearch, FindsWhatRepeatsItself) {
   EXPECT_GT(found.once.norm(), 1e-7);
   EXPECT_LT(found.twice.norm(), 1e-2 * found.once.norm());
   EXPECT_LT((found.half_peak_to_peak - found.once.cwiseAbs()).norm(), 1e-2 * found.once.norm());
+}
+
+/// From where it ends a search has nothing to look for: what it says of the orbit follows from a disturbance.
+TEST_F(OrbitSearch, DisturbsWhatItHasFoundAtOnce) {
+  const OrbitOptions options{.steps_per_turn = 40, .tolerance = 1e-6};
+  const Orbit orbit = find_orbit(stepper_, forces_, start(), options);
+  ASSERT_EQ(orbit.status, Status::converged);
+  MachineState end = orbit.state;
+  end.time = 0.0;
+  const Orbit again = find_orbit(stepper_, forces_, end, options);
+  ASSERT_EQ(again.status, Status::converged);
+  EXPECT_EQ(again.turns, 2 + 2 + 6);  // found, recorded, forgotten, told
+  EXPECT_LT(again.change, 1e-6);
+  ASSERT_FALSE(again.multipliers.empty());
+  EXPECT_NEAR(std::abs(again.multipliers.front()), std::abs(orbit.multipliers.front()), 0.01);
+  // It is the orbit that was found, and not what the disturbance left of it.
+  EXPECT_LT((again.state.rotor.y - orbit.state.rotor.y).norm(), 1e-5 * bearing_.bearing().scales.thickness);
+  EXPECT_LT((again.bearings[0].once - orbit.bearings[0].once).norm(), 1e-4 * orbit.bearings[0].once.norm());
+}
+
+/// The orbit at a speed nearby is a better start than the linear response, and leads to the same orbit.
+TEST_F(OrbitSearch, FollowsTheOrbitToAnotherSpeed) {
+  const OrbitOptions options{.steps_per_turn = 40};
+  unbalance_.amount = 2e-6;  // 3 um: the orbit is no small one
+  const MachineState before = start();
+  const Orbit old = find_orbit(stepper_, forces_, before, options);
+  ASSERT_EQ(old.status, Status::converged);
+  speed_ = speed_of_rpm(-44900.0);
+  rest_ = state_under(bearing_, load_, speed_);
+  const MachineState linear = start();
+  const Orbit orbit = find_orbit(stepper_, forces_, linear, options);
+  const std::optional<MachineState> moved = moved_orbit(linear, old.state, before);
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_EQ(moved->speed, speed_);
+  EXPECT_EQ(moved->last_dt, 0.0);
+  // It lies nearer to the orbit of its speed than the linear start does, by the place after whole turns.
+  EXPECT_LT((moved->rotor.y - orbit.state.rotor.y).norm(), 0.2 * (linear.rotor.y - orbit.state.rotor.y).norm());
+  const Orbit followed = find_orbit(stepper_, forces_, *moved, options);
+  ASSERT_EQ(followed.status, Status::converged);
+  EXPECT_LE(followed.turns, orbit.turns);
+  EXPECT_LT((followed.bearings[0].once - orbit.bearings[0].once).norm(), 1e-4 * orbit.bearings[0].once.norm());
+  // A difference as large as the film leaves none.
+  MachineState far = old.state;
+  far.bearings[0].film.thickness.array() -= 1.1 * far.bearings[0].film.thickness.maxCoeff();
+  EXPECT_FALSE(moved_orbit(linear, far, before).has_value());
 }
 
 TEST_F(OrbitSearch, SaysWhereItFindsNone) {

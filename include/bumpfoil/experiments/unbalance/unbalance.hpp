@@ -41,8 +41,8 @@ struct UnbalanceResult {
 UnbalanceResult unbalance_not_begun(const Case& input);
 
 /// Response of the rotor of a case to its unbalances over its speeds: the linear one, and, where it is asked for, the
-/// periodic orbit that find_orbit() finds from there. After a speed without equilibrium the others are
-/// not looked for.
+/// periodic orbit that find_orbit() finds from the one of the speed before, or from the linear response where there is
+/// none, or none is found from it. After a speed without equilibrium the others are not looked for.
 /// @param progress  called with the fraction that is done; returning false ends the run
 /// @throws Error (input) if the case cannot be built, or has no rotor, unbalances or speeds
 UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double)>& progress = {});
