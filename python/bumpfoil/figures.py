@@ -35,7 +35,9 @@ __all__ = [
     "ensemble",
     "foils",
     "loops",
+    "orbits",
     "paper",
+    "polar",
     "root_locus",
     "run_up",
     "save",
@@ -434,6 +436,23 @@ def _draw_mode(ax: Any, number: int, label: str, x: Any, y: Any, grows: Any) -> 
     ax.plot(x[grows], y[grows], linestyle="none", marker=style["marker"], color=style["color"])
 
 
+def _responses(result: Result, station: str | None) -> tuple[str, list[tuple[str, dict[str, str], Any]]]:
+    """A station and its responses: (words, style of lines, rows of unbalance.csv) of each kind."""
+    demand(result, "responses to unbalance")
+    table = result.to_dataframe()
+    known = list(dict.fromkeys(table.station))
+    name = known[0] if station is None else station
+    if name not in known:
+        raise ValueError(f"station is {station!r}; it is one of {', '.join(known)}")
+    kinds = (
+        ("linear_stuck", "contacts stuck", {"linestyle": "-"}),
+        ("linear_sliding", "contacts sliding", {"linestyle": "--"}),
+        ("orbit", "orbit with friction", {"linestyle": "none", "marker": "o"}),
+    )
+    found = [(words, line, table[(table.station == name) & (table.kind == kind)]) for kind, words, line in kinds]
+    return name, [one for one in found if not one[2].empty]
+
+
 @styled
 def bode(result: Result, *, width: str = "double", station: str | None = None) -> Figure:
     """Bode plot of the response of a rotor to unbalance: amplitudes and phases along X and Y over speed.
@@ -450,22 +469,10 @@ def bode(result: Result, *, width: str = "double", station: str | None = None) -
     station : str, optional
         Place on the rotor, by its name in unbalance.csv; by default the first bearing.
     """
-    demand(result, "responses to unbalance")
-    table = result.to_dataframe()
-    known = list(dict.fromkeys(table.station))
-    name = known[0] if station is None else station
-    if name not in known:
-        raise ValueError(f"station is {station!r}; it is one of {', '.join(known)}")
+    name, responses = _responses(result, station)
     sheet = Sheet(width, *arranged(width, 2), panel_height=60)
     amplitude, phase = sheet.panels
-    for kind, words, line in (
-        ("linear_stuck", "contacts stuck", {"linestyle": "-"}),
-        ("linear_sliding", "contacts sliding", {"linestyle": "--"}),
-        ("orbit", "orbit with friction", {"linestyle": "none", "marker": "o"}),
-    ):
-        rows = table[(table.station == name) & (table.kind == kind)]
-        if rows.empty:
-            continue
+    for words, line, rows in responses:
         rpm = abs(rows.speed_rad_per_s) * 30.0 / np.pi
         for number, axis in enumerate("xy"):
             label = f"{axis.upper()}, {words}"
@@ -480,6 +487,89 @@ def bode(result: Result, *, width: str = "double", station: str | None = None) -
         ax.set_xlabel("speed (rpm)")
     sheet.entitle([f"amplitude, {name}", "phase"])
     return sheet.finish(None)
+
+
+@styled
+def polar(result: Result, *, width: str = "single", station: str | None = None) -> Figure:
+    """Polar plot of the response of a rotor to unbalance: amplitude times cosine and sine of the phase, from speed to speed.
+
+    Lines and marks are those of :func:`bode`; the mark of the last speed is larger.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``unbalance``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    station : str, optional
+        Place on the rotor, by its name in unbalance.csv; by default the first bearing.
+    """
+    name, responses = _responses(result, station)
+    sheet = Sheet(width, 1, 1, panel_height=60)
+    (ax,) = sheet.panels
+    for words, line, rows in responses:
+        for number, axis in enumerate("xy"):
+            motion = 1e6 * rows[f"amplitude_{axis}_m"] * np.exp(1j * np.radians(rows[f"phase_{axis}_deg"]))
+            style = {"color": _style(number)["color"], **line}
+            ax.plot(motion.to_numpy().real, motion.to_numpy().imag, label=f"{axis.upper()}, {words}", **style)
+            last = motion.dropna().to_numpy()[-1:]
+            ax.plot(last.real, last.imag, linestyle="none", marker="o", color=style["color"], markersize=5)
+    for at in (ax.axhline, ax.axvline):
+        at(0.0, color="0.6", linewidth=0.6, zorder=0)
+    ax.set_aspect("equal", adjustable="datalim")
+    ax.set_xlabel("amplitude · cos(phase) (µm)")
+    ax.set_ylabel("amplitude · sin(phase) (µm)")
+    sheet.entitle([name])
+    return sheet.finish(ax.get_legend_handles_labels()[0])
+
+
+@styled
+def orbits(result: Result, *, width: str = "single", speed: float | None = None) -> Figure:
+    """Orbits of the journals of a rotor under unbalance, about their centres in equilibrium or their means.
+
+    Small ones with contacts stuck and sliding, and the periodic one with friction, of two harmonics, where the result has
+    it; a dot where the rotor stands at angle 0.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``unbalance``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    speed : float, optional
+        One of the result, rpm, the next one to it; by default that of the largest amplitude.
+    """
+    demand(result, "responses to unbalance")
+    data = result.to_xarray()
+    rpm = np.abs(data.speed.values) * 30.0 / np.pi
+    wanted = float(data.largest_amplitude_speed) * 30.0 / np.pi if speed is None else abs(speed)
+    at = data.isel(speed=int(np.nanargmin(np.abs(rpm - wanted))))
+    turns = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 181))
+    bearings = data.sizes["bearing"]
+    sheet = Sheet(width, *arranged(width, bearings), panel_height=60)
+    for bearing, ax in enumerate(sheet.panels):
+        for kind, words, line, number in ((1, "contacts stuck", "-", 0), (0, "contacts sliding", "--", 0), (2, "orbit with friction", "-", 1)):
+            if kind >= data.sizes["kind"]:
+                continue
+            own = at.isel(kind=kind, station=bearing)
+            place = []
+            for axis in "xy":
+                once = float(own[f"amplitude_{axis}"]) * np.exp(1j * np.radians(float(own[f"phase_{axis}"])))
+                mean = float(own[f"mean_{axis}"]) if kind == 2 else float(at[axis].isel(bearing=bearing))
+                along = mean + (once * turns).real
+                if kind == 2:
+                    twice = float(own[f"amplitude_{axis}_2x"]) * np.exp(1j * np.radians(float(own[f"phase_{axis}_2x"])))
+                    along = along + (twice * turns**2).real
+                place.append(1e6 * along)
+            colour = _style(number)["color"]
+            ax.plot(*place, linestyle=line, color=colour, label=words)
+            ax.plot(place[0][:1], place[1][:1], marker="o", color=colour)
+        ax.set_aspect("equal", adjustable="datalim")
+        ax.set_xlabel("X (µm)")
+        ax.set_ylabel("Y (µm)")
+    shown = abs(float(at.speed)) * 30.0 / np.pi
+    sheet.entitle([f"bearing {bearing + 1}, {shown:.6g} rpm" for bearing in range(bearings)])
+    return sheet.finish(sheet.panels[0].get_legend_handles_labels()[0])
 
 
 @styled

@@ -213,6 +213,31 @@ def test_bode(running):
         figures.bode(response, station="fan")
 
 
+def test_polar_and_orbits(running):
+    speeds = {"speeds": ["8000 rpm", "9000 rpm"], "orbits": True, "steps_per_revolution": 30}
+    response = bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film=COARSE, unbalance=speeds)
+    table = response.to_dataframe()
+    figure = figures.polar(response)
+    inspect(figure, width=90, panels=1)
+    stuck = table[table.kind == "linear_stuck"]
+    line = figure.axes[0].lines[0]
+    np.testing.assert_allclose(np.hypot(line.get_xdata(), line.get_ydata()), 1e6 * stuck.amplitude_x_m)
+    np.testing.assert_allclose(np.degrees(np.arctan2(line.get_ydata(), line.get_xdata())), stuck.phase_x_deg)
+    figure = figures.orbits(response, speed=9000.0)
+    inspect(figure, width=90, panels=1)
+    (orbit,) = [line for line in figure.axes[0].lines if line.get_label() == "orbit with friction"]
+    row = table[(table.kind == "orbit") & (table.speed_rad_per_s > 900.0)].iloc[0]
+    # Of two harmonics; friction and film have more, and steps of 12 degrees find no end exactly.
+    for numbers, axis in ((orbit.get_xdata(), "x"), (orbit.get_ydata(), "y")):
+        assert np.ptp(numbers) / 2 == pytest.approx(1e6 * row[f"half_peak_to_peak_{axis}_m"], rel=0.01)
+        assert np.mean(numbers[:-1]) == pytest.approx(1e6 * row[f"mean_{axis}_m"], rel=1e-6)
+    largest = response.summary["largest_amplitude_speed_rad_per_s"] * 30.0 / np.pi
+    assert figures.orbits(response).axes[0].get_title().endswith(f"{largest:.6g} rpm")
+    for draw in (figures.polar, figures.orbits):
+        with pytest.raises(ValueError, match="no responses to unbalance"):
+            draw(running)
+
+
 @pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
 def test_many_curves_fit_on_a_page_and_differ(many, width, size):
     figure = figures.coefficients(many, width=width)
