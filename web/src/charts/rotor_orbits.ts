@@ -15,7 +15,7 @@ import { roundAbove } from './chart';
 /** Of the drawing of one station, and of what is round it. */
 const cell = 240;
 const reach = 0.36 * cell;
-const mostInRow = 4;
+const mostInRow = 2;
 /** Letters are to be no larger where there is a single station. */
 const leastInWidth = 2;
 /** Part of a turn that is drawn: what is left tells the end from the start. */

@@ -13,6 +13,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
@@ -248,6 +249,49 @@ TEST(Unbalance, WarnsOfOrbitsThatDoNotLast) {
   ASSERT_FALSE(outcome.warnings.empty());
   EXPECT_NE(outcome.warnings.back().find("1 of 1 periodic orbits do not last (first at -15000 rpm"), std::string::npos)
       << outcome.warnings.back();
+}
+
+/// With friction, orbits last where all free motions of the rotor with stuck contacts decay, whatever speed the search
+/// comes from: differences of creeping friction are no motion that grows.
+TEST(Unbalance, OrbitsLastWhereFreeMotionsDecay) {
+  Case input = unbalanced_case({-15000.0, -12000.0, -9000.0});
+  input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
+  UnbalanceSettings settings = *input.settings.find<UnbalanceSettings>();
+  settings.orbits = true;
+  settings.steps_per_revolution = 30;
+  input.settings.set(settings);
+  const UnbalanceResult result = run_unbalance(input);
+  input.settings.set(StabilitySettings{.speeds = settings.speeds});
+  const StabilityResult free = run_stability(input);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_TRUE(result.points[i].orbit.has_value());
+    ASSERT_TRUE(free.map.points[i].stuck.has_value());
+    const double growth = free.map.points[i].stuck->whirls.front().rate.real();
+    EXPECT_GT(std::abs(growth), 10.0);  // no speed near the onset
+    EXPECT_EQ(lasting(*result.points[i].orbit), growth < 0.0) << i;
+  }
+}
+
+/// At -9,000 rpm nothing has to be extrapolated from the orbit of the speed before; a disturbance decays as the free
+/// motion does that decays least, exp(2 pi growth) in a turn. Implicit steps, 60 in a turn, damp by up to 2 %.
+TEST(Unbalance, MultipliersAreThoseOfFreeMotions) {
+  Case input = unbalanced_case({-9000.0, -9001.0});
+  UnbalanceSettings settings = *input.settings.find<UnbalanceSettings>();
+  settings.orbits = true;
+  settings.steps_per_revolution = 60;
+  input.settings.set(settings);
+  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  rotor.unbalances[0].amount = 2e-7;
+  input.settings.set(rotor);
+  const UnbalanceResult result = run_unbalance(input);
+  input.settings.set(StabilitySettings{.speeds = settings.speeds});
+  const StabilityResult free = run_stability(input);
+  const double speed = std::abs(settings.speeds[1]);
+  const double growth = free.map.points[1].stuck->whirls.front().rate.real() / speed;
+  ASSERT_TRUE(result.points[1].orbit.has_value());
+  ASSERT_FALSE(result.points[1].orbit->multipliers.empty());
+  const double decay = std::exp(2.0 * std::numbers::pi * growth);
+  EXPECT_NEAR(std::abs(result.points[1].orbit->multipliers.front()), decay, 0.02 * decay);
 }
 
 /// An orbit as large as the film is no small motion.
