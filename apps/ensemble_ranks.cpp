@@ -16,7 +16,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/ensemble/ensemble_identity.hpp"
+#include "bumpfoil/results/run_identity.hpp"
 #include "interruption.hpp"
 
 namespace bumpfoil {
@@ -41,7 +41,7 @@ std::vector<double> numbers_of(const std::string& text) {
 }
 
 std::string order_for(const Case& input, std::optional<unsigned> threads) {
-  return fmt::format("{}\n{}", threads.value_or(0), ensemble_identity(input));
+  return fmt::format("{}\n{}", threads.value_or(0), run_identity(input));
 }
 
 /// The samples assigned to a rank, and the rows of those it has run.
@@ -142,7 +142,7 @@ void help_with(const Ranks& ranks, const std::string& order) {
   const auto threads = static_cast<unsigned>(std::stoul(order.substr(0, line)));
   const std::string identity = order.substr(line + 1);
   const Case input = case_of_identity(identity);
-  if (ensemble_identity(input) != identity) {
+  if (run_identity(input) != identity) {
     throw Error(ErrorKind::input, {{"", 0, "", "", "is not the same program on the same kind of machine as rank 0",
                                     "run the same program on all ranks: otherwise parts of an ensemble would differ"}});
   }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct ExperimentOptions {
   std::string sample;
   std::vector<std::string> overrides;
   bool force{};
+  bool resume{};
 };
 
 /// The case of a sample that is given as FILE:NUMBER.
@@ -39,6 +42,15 @@ Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand 
   return read_sampled_case(sample.substr(0, colon), number, input, command);
 }
 
+bool has_any(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return std::filesystem::exists(folder / name); });
+}
+
+void remove_all(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  for (const std::string& name : names) std::filesystem::remove(folder / name);
+}
+
 ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options, const Session& session) {
   // Read once: the case written with the results is the one that they came from.
   const std::string case_text = read_case_text(options.case_path);
@@ -46,7 +58,14 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
                           {.overrides = options.overrides, .commands = {std::string(experiment.name)}});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
   const InterruptionGuard guard;  // before there is anything to clean up
-  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
+  const bool has_checkpoint = has_any(options.folder, experiment.checkpoints);
+  const bool resumes = options.resume && has_checkpoint;
+  if (has_checkpoint && !options.resume && !options.force) {
+    throw Error(ErrorKind::file, {{options.folder, 0, "", "", "holds an unfinished run",
+                                   "continue it with --resume, restart with --force, or use another folder"}});
+  }
+  ResultFolder folder(options.folder, options.force || resumes ? Existing::replace : Existing::refuse,
+                      experiment.files);
 
   const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
 
@@ -57,8 +76,8 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
       bar.show(fraction);
       return !guard.interrupted();
     };
-    outcome =
-        experiment.staged ? experiment.staged(input, provenance, folder, progress) : experiment.run(input, progress);
+    outcome = experiment.staged ? experiment.staged(input, {provenance, folder, resumes}, progress)
+                                : experiment.run(input, progress);
   }
 
   const std::string place = printable(options.folder, longest_path);
@@ -66,6 +85,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
     for (const ResultFile& file : outcome.files(provenance)) folder.stage(file.name, file.contents);
   }
   folder.publish();
+  if (outcome.status != RunStatus::interrupted) remove_all(options.folder, experiment.checkpoints);
   if (!session.quiet) {
     print_output(outcome.table());
     print_output(fmt::format("\nsolver {}; results in {} ({})\n", name_of(input.solver.chosen()), place,
@@ -76,7 +96,10 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   for (const std::string& failure : outcome.failures) {
     print_message(fmt::format("bumpfoil: {}; {}", failure, partial));
   }
-  if (outcome.status == RunStatus::interrupted) print_message("bumpfoil: interrupted: " + partial);
+  if (outcome.status == RunStatus::interrupted) {
+    print_message("bumpfoil: interrupted: " + partial +
+                  (experiment.checkpoints.empty() ? "" : "; to continue, add --resume"));
+  }
   return exit_code_of(outcome.status);
 }
 
@@ -127,7 +150,10 @@ void add_experiment(CLI::App& program, Session& session, const ExperimentInfo& e
   add_overrides(*command, options->overrides);
   add_solver(*command, options->overrides);
   for (const Switch& one : experiment.switches) add_switch(*command, one, options->overrides);
-  command->add_flag("--force", options->force, "Replace existing results in the folder");
+  CLI::Option* force = command->add_flag("--force", options->force, "Replace existing results in the folder");
+  if (!experiment.checkpoints.empty()) {
+    command->add_flag("--resume", options->resume, "Continue a run that was killed or interrupted")->excludes(force);
+  }
   command->footer("Examples:\n" + std::string(experiment.examples) +
                   "Ctrl-C, or the time limit of a batch system, ends the run; partial results are written and flagged. "
                   "A second Ctrl-C ends it at once.");

@@ -15,11 +15,11 @@
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
 #include "bumpfoil/ensemble/ensemble_files.hpp"
-#include "bumpfoil/ensemble/ensemble_log.hpp"
 #include "bumpfoil/ensemble/ensemble_run.hpp"
 #include "bumpfoil/ensemble/ensemble_table.hpp"
 #include "bumpfoil/ensemble/parallel_runs.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/results/row_log.hpp"
 #include "commands.hpp"
 #include "ensemble_ranks.hpp"
 #include "experiment.hpp"
@@ -107,7 +107,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   const Case input = parse_ensemble_case(case_text, options);
   const InterruptionGuard guard;  // before there is anything to clean up
   const std::filesystem::path checkpoint = std::filesystem::path(options.folder) / checkpoint_name;
-  const bool resumes = options.resume && EnsembleLog::identity_of(checkpoint).has_value();
+  const bool resumes = options.resume && RowLog::identity_of(checkpoint).has_value();
   const Existing existing = options.force || resumes ? Existing::replace : Existing::refuse;
   ResultFolder folder(options.folder, existing, ensemble_file_names());
   if (!options.force && !options.resume) {
@@ -116,9 +116,9 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
 
   const EnsembleLayout layout = make_ensemble_layout(input);
   const std::vector<EnsembleLimit> limits = parse_limits(options.limits, layout);
-  EnsembleLog log = open_ensemble_log(checkpoint, resumes, input, layout.width());
+  RowLog log = open_ensemble_log(checkpoint, resumes, input, layout.width());
   bool finished = false;
-  const std::size_t before = log.samples();
+  const std::size_t before = log.rows();
   std::vector<std::size_t> shares;  // by rank
   {
     const bool has_log = session.ranks.size() > 1;
@@ -151,7 +151,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
     print_output(ensemble_table(layout, statistics));
     print_output(yield_text(yields));
     print_some("warning: ", warning_lines(input, layout, statistics));
-    if (shares.size() > 1) print_output(shares_text(std::move(shares), log.samples() - before));
+    if (shares.size() > 1) print_output(shares_text(std::move(shares), log.rows() - before));
     print_output(fmt::format("\n{} samples; results in {} (summary.json, ensemble.nc)\n", statistics.samples, place));
   }
   print_some("bumpfoil: ", failure_lines(layout, statistics));

@@ -14,7 +14,7 @@ std::filesystem::path checkpoint_of(const EnsembleRequest& request) {
   return request.folder / checkpoint_name;
 }
 
-EnsembleLog open_log(const EnsembleRequest& request, bool resumes, const Case& input, std::size_t width) {
+RowLog open_log(const EnsembleRequest& request, bool resumes, const Case& input, std::size_t width) {
   const std::filesystem::path checkpoint = checkpoint_of(request);
   if (!request.force && !request.resumes) {
     require_no_checkpoint(checkpoint, "continue it with resume, restart with force, or use another folder");
@@ -28,7 +28,7 @@ FolderEnsemble::FolderEnsemble(const Case& input, const EnsembleRequest& request
     : input_(input),
       request_(request),
       provenance_(std::move(provenance)),
-      resumes_(request.resumes && EnsembleLog::identity_of(checkpoint_of(request)).has_value()),
+      resumes_(request.resumes && RowLog::identity_of(checkpoint_of(request)).has_value()),
       folder_(request.folder, request.force || resumes_ ? Existing::replace : Existing::refuse, ensemble_file_names()),
       layout_(make_ensemble_layout(input)),
       limits_(parse_limits(request.limits, layout_)),

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
-#include "bumpfoil/ensemble/ensemble_log.hpp"
 #include "bumpfoil/ensemble/ensemble_yield.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/results/row_log.hpp"
 
 namespace bumpfoil {
 
@@ -48,7 +48,7 @@ class FolderEnsemble {
   ResultFolder folder_;
   EnsembleLayout layout_;
   std::vector<EnsembleLimit> limits_;
-  EnsembleLog log_;
+  RowLog log_;
   bool finished_{};
 };
 

@@ -75,7 +75,7 @@ void add_deviations(const Case& input, Dataset& data) {
 }
 
 /// So many columns of the log at each place, from one on.
-void add_logged(const EnsembleLayout& layout, const EnsembleLog& log, std::size_t column, std::size_t columns,
+void add_logged(const EnsembleLayout& layout, const RowLog& log, std::size_t column, std::size_t columns,
                 Variable& variable) {
   variable.rows = [&layout, &log, column, columns](std::size_t first, std::size_t count) {
     const std::size_t stride = layout.places.size() * columns;
@@ -92,10 +92,10 @@ void add_logged(const EnsembleLayout& layout, const EnsembleLog& log, std::size_
 
 }  // namespace
 
-Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log) {
+Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const RowLog& log) {
   Dataset data;
   data.add_dimension({"sample", "1", "number of the sample; its bearing depends on seed and number only", whole_number},
-                     numbers_from(0.0, log.samples()));
+                     numbers_from(0.0, log.rows()));
   add_places(layout, data);
   data.add_dimension(
       {"bump", "1",

@@ -46,7 +46,7 @@ RunStatus status_of(const EnsembleStatistics& statistics, bool stopped) {
   return statistics.failures.empty() ? RunStatus::complete : RunStatus::failed;
 }
 
-void stage_ensemble(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log,
+void stage_ensemble(const Case& input, const EnsembleLayout& layout, const RowLog& log,
                     const EnsembleStatistics& statistics, const EnsembleYields& yields, RunStatus status,
                     const Provenance& provenance, ResultFolder& folder) {
   const auto due = static_cast<std::size_t>(input.montecarlo->samples);

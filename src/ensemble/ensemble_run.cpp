@@ -20,8 +20,8 @@ constexpr std::size_t smallest_window = 1024;
 /// Takes rows from the flow to the log, and asks after whole rounds whether these are enough.
 class Writer {
  public:
-  Writer(SampleFlow& flow, std::size_t window, EnsembleLog& log, const std::function<bool()>& enough)
-      : flow_(flow), window_(window), log_(log), enough_(enough), is_enough_(log.samples() > 0 && asks()) {}
+  Writer(SampleFlow& flow, std::size_t window, RowLog& log, const std::function<bool()>& enough)
+      : flow_(flow), window_(window), log_(log), enough_(enough), is_enough_(log.rows() > 0 && asks()) {}
 
   [[nodiscard]] bool is_enough() const { return is_enough_; }
 
@@ -31,7 +31,7 @@ class Writer {
 
   void write() {
     while (!is_enough_) {
-      const std::vector<double> rows = flow_.leave(ensemble_round - log_.samples() % ensemble_round);
+      const std::vector<double> rows = flow_.leave(ensemble_round - log_.rows() % ensemble_round);
       if (rows.empty()) break;
       log_.append(rows);
       is_enough_ = asks();
@@ -40,11 +40,11 @@ class Writer {
   }
 
  private:
-  [[nodiscard]] bool asks() const { return enough_ && log_.samples() % ensemble_round == 0 && enough_(); }
+  [[nodiscard]] bool asks() const { return enough_ && log_.rows() % ensemble_round == 0 && enough_(); }
 
   SampleFlow& flow_;
   std::size_t window_;
-  EnsembleLog& log_;
+  RowLog& log_;
   const std::function<bool()>& enough_;
   bool is_enough_;
   Clock::time_point last_write_{Clock::now()};
@@ -99,10 +99,10 @@ void EnsembleSampler::give_back(std::unique_ptr<SampleRunner> runner) {
   idle_.push_back(std::move(runner));
 }
 
-bool run_ensemble(const Case& input, const EnsembleLayout& layout, EnsembleLog& log, const EnsembleRun& run) {
+bool run_ensemble(const Case& input, const EnsembleLayout& layout, RowLog& log, const EnsembleRun& run) {
   const auto samples = static_cast<std::size_t>(input.montecarlo->samples);
   const std::size_t window = std::max(smallest_window, buffer_bytes / (layout.width() * sizeof(double)));
-  SampleFlow flow(log.samples(), std::max(samples, log.samples()), window);
+  SampleFlow flow(log.rows(), std::max(samples, log.rows()), window);
   Writer writer(flow, window, log, run.enough);
   if (writer.is_enough()) return true;
   EnsembleSampler sampler(input, layout);

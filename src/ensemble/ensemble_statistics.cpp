@@ -15,7 +15,7 @@ namespace {
 /// Statistics of columns at one place, of the samples that reached it.
 class ConvergedSamples {
  public:
-  ConvergedSamples(const EnsembleLayout& layout, const EnsembleLog& log, std::size_t place)
+  ConvergedSamples(const EnsembleLayout& layout, const RowLog& log, std::size_t place)
       : layout_(layout), log_(log), place_(place), status_(log.column(layout.entry(place, 0))) {}
 
   /// Of the first `count` samples.
@@ -30,7 +30,7 @@ class ConvergedSamples {
   }
 
   [[nodiscard]] Statistics statistics(std::size_t column, Undefined undefined) const {
-    return statistics_of(values(column, log_.samples()), undefined);
+    return statistics_of(values(column, log_.rows()), undefined);
   }
 
   [[nodiscard]] bool converged(std::size_t sample) const { return status_[sample] == 0.0; }
@@ -43,7 +43,7 @@ class ConvergedSamples {
 
  private:
   const EnsembleLayout& layout_;
-  const EnsembleLog& log_;
+  const RowLog& log_;
   std::size_t place_;
   std::vector<double> status_;
 };
@@ -79,8 +79,8 @@ std::vector<std::vector<double>> sensitivities_of(const Case& input, const Ensem
 
 }  // namespace
 
-EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log) {
-  EnsembleStatistics found{.samples = log.samples(), .places = {}, .failures = {}};
+EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const RowLog& log) {
+  EnsembleStatistics found{.samples = log.rows(), .places = {}, .failures = {}};
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     const ConvergedSamples samples(layout, log, place);
     samples.tell_failures(found.failures);
@@ -91,14 +91,14 @@ EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLay
     for (std::size_t bump = 0; bump < layout.loads; ++bump) {
       of_place.bump_loads.push_back(samples.statistics(layout.columns.size() + bump, Undefined::unknown));
     }
-    of_place.sensitivities = sensitivities_of(input, layout, samples, std::min(log.samples(), most_ranked_samples));
+    of_place.sensitivities = sensitivities_of(input, layout, samples, std::min(log.rows(), most_ranked_samples));
   }
   std::stable_sort(found.failures.begin(), found.failures.end(),
                    [](const SampleFailure& a, const SampleFailure& b) { return a.sample < b.sample; });
   return found;
 }
 
-double relative_error_of_mean(const EnsembleLayout& layout, const EnsembleLog& log) {
+double relative_error_of_mean(const EnsembleLayout& layout, const RowLog& log) {
   const auto leading = std::find_if(layout.columns.begin(), layout.columns.end(), [&](const EnsembleColumn& column) {
     return column.meaning.name == layout.leading();
   });

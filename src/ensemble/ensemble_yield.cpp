@@ -99,14 +99,14 @@ std::vector<EnsembleLimit> parse_limits(const std::vector<std::string>& texts, c
   return limits;
 }
 
-EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const EnsembleLog& log) {
+EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const RowLog& log) {
   const auto keep = [&](std::vector<bool>& passes, std::size_t column, const auto& passing) {
     for (std::size_t place = 0; place < layout.places.size(); ++place) {
       const std::vector<double> values = log.column(layout.entry(place, column));
       for (std::size_t i = 0; i < values.size(); ++i) passes[i] = passes[i] && passing(values[i]);
     }
   };
-  std::vector<bool> converged(log.samples(), true);
+  std::vector<bool> converged(log.rows(), true);
   keep(converged, 0, [](double status) { return status == 0.0; });
   std::vector<bool> all = converged;
   EnsembleYields yields{.limits = std::move(limits), .each = {}, .all = {}};

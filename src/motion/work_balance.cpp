@@ -3,6 +3,15 @@
 #include <utility>
 
 namespace bumpfoil {
+namespace {
+
+/// v^T A v
+double quadratic(const Eigen::MatrixXd& A, const Eigen::VectorXd& v) {
+  const Eigen::VectorXd product = A * v;
+  return v.dot(product);
+}
+
+}  // namespace
 
 WorkBalance& WorkBalance::operator+=(const WorkBalance& other) {
   entrained += other.entrained;
@@ -49,11 +58,10 @@ WorkBalance EnergyMeter::step_to(const MachineState& end) {
   WorkBalance step{.forces = 0.5 * (forces_(last_.at) + forces_(now.at)).dot(way)};
   const Rotor& rotor = stepper_.rotor();
   const auto twice_energy = [&](const RotorMotion& motion) {
-    return motion.v.dot(rotor.mass * motion.v) + motion.y.dot(rotor.stiffness * motion.y);
+    return quadratic(rotor.mass, motion.v) + quadratic(rotor.stiffness, motion.y);
   };
   step.stored = 0.5 * (twice_energy(now.rotor) - twice_energy(last_.rotor));
-  step.damping =
-      0.5 * dt * (last_.rotor.v.dot(rotor.damping * last_.rotor.v) + now.rotor.v.dot(rotor.damping * now.rotor.v));
+  step.damping = 0.5 * dt * (quadratic(rotor.damping, last_.rotor.v) + quadratic(rotor.damping, now.rotor.v));
   for (std::size_t i = 0; i < now.bearings.size(); ++i) {
     const Bearing& a = last_.bearings[i];
     const Bearing& b = now.bearings[i];

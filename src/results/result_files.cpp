@@ -123,8 +123,9 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
 }
 
 void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
-                        const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder) {
-  ResultStream({.netcdf = netcdf_name, .csv = {}, .advice = advice}, dataset, folder).finish(run, {}, lists);
+                        const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder,
+                        const std::vector<ResultFile>& texts) {
+  ResultStream({.netcdf = netcdf_name, .csv = {}, .advice = advice}, dataset, folder).finish(run, {}, lists, texts);
 }
 
 ResultStream::ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& folder)
@@ -153,7 +154,8 @@ void ResultStream::append() {
   built(files_.netcdf, files_.advice, [&] { variables_->append(dataset_); });
 }
 
-void ResultStream::finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists) {
+void ResultStream::finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists,
+                          const std::vector<ResultFile>& texts) {
   Manifest manifest{make_run_id(), {}};
   built(files_.netcdf, files_.advice, [&] {
     add_provenance(*file_, run, manifest.run_id);
@@ -165,6 +167,10 @@ void ResultStream::finish(const RunRecord& run, const Dataset& totals, const nlo
     const std::filesystem::path path = path_.parent_path() / name;
     manifest.files.push_back(
         {name, static_cast<std::size_t>(std::filesystem::file_size(path)), xxh3_128_of_file(path)});
+  }
+  for (const ResultFile& text : texts) {
+    folder_.stage(text.name, text.contents);
+    manifest.files.push_back({text.name, text.contents.size(), xxh3_128(text.contents)});
   }
   folder_.stage("summary.json", summary_text(run, manifest, lists));
 }

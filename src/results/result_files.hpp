@@ -53,10 +53,12 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
                                           const std::function<ResultContents(const std::string&)>& contents);
 
 /// The same for a dataset that the memory may not hold: stages it in the folder piece by piece, and summary.json.
+/// @param texts  beside it
 /// @param lists  of summary.json
 /// @throws Error (file), as soon as the disk has no room for it
 void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
-                        const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder);
+                        const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder,
+                        const std::vector<ResultFile>& texts = {});
 
 /// Files of a result that is written as it comes.
 struct StreamedFiles {
@@ -80,10 +82,11 @@ class ResultStream {
   /// Appends the entries in memory to the files.
   void append();
 
-  /// Completes the files, and stages summary.json.
+  /// Completes the files, and stages others and summary.json.
   /// @param totals  what is known in the end; what is there already is left out
   /// @param lists   of summary.json
-  void finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists);
+  void finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists,
+              const std::vector<ResultFile>& texts = {});
 
  private:
   StreamedFiles files_;

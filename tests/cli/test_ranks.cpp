@@ -14,7 +14,7 @@
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
-#include "bumpfoil/ensemble/ensemble_log.hpp"
+#include "bumpfoil/results/row_log.hpp"
 #include "cli/montecarlo_program.hpp"
 
 namespace bumpfoil {
@@ -46,7 +46,7 @@ class Ranks : public MonteCarloProgram {
     overrides.push_back("montecarlo.samples=" + std::to_string(samples));
     const Case input = parse_case(read_case_text(case_path_), case_path_, {.overrides = overrides, .commands = {}});
     const std::size_t width = make_ensemble_layout(input).width();
-    const EnsembleLog log = EnsembleLog::open(folder_.path() / folder / "ensemble.checkpoint", width);
+    const RowLog log = RowLog::open(folder_.path() / folder / "ensemble.checkpoint", width);
     std::vector<std::vector<double>> columns;
     for (std::size_t place = 0; place < width; ++place) columns.push_back(log.column(place));
     return columns;

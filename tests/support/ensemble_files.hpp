@@ -44,7 +44,7 @@ class EnsembleFiles : public ::testing::Test {
   }();
   EnsembleLayout layout_{make_ensemble_layout(input_)};
   TemporaryFolder folder_;
-  EnsembleLog log_{folder_.path() / "log", "", layout_.width()};
+  RowLog log_{folder_.path() / "log", "", layout_.width()};
   std::filesystem::path netcdf_{folder_.path() / "results" / "ensemble.nc"};
 };
 

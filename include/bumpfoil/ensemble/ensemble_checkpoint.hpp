@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "bumpfoil/ensemble/ensemble_log.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/row_log.hpp"
 
 namespace bumpfoil {
 
@@ -21,7 +21,6 @@ void require_no_checkpoint(const std::filesystem::path& checkpoint, const std::s
 /// @param width  numbers of a sample
 /// @throws Error (input) if it is of another ensemble
 /// @throws Error (file) if it cannot be read or written
-EnsembleLog open_ensemble_log(const std::filesystem::path& checkpoint, bool resumes, const Case& input,
-                              std::size_t width);
+RowLog open_ensemble_log(const std::filesystem::path& checkpoint, bool resumes, const Case& input, std::size_t width);
 
 }  // namespace bumpfoil

@@ -21,7 +21,7 @@ RunStatus status_of(const EnsembleStatistics& statistics, bool stopped);
 
 /// Stages ensemble.nc and summary.json, as docs/results.md describes them, with one run id.
 /// @throws Error (file)
-void stage_ensemble(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log,
+void stage_ensemble(const Case& input, const EnsembleLayout& layout, const RowLog& log,
                     const EnsembleStatistics& statistics, const EnsembleYields& yields, RunStatus status,
                     const Provenance& provenance, ResultFolder& folder);
 

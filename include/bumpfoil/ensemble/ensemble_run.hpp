@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
-#include "bumpfoil/ensemble/ensemble_log.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/ensemble/sample_flow.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/row_log.hpp"
 
 namespace bumpfoil {
 
@@ -54,6 +54,6 @@ class EnsembleSampler {
 /// before, to the last bit.
 /// @return false if it was stopped; samples that were under way then, and those behind them, are left out
 /// @throws Error (file) if the log cannot be written
-bool run_ensemble(const Case& input, const EnsembleLayout& layout, EnsembleLog& log, const EnsembleRun& run);
+bool run_ensemble(const Case& input, const EnsembleLayout& layout, RowLog& log, const EnsembleRun& run);
 
 }  // namespace bumpfoil

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
-#include "bumpfoil/ensemble/ensemble_log.hpp"
+#include "bumpfoil/results/row_log.hpp"
 
 namespace bumpfoil {
 
@@ -35,10 +35,10 @@ struct EnsembleStatistics {
 };
 
 /// Reads a log column by column, one in memory at a time, and draws the samples of sensitivities again.
-EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log);
+EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const RowLog& log);
 
 /// Standard error of the mean of EnsembleLayout::leading() over that mean, the largest of all places; not a number
 /// where there are too few samples.
-double relative_error_of_mean(const EnsembleLayout& layout, const EnsembleLog& log);
+double relative_error_of_mean(const EnsembleLayout& layout, const RowLog& log);
 
 }  // namespace bumpfoil

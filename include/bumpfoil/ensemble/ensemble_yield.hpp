@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
-#include "bumpfoil/ensemble/ensemble_log.hpp"
+#include "bumpfoil/results/row_log.hpp"
 
 namespace bumpfoil {
 
@@ -38,7 +38,7 @@ struct EnsembleYields {
 
 /// Counts them. A bearing passes that keeps it in every direction; one
 /// that did not converge does not pass. A clearance that was never taken up is larger than any bound.
-EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const EnsembleLog& log);
+EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const RowLog& log);
 
 /// A line for people: "yield: 93 of 100 bearings, 93.0 % (86.3 to 96.6 %)"; nothing where there are no limits.
 std::string yield_text(const EnsembleYields& yields);

@@ -49,6 +49,13 @@ struct Outcome {
 /// @throws Error (input) if the case cannot be built
 using ExperimentRun = std::function<Outcome(const Case&, const ProgressCallback& progress)>;
 
+/// Where a run stages its files as it goes.
+struct StagedRun {
+  const Provenance& provenance;
+  ResultFolder& folder;
+  bool resumes{};  ///< it goes on from what it finds there
+};
+
 /// A key that an option sets: --NAME, or --NAME VALUE.
 struct Switch {
   std::string_view name;
@@ -77,7 +84,9 @@ struct ExperimentInfo {
   ExperimentRun run;
   /// Runs it for the command line, and stages its files as it goes: of an experiment whose results the memory may not
   /// hold. Its outcome has the totals, and no files. Others are run, and then written.
-  std::function<Outcome(const Case&, const Provenance&, ResultFolder&, const ProgressCallback& progress)> staged{};
+  std::function<Outcome(const Case&, const StagedRun& run, const ProgressCallback& progress)> staged{};
+  /// Files that a staged run keeps in its folder as long as it takes, with which it can go on after it was stopped.
+  std::vector<std::string> checkpoints{};
   std::optional<Sweeping> sweeping{};  ///< of those that can be swept
   /// Quantities of its cycles, vibrations or states, in the order of tables. Long names may leave words open.
   std::vector<VariableMeaning> quantities{};

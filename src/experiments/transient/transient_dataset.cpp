@@ -54,7 +54,8 @@ void add_steps(const TransientResult& result, Dataset& data) {
 }
 
 TurnView view_of(const TransientTurn& revolution, std::size_t place) {
-  return {revolution, revolution.places[place], place < revolution.bearings.size() ? &revolution.bearings[place] : nullptr};
+  return {revolution, revolution.places[place],
+          place < revolution.bearings.size() ? &revolution.bearings[place] : nullptr};
 }
 
 void add_turns(const TransientReading& reading, Dataset& data) {
@@ -68,7 +69,8 @@ void add_turns(const TransientReading& reading, Dataset& data) {
       std::vector<double> values;
       values.reserve(reading.turns.size() * reading.result.layout.places);
       for (const TransientTurn& revolution : reading.turns) {
-        for (std::size_t i = 0; i < revolution.places.size(); ++i) values.push_back(quantity.value(view_of(revolution, i)));
+        for (std::size_t i = 0; i < revolution.places.size(); ++i)
+          values.push_back(quantity.value(view_of(revolution, i)));
       }
       return values;
     });

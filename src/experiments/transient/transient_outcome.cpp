@@ -4,6 +4,7 @@
 
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/transient/transient.hpp"
+#include "experiments/transient/transient_checkpoint.hpp"
 #include "experiments/transient/transient_quantities.hpp"
 #include "results/result_files.hpp"
 #include "results/summary_json.hpp"
@@ -46,27 +47,48 @@ RunRecord record_of(const Case& input, const TransientReading& reading, const Pr
           .provenance = provenance};
 }
 
-std::vector<ResultFile> transient_files(const Case& input, const TransientReading& reading,
-                                        const Provenance& provenance) {
-  return make_result_files(
-      record_of(input, reading, provenance), "result.nc", "use fewer steps", [&](const std::string& /*run_id*/) {
-        return ResultContents{
-            .texts = {{"transient.csv", transient_csv(reading)}}, .dataset = transient_dataset(reading), .lists = [&] {
-              Json json{{"failures", failure_lines(reading)}, {"warnings", warning_lines(input, reading)}};
-              json.update(transient_lists(reading));
-              return json;
-            }};
-      });
+Json all_lists(const Case& input, const TransientReading& reading) {
+  Json json{{"failures", failure_lines(reading)}, {"warnings", warning_lines(input, reading)}};
+  json.update(transient_lists(reading));
+  return json;
 }
 
-Outcome transient_outcome(const Case& input, TransientResult made) {
-  const auto reading = std::make_shared<const TransientReading>(std::move(made));
+std::vector<ResultFile> transient_files(const Case& input, const TransientReading& reading,
+                                        const Provenance& provenance) {
+  return make_result_files(record_of(input, reading, provenance), "result.nc", "use fewer steps",
+                           [&](const std::string& /*run_id*/) {
+                             return ResultContents{.texts = {{"transient.csv", transient_csv(reading)}},
+                                                   .dataset = transient_dataset(reading),
+                                                   .lists = [&] { return all_lists(input, reading); }};
+                           });
+}
+
+using SharedReading = std::shared_ptr<const TransientReading>;
+
+Outcome transient_outcome(const Case& input, const SharedReading& reading) {
   return {.status = status_of(*reading),
           .warnings = warning_lines(input, *reading),
           .failures = failure_lines(*reading),
           .table = [=] { return transient_table(*reading); },
           .dataset = [=] { return transient_dataset(*reading); },
           .files = [=](const Provenance& provenance) { return transient_files(input, *reading, provenance); }};
+}
+
+SharedReading reading_of(TransientResult result) {
+  return std::make_shared<const TransientReading>(std::move(result));
+}
+
+/// Steps stay on the disk, in files with which the run can go on.
+Outcome stage_transient(const Case& input, const StagedRun& staged, const ProgressCallback& progress) {
+  KeptRun kept = keep_run(staged.folder.path(), staged.resumes, input, transient_not_begun(input).layout.width());
+  kept.run.progress = progress;
+  const SharedReading reading = reading_of(run_transient(input, kept.table, kept.run));
+  Outcome outcome = transient_outcome(input, reading);
+  outcome.files = {};
+  stage_result_files(record_of(input, *reading, staged.provenance), "result.nc", "use fewer steps",
+                     transient_dataset(*reading), all_lists(input, *reading), staged.folder,
+                     {{"transient.csv", transient_csv(*reading)}});
+  return outcome;
 }
 
 }  // namespace
@@ -79,19 +101,22 @@ ExperimentInfo transient_experiment() {
                                        "film.rows=4",
                                        "rotor.mass=2 kg",
                                        "rotor.unbalance=[{amount=\"2 g mm\"}]"};
-  return {
-      .name = "transient",
-      .summary = "March a rotor on its bearings in time: run-up, coast-down, impulses, base motion",
-      .examples =
-          "  bumpfoil transient examples/coast_down.toml -o coast_down\n"
-          "  bumpfoil transient examples/rotor.toml -o whirl --set 'transient.speed={to=\"16000 rpm\", "
-          "time=\"0.1 s\"}' --set 'transient.pulse={force=[\"0 N\", \"20 N\"], begin=\"5 ms\", duration=\"1 "
-          "ms\"}'\n",
-      .files = {"summary.json", "transient.csv", "result.nc"},
-      .run = [](const Case& input,
-                const ProgressCallback& progress) { return transient_outcome(input, run_transient(input, progress)); },
-      .quantities = meanings_of(turn_quantities()),
-      .small_runs = {small}};
+  return {.name = "transient",
+          .summary = "March a rotor on its bearings in time: run-up, coast-down, impulses, base motion",
+          .examples =
+              "  bumpfoil transient examples/coast_down.toml -o coast_down\n"
+              "  bumpfoil transient examples/rotor.toml -o whirl --set 'transient.speed={to=\"16000 rpm\", "
+              "time=\"0.1 s\"}' --set 'transient.pulse={force=[\"0 N\", \"20 N\"], begin=\"5 ms\", duration=\"1 "
+              "ms\"}'\n",
+          .files = {"summary.json", "transient.csv", "result.nc"},
+          .run =
+              [](const Case& input, const ProgressCallback& progress) {
+                return transient_outcome(input, reading_of(run_transient(input, progress)));
+              },
+          .staged = stage_transient,
+          .checkpoints = transient_checkpoint_names(),
+          .quantities = meanings_of(turn_quantities()),
+          .small_runs = {small}};
 }
 
 }  // namespace bumpfoil

@@ -89,13 +89,17 @@ double turn_energy(const TransientTurn& revolution) {
 }
 
 constexpr auto whole_turn_quantity_table = std::to_array<WholeTurnQuantity>({
-    {"revolution_time", "s", "time at the end of the revolution", [](const TransientTurn& revolution) { return revolution.time; }},
-    {"revolution_speed", "rad/s", "mean speed in the revolution", [](const TransientTurn& revolution) { return revolution.speed; }},
+    {"revolution_time", "s", "time at the end of the revolution",
+     [](const TransientTurn& revolution) { return revolution.time; }},
+    {"revolution_speed", "rad/s", "mean speed in the revolution",
+     [](const TransientTurn& revolution) { return revolution.speed; }},
     {"revolution_force_work", "J", "work of weight, unbalance, pulses and base on the rotor in the revolution",
      turn_energy<&WorkBalance::forces>},
     {"revolution_film_work", "J",
      "work of the films on the rotor and its foils in the revolution: entrained and supplied less dissipated",
-     [](const TransientTurn& revolution) { return revolution.energy.entrained + revolution.energy.supplied - revolution.energy.dissipated; }},
+     [](const TransientTurn& revolution) {
+       return revolution.energy.entrained + revolution.energy.supplied - revolution.energy.dissipated;
+     }},
     {"revolution_friction_loss", "J", "work that friction of the foils takes in the revolution",
      turn_energy<&WorkBalance::friction>},
     {"revolution_stored_energy", "J", "change of the energy of motion, of films, foils and asperities",
@@ -129,13 +133,15 @@ constexpr auto run_quantity_table = std::to_array<RunQuantity>({
      headline | csv, "largest half way", shown::micrometres},
     {"thinnest_film_of_run", "m", "minimum film thickness of all bearings in all revolutions",
      [](const TransientReading& reading) {
-       return -largest_of(reading, [](const TransientTurn& revolution, std::size_t i) { return -revolution.bearings[i].thinnest; });
+       return -largest_of(
+           reading, [](const TransientTurn& revolution, std::size_t i) { return -revolution.bearings[i].thinnest; });
      },
      headline | csv, "minimum film thickness", shown::micrometres},
     {"largest_asperity_load_of_run", "N", "largest force that asperities of a bearing carry",
      [](const TransientReading& reading) {
-       return largest_of(reading,
-                         [](const TransientTurn& revolution, std::size_t i) { return revolution.bearings[i].asperity_load; });
+       return largest_of(reading, [](const TransientTurn& revolution, std::size_t i) {
+         return revolution.bearings[i].asperity_load;
+       });
      },
      headline | csv, "largest asperity load", shown::newtons},
     {"friction_loss_of_run", "J", "work that friction of the foils takes in all whole revolutions",

@@ -47,8 +47,8 @@ struct PlaceMotion {
 PlaceMotion motion_of(const TransientResult& result, std::size_t place, std::size_t first, std::size_t last) {
   const std::size_t count = last - first + 1;
   PlaceMotion motion{.angles = result.steps->column(column_of(StepColumn::angle), first, count),
-                .x = result.steps->column(place_column(result.layout, place, 0), first, count),
-                .y = result.steps->column(place_column(result.layout, place, 1), first, count)};
+                     .x = result.steps->column(place_column(result.layout, place, 0), first, count),
+                     .y = result.steps->column(place_column(result.layout, place, 1), first, count)};
   for (double& angle : motion.angles) angle = std::abs(angle);
   return motion;
 }
@@ -130,7 +130,7 @@ std::vector<TransientTurn> turns_of(const TransientResult& result) {
     revolution.number = static_cast<long>(k);
     revolution.time = times.back();
     revolution.speed = std::copysign(turn / (times.back() - times.front()),
-                               result.steps->column(column_of(StepColumn::angle), ends[k], 1).front());
+                                     result.steps->column(column_of(StepColumn::angle), ends[k], 1).front());
     for (std::size_t place = 0; place < result.layout.places; ++place) {
       revolution.places.push_back(place_in_turn(motion_of(result, place, first, ends[k])));
       if (k == 1) continue;
@@ -197,14 +197,13 @@ Waterfall waterfall_of(const TransientResult& result) {
     waterfall.times.push_back(0.5 * (begin + end));
     waterfall.speeds.push_back((at(StepColumn::angle, ends[k]) - at(StepColumn::angle, first)) / (end - begin));
     for (std::size_t place = 0; place < result.layout.places; ++place) {
-      const Eigen::Matrix2Xd places = at_equal_angles(motion_of(result, place, first, ends[k]), count,
-                                                      turn / static_cast<double>(per_turn));
+      const Eigen::Matrix2Xd places =
+          at_equal_angles(motion_of(result, place, first, ends[k]), count, turn / static_cast<double>(per_turn));
       const Eigen::Vector2d mean = places.rowwise().mean();
       for (const int axis : {0, 1}) {
         std::vector<double> windowed(count);
         for (std::size_t i = 0; i < count; ++i) {
-          const double window =
-              1.0 - std::cos(turn * static_cast<double>(i) / static_cast<double>(count));
+          const double window = 1.0 - std::cos(turn * static_cast<double>(i) / static_cast<double>(count));
           windowed[i] = window * (places(axis, static_cast<Eigen::Index>(i)) - mean[axis]);
         }
         std::vector<Complex> spectrum;

@@ -20,11 +20,6 @@ constexpr double small_part_of_film = 0.3;
 /// Part by which an orbit is larger at a peak than beside it.
 constexpr double least_fall_from_peak = 0.05;
 
-/// Of a bearing in equilibrium, m.
-double film_of(const UnbalanceResult& result, const BearingState& state) {
-  return state.film.thickness.minCoeff() * result.machine.bearing->scales.thickness;
-}
-
 /// Largest semi-major axis of the journals, m; over the minimum film thickness of its bearing where it is a part of it.
 template <ResponseKind kind, bool part_of_film = false>
 double journal_amplitude(const UnbalanceResult& result, const UnbalancePoint& point) {
@@ -33,7 +28,7 @@ double journal_amplitude(const UnbalanceResult& result, const UnbalancePoint& po
     const StationResponse response = response_at(result, point, kind, i);
     if (!response.motion) continue;
     const double major = elliptic_orbit(*response.motion, point.speed).major;
-    const double size = part_of_film ? major / film_of(result, point.states[i]) : major;
+    const double size = part_of_film ? major / result.machine.thinnest_film(i, point.states[i]) : major;
     if (!(size <= largest)) largest = size;
   }
   return largest;

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/ensemble/ensemble_identity.hpp"
+#include "bumpfoil/results/run_identity.hpp"
 #include "support/ensemble_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -36,9 +36,9 @@ TEST_F(EnsembleCheckpoints, AreNeitherReplacedNorGoneOnWithUnasked) {
 TEST_F(EnsembleCheckpoints, AreGoneOnWithOrBegunAnew) {
   const Case input = test_support::ensemble_case(10);
   begin(input);
-  EXPECT_EQ(EnsembleLog::identity_of(path_), ensemble_identity(input));
-  EXPECT_EQ(open_ensemble_log(path_, true, input, 2).samples(), 2U);
-  EXPECT_EQ(open_ensemble_log(path_, false, input, 2).samples(), 0U);
+  EXPECT_EQ(RowLog::identity_of(path_), run_identity(input));
+  EXPECT_EQ(open_ensemble_log(path_, true, input, 2).rows(), 2U);
+  EXPECT_EQ(open_ensemble_log(path_, false, input, 2).rows(), 0U);
 }
 
 TEST_F(EnsembleCheckpoints, OfAnotherEnsembleAreRefused) {
@@ -46,7 +46,7 @@ TEST_F(EnsembleCheckpoints, OfAnotherEnsembleAreRefused) {
   begin(input);
   input.montecarlo->seed += 1;
   EXPECT_THROW(open_ensemble_log(path_, true, input, 2), Error);
-  EXPECT_EQ(EnsembleLog::open(path_, 2).samples(), 2U);
+  EXPECT_EQ(RowLog::open(path_, 2).rows(), 2U);
 }
 
 }  // namespace

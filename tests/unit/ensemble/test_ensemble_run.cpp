@@ -12,11 +12,11 @@ namespace {
 
 class EnsembleRuns : public ::testing::Test {
  protected:
-  EnsembleLog new_log(const std::string& name) const { return {folder_.path() / name, "", layout_.width()}; }
+  RowLog new_log(const std::string& name) const { return {folder_.path() / name, "", layout_.width()}; }
 
   /// To the last bit, absent numbers included.
-  void expect_same(const EnsembleLog& a, const EnsembleLog& b) const {
-    ASSERT_EQ(a.samples(), b.samples());
+  void expect_same(const RowLog& a, const RowLog& b) const {
+    ASSERT_EQ(a.rows(), b.rows());
     for (std::size_t place = 0; place < layout_.width(); ++place) {
       const std::vector<double> of_a = a.column(place);
       const std::vector<double> of_b = b.column(place);
@@ -30,34 +30,34 @@ class EnsembleRuns : public ::testing::Test {
 };
 
 TEST_F(EnsembleRuns, ThreadsMakeNoDifference) {
-  EnsembleLog one = new_log("one");
+  RowLog one = new_log("one");
   EXPECT_TRUE(run_ensemble(input_, layout_, one, {.threads = 1}));
-  EnsembleLog three = new_log("three");
+  RowLog three = new_log("three");
   EXPECT_TRUE(run_ensemble(input_, layout_, three, {.threads = 3}));
-  EXPECT_EQ(one.samples(), 60U);
+  EXPECT_EQ(one.rows(), 60U);
   expect_same(one, three);
 }
 
 TEST_F(EnsembleRuns, GoOnWhereTheyWereStopped) {
-  EnsembleLog whole = new_log("whole");
+  RowLog whole = new_log("whole");
   ASSERT_TRUE(run_ensemble(input_, layout_, whole, {.threads = 2}));
-  EnsembleLog log = new_log("stopped");
-  for (int stops = 0; log.samples() < 60U; ++stops) {
+  RowLog log = new_log("stopped");
+  for (int stops = 0; log.rows() < 60U; ++stops) {
     ASSERT_LT(stops, 1000);
-    const double begin = static_cast<double>(log.samples());
+    const double begin = static_cast<double>(log.rows());
     run_ensemble(input_, layout_, log, {.threads = 2, .progress = [&](double done) { return done < begin + 7.0; }});
   }
   expect_same(whole, log);
 }
 
 TEST_F(EnsembleRuns, MoreSamplesAreTheSameEnsemble) {
-  EnsembleLog whole = new_log("whole");
+  RowLog whole = new_log("whole");
   ASSERT_TRUE(run_ensemble(input_, layout_, whole, {.threads = 2}));
-  EnsembleLog log = new_log("more");
+  RowLog log = new_log("more");
   Case fewer = input_;
   fewer.montecarlo->samples = 23;
   ASSERT_TRUE(run_ensemble(fewer, layout_, log, {.threads = 2}));
-  EXPECT_EQ(log.samples(), 23U);
+  EXPECT_EQ(log.rows(), 23U);
   ASSERT_TRUE(run_ensemble(input_, layout_, log, {.threads = 2}));
   expect_same(whole, log);
 }
@@ -68,24 +68,24 @@ TEST_F(EnsembleRuns, AreEnoughAfterWholeRoundsOnly) {
   input.cycle.steps = 1;
   input.montecarlo->samples = 2500;
   const EnsembleLayout layout = make_ensemble_layout(input);
-  EnsembleLog log(folder_.path() / "rounds", "", layout.width());
+  RowLog log(folder_.path() / "rounds", "", layout.width());
   std::vector<std::size_t> asked;
   const auto enough = [&] {
-    asked.push_back(log.samples());
-    return log.samples() >= 2 * ensemble_round;
+    asked.push_back(log.rows());
+    return log.rows() >= 2 * ensemble_round;
   };
   EXPECT_TRUE(run_ensemble(input, layout, log, {.threads = 2, .enough = enough}));
   EXPECT_EQ(asked, (std::vector<std::size_t>{1000, 2000}));
-  EXPECT_EQ(log.samples(), 2000U);
+  EXPECT_EQ(log.rows(), 2000U);
   // Asked again, they are enough as they are.
   EXPECT_TRUE(run_ensemble(input, layout, log, {.threads = 2, .enough = enough}));
-  EXPECT_EQ(log.samples(), 2000U);
+  EXPECT_EQ(log.rows(), 2000U);
 }
 
 TEST_F(EnsembleRuns, ShareTheirSamplesWithOthers) {
-  EnsembleLog whole = new_log("whole");
+  RowLog whole = new_log("whole");
   ASSERT_TRUE(run_ensemble(input_, layout_, whole, {.threads = 2}));
-  EnsembleLog log = new_log("shared");
+  RowLog log = new_log("shared");
   std::size_t shared = 0;
   const auto share = [&](SampleFlow& flow) {
     const SampleRange range = flow.take(5);
@@ -101,7 +101,7 @@ TEST_F(EnsembleRuns, ShareTheirSamplesWithOthers) {
 }
 
 TEST_F(EnsembleRuns, WaitForThoseWhoTookSamples) {
-  EnsembleLog log = new_log("late");
+  RowLog log = new_log("late");
   SampleRange taken;
   const auto share = [&](SampleFlow& flow) {
     if (taken.count == 0) taken = flow.take(1);
@@ -112,7 +112,7 @@ TEST_F(EnsembleRuns, WaitForThoseWhoTookSamples) {
   };
   ASSERT_TRUE(run_ensemble(input_, layout_, log, {.threads = 1, .share = share}));
   EXPECT_EQ(taken.count, 2U);
-  EXPECT_EQ(log.samples(), 60U);
+  EXPECT_EQ(log.rows(), 60U);
 }
 
 }  // namespace

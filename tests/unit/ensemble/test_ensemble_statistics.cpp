@@ -31,7 +31,7 @@ class EnsembleStatisticsOfRows : public ::testing::Test {
   Case input_{test_support::ensemble_case(3)};
   EnsembleLayout layout_{make_ensemble_layout(input_)};
   test_support::TemporaryFolder folder_;
-  EnsembleLog log_{folder_.path() / "log", "", layout_.width()};
+  RowLog log_{folder_.path() / "log", "", layout_.width()};
 };
 
 TEST_F(EnsembleStatisticsOfRows, AreOfTheCyclesThatConverged) {
@@ -55,7 +55,7 @@ TEST_F(EnsembleStatisticsOfRows, AreOfTheCyclesThatConverged) {
 TEST_F(EnsembleStatisticsOfRows, SensitivitiesAreToFactorsOfTheSamplesThatConverged) {
   input_.montecarlo = MonteCarloSettings{.friction_top_bump = Distribution{.sigma = 0.01},
                                          .radial_clearance = Distribution{.sigma = 1e-6}};
-  EnsembleLog log(folder_.path() / "drawn", "", layout_.width());
+  RowLog log(folder_.path() / "drawn", "", layout_.width());
   for (std::uint64_t i = 0; i < 50; ++i) {
     std::vector<double> row(layout_.width(), 0.0);
     const Sample sample = draw_sample(input_, i);
@@ -79,7 +79,7 @@ TEST_F(EnsembleStatisticsOfRows, ErrorOfTheForceIsTheLargestOfAllDirections) {
   const double first = std::sqrt(7.0 / 9.0) / (100.0 + 7.0 / 3.0);
   const double second = 1.5 / (100.0 * place + 2.5);
   EXPECT_NEAR(relative_error_of_mean(layout_, log_), std::max(first, second), 1e-15);
-  const EnsembleLog empty(folder_.path() / "empty", "", layout_.width());
+  const RowLog empty(folder_.path() / "empty", "", layout_.width());
   EXPECT_TRUE(std::isnan(relative_error_of_mean(layout_, empty)));
 }
 

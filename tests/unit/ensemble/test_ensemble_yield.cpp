@@ -64,7 +64,7 @@ TEST(EnsembleYield, BearingsPassInEveryDirection) {
   at(3, 0, force) = 1000.0;
   at(4, 1, 0) = static_cast<double>(Status::no_modes);
   const test_support::TemporaryFolder folder;
-  EnsembleLog log(folder.path() / "log", "", layout.width());
+  RowLog log(folder.path() / "log", "", layout.width());
   log.append(rows);
   const EnsembleYields yields = make_yields(limits, layout, log);
   ASSERT_EQ(yields.each.size(), 2U);
@@ -88,7 +88,7 @@ TEST(EnsembleYield, RotorsPassWhoseOrbitsAreSmallEnough) {
   EXPECT_NEAR(limits[1].bound, 300.0 * M_PI, 1e-9);
   // Small; too large for the film; without an equilibrium at some speed.
   const test_support::TemporaryFolder folder;
-  EnsembleLog log(folder.path() / "log", "", of_rotor.width());
+  RowLog log(folder.path() / "log", "", of_rotor.width());
   const auto not_reached = static_cast<double>(Status::not_reached);
   log.append(std::vector{0.0, 2e-6, 900.0, 0.1, 0.0, 4e-6, 900.0, 0.4, not_reached, 2e-6, 900.0, 0.1});
   EXPECT_EQ(make_yields(limits, of_rotor, log).all.passed, 1U);
@@ -118,7 +118,7 @@ TEST(EnsembleYield, RotorsPassThatAreStableUpToTheLimit) {
   }
   at(3, 0) = static_cast<double>(Status::not_reached);
   const test_support::TemporaryFolder folder;
-  EnsembleLog log(folder.path() / "log", "", of_rotor.width());
+  RowLog log(folder.path() / "log", "", of_rotor.width());
   log.append(rows);
   EXPECT_EQ(make_yields(limits, of_rotor, log).all.passed, 2U);
 }

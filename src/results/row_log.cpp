@@ -1,4 +1,4 @@
-#include "bumpfoil/ensemble/ensemble_log.hpp"
+#include "bumpfoil/results/row_log.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 // A log is the signature, a record with the identity, and a record for each block of rows, stored by columns. A record
 // is the number of its bytes, their checksum, and they.
-constexpr std::string_view signature = "bumpfoil-ensemble/1\n";
+constexpr std::string_view signature = "bumpfoil-rows/1\n";
 constexpr std::size_t checksum_size = blank_checksum.size();
 constexpr std::size_t head_size = sizeof(std::uint64_t) + checksum_size;
 
@@ -39,10 +39,10 @@ std::string record_of(std::string_view bytes) {
 
 }  // namespace
 
-struct EnsembleLog::Open {
+struct RowLog::Open {
   struct Block {
-    std::size_t first;   ///< sample
-    std::size_t count;   ///< of samples
+    std::size_t first;   ///< row
+    std::size_t count;   ///< of rows
     std::size_t offset;  ///< of its numbers in the file
   };
 
@@ -90,8 +90,15 @@ struct EnsembleLog::Open {
 
   void add_block(std::size_t bytes) {
     const std::size_t count = bytes / (sizeof(double) * width);
-    blocks.push_back({samples, count, end - bytes});
-    samples += count;
+    blocks.push_back({rows, count, end - bytes});
+    rows += count;
+  }
+
+  /// Forgets the last block. @param before  where it begins in the file
+  void drop_block(std::size_t before) {
+    rows -= blocks.back().count;
+    blocks.pop_back();
+    end = before;
   }
 
   fs::path path;
@@ -100,38 +107,45 @@ struct EnsembleLog::Open {
   std::size_t file_size{};
   std::size_t end{};
   std::vector<Block> blocks{};
-  std::size_t samples{};
+  std::size_t rows{};
 };
 
-EnsembleLog::EnsembleLog(std::unique_ptr<Open> open) : open_(std::move(open)) {}
-EnsembleLog::EnsembleLog(EnsembleLog&&) noexcept = default;
-EnsembleLog::~EnsembleLog() = default;
+RowLog::RowLog(std::unique_ptr<Open> open) : open_(std::move(open)) {}
+RowLog::RowLog(RowLog&&) noexcept = default;
+RowLog::~RowLog() = default;
 
-EnsembleLog::EnsembleLog(const fs::path& path, std::string_view identity, std::size_t width)
+RowLog::RowLog(const fs::path& path, std::string_view identity, std::size_t width)
     : open_(new Open{.path = path, .file = FileDescriptor(path, path, O_RDWR | O_CREAT | O_TRUNC), .width = width}) {
   open_->add(std::string(signature) + record_of(identity));
 }
 
-std::optional<std::string> EnsembleLog::identity_of(const fs::path& path) {
+std::optional<std::string> RowLog::identity_of(const fs::path& path) {
   std::error_code code;
   if (!fs::is_regular_file(path, code)) return std::nullopt;
   return Open{.path = path, .file = FileDescriptor(path, path, O_RDONLY), .width = 1}.begin();
 }
 
-EnsembleLog EnsembleLog::open(const fs::path& path, std::size_t width) {
+RowLog RowLog::open(const fs::path& path, std::size_t width, std::size_t most) {
   std::unique_ptr<Open> open(new Open{.path = path, .file = FileDescriptor(path, path, O_RDWR), .width = width});
   [[maybe_unused]] const bool known = open->begin().has_value();
   BUMPFOIL_ASSERT(known);
-  while (const std::optional<std::string> block = open->next_record()) open->add_block(block->size());
+  for (std::size_t end = open->end; open->rows < most; end = open->end) {
+    const std::optional<std::string> block = open->next_record();
+    if (!block) break;
+    open->add_block(block->size());
+    if (open->rows <= most) continue;
+    open->drop_block(end);
+    break;
+  }
   if (::ftruncate(open->file.get(), static_cast<off_t>(open->end)) != 0) throw_unwritable(path, errno);
-  return EnsembleLog(std::move(open));
+  return RowLog(std::move(open));
 }
 
-std::size_t EnsembleLog::samples() const {
-  return open_->samples;
+std::size_t RowLog::rows() const {
+  return open_->rows;
 }
 
-void EnsembleLog::append(std::span<const double> rows) {
+void RowLog::append(std::span<const double> rows) {
   const std::size_t width = open_->width;
   BUMPFOIL_ASSERT(!rows.empty() && rows.size() % width == 0);
   const std::size_t count = rows.size() / width;
@@ -145,8 +159,8 @@ void EnsembleLog::append(std::span<const double> rows) {
   open_->add_block(bytes.size());
 }
 
-std::vector<double> EnsembleLog::column(std::size_t column, std::size_t first, std::size_t count) const {
-  BUMPFOIL_ASSERT(column < open_->width && first + count <= samples());
+std::vector<double> RowLog::column(std::size_t column, std::size_t first, std::size_t count) const {
+  BUMPFOIL_ASSERT(column < open_->width && first + count <= rows());
   std::vector<double> values;
   values.reserve(count);
   for (const Open::Block& block : open_->blocks) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,29 +11,32 @@
 
 namespace bumpfoil {
 
-/// The numbers of an ensemble on the disk, where a million samples have room: rows of samples 0, 1, 2, ..., added at
-/// the end block by block, and read by columns. Each block carries a checksum and is flushed to the disk: whatever is
-/// killed or loses its power, the log that is found is whole up to some sample, and what is torn behind it falls away.
+/// Rows of numbers on the disk, where millions have room: samples of an ensemble, steps of a march in time. They are
+/// added at the end block by block, and read by columns. Each block carries a checksum and is flushed to the disk:
+/// whatever is killed or loses its power, the log that is found is whole up to some row, and what is torn behind it
+/// falls away.
 ///
 /// Numbers are written as they lie in memory: a log is for machines like the one that began it.
-class EnsembleLog {
+class RowLog {
  public:
   /// Begins a log; one that is there is replaced.
   /// @param identity  what the numbers depend on, for those who go on with them
   /// @param width     of a row
   /// @throws Error (file), as do all functions
-  EnsembleLog(const std::filesystem::path& path, std::string_view identity, std::size_t width);
+  RowLog(const std::filesystem::path& path, std::string_view identity, std::size_t width);
 
   /// The identity of a log; nothing where there is no whole one.
   static std::optional<std::string> identity_of(const std::filesystem::path& path);
 
   /// Opens a log that has an identity and this width, to go on with it. A torn end is cut off.
-  static EnsembleLog open(const std::filesystem::path& path, std::size_t width);
+  /// @param most  blocks that go beyond so many rows are cut off, too
+  static RowLog open(const std::filesystem::path& path, std::size_t width,
+                     std::size_t most = std::numeric_limits<std::size_t>::max());
 
-  EnsembleLog(EnsembleLog&&) noexcept;
-  ~EnsembleLog();
+  RowLog(RowLog&&) noexcept;
+  ~RowLog();
 
-  [[nodiscard]] std::size_t samples() const;
+  [[nodiscard]] std::size_t rows() const;
 
   /// Adds whole rows, one after the other, and flushes them.
   void append(std::span<const double> rows);
@@ -41,11 +45,11 @@ class EnsembleLog {
   [[nodiscard]] std::vector<double> column(std::size_t column, std::size_t first, std::size_t count) const;
 
   /// All of a column.
-  [[nodiscard]] std::vector<double> column(std::size_t place) const { return column(place, 0, samples()); }
+  [[nodiscard]] std::vector<double> column(std::size_t place) const { return column(place, 0, rows()); }
 
  private:
   struct Open;
-  explicit EnsembleLog(std::unique_ptr<Open> open);
+  explicit RowLog(std::unique_ptr<Open> open);
 
   std::unique_ptr<Open> open_;
 };

@@ -1,4 +1,4 @@
-#include "bumpfoil/ensemble/ensemble_identity.hpp"
+#include "bumpfoil/results/run_identity.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ std::string take_line(std::string_view& text) {
 
 }  // namespace
 
-std::string ensemble_identity(const Case& input) {
+std::string run_identity(const Case& input) {
   return fmt::format("bumpfoil {} ({})\n{}\n{}", version(), commit(), instruction_set(), case_to_toml(nameless(input)));
 }
 
@@ -58,8 +58,8 @@ Case case_of_identity(const std::string& identity) {
   return parse_case(text, "identity");
 }
 
-void require_same_ensemble(const std::string& identity, const Case& input, const std::string& file) {
-  const std::string ours = ensemble_identity(input);
+void require_same_run(const std::string& identity, const Case& input, const std::string& file) {
+  const std::string ours = run_identity(input);
   if (identity == ours) return;
   std::string_view their_text = identity;
   std::string_view our_text = ours;

@@ -1,4 +1,4 @@
-#include "bumpfoil/ensemble/ensemble_log.hpp"
+#include "bumpfoil/results/row_log.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 namespace bumpfoil {
 namespace {
 
-class EnsembleLogs : public ::testing::Test {
+class RowLogs : public ::testing::Test {
  protected:
   void write_two_blocks() {
-    EnsembleLog log(path_, "identity", 2);
+    RowLog log(path_, "identity", 2);
     log.append(std::vector{1.0, 10.0, 2.0, 20.0, 3.0, 30.0});
     log.append(std::vector<double>{4.0, NAN});
   }
@@ -21,11 +21,11 @@ class EnsembleLogs : public ::testing::Test {
   std::filesystem::path path_{folder_.path() / "log"};
 };
 
-TEST_F(EnsembleLogs, AreReadByColumnsAcrossBlocks) {
+TEST_F(RowLogs, AreReadByColumnsAcrossBlocks) {
   write_two_blocks();
-  EXPECT_EQ(EnsembleLog::identity_of(path_), "identity");
-  EnsembleLog log = EnsembleLog::open(path_, 2);
-  ASSERT_EQ(log.samples(), 4U);
+  EXPECT_EQ(RowLog::identity_of(path_), "identity");
+  RowLog log = RowLog::open(path_, 2);
+  ASSERT_EQ(log.rows(), 4U);
   EXPECT_EQ(log.column(0), (std::vector{1.0, 2.0, 3.0, 4.0}));
   EXPECT_EQ(log.column(0, 1, 3), (std::vector{2.0, 3.0, 4.0}));
   EXPECT_EQ(log.column(1, 1, 1), (std::vector{20.0}));
@@ -33,10 +33,10 @@ TEST_F(EnsembleLogs, AreReadByColumnsAcrossBlocks) {
   EXPECT_TRUE(log.column(1, 2, 0).empty());
   log.append(std::vector{5.0, 50.0});
   EXPECT_EQ(log.column(0, 2, 3), (std::vector{3.0, 4.0, 5.0}));
-  EXPECT_EQ(EnsembleLog::open(path_, 2).samples(), 5U);
+  EXPECT_EQ(RowLog::open(path_, 2).rows(), 5U);
 }
 
-TEST_F(EnsembleLogs, TornAnywhereHoldWhatIsWhole) {
+TEST_F(RowLogs, TornAnywhereHoldWhatIsWhole) {
   write_two_blocks();
   const std::string whole = folder_.read("log");
   constexpr std::size_t record = 40;  // what stands in front of the bytes of each
@@ -44,32 +44,32 @@ TEST_F(EnsembleLogs, TornAnywhereHoldWhatIsWhole) {
   const std::size_t first = second - record - 6 * sizeof(double);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     folder_.write("log", whole.substr(0, size));
-    EXPECT_EQ(EnsembleLog::identity_of(path_).has_value(), size >= first) << size;
+    EXPECT_EQ(RowLog::identity_of(path_).has_value(), size >= first) << size;
     if (size < first) continue;
-    EnsembleLog log = EnsembleLog::open(path_, 2);
-    EXPECT_EQ(log.samples(), size >= second ? 3U : 0U) << size;
+    RowLog log = RowLog::open(path_, 2);
+    EXPECT_EQ(log.rows(), size >= second ? 3U : 0U) << size;
     log.append(std::vector{7.0, 8.0});
-    EXPECT_EQ(EnsembleLog::open(path_, 2).samples(), size >= second ? 4U : 1U) << size;
+    EXPECT_EQ(RowLog::open(path_, 2).rows(), size >= second ? 4U : 1U) << size;
   }
 }
 
-TEST_F(EnsembleLogs, DamageAnywhereIsFoundOut) {
+TEST_F(RowLogs, DamageAnywhereIsFoundOut) {
   write_two_blocks();
   const std::string whole = folder_.read("log");
   for (std::size_t place = 0; place < whole.size(); ++place) {
     std::string damaged = whole;
     damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
     folder_.write("log", damaged);
-    if (!EnsembleLog::identity_of(path_)) continue;
-    EXPECT_LT(EnsembleLog::open(path_, 2).samples(), 4U) << place;
+    if (!RowLog::identity_of(path_)) continue;
+    EXPECT_LT(RowLog::open(path_, 2).rows(), 4U) << place;
   }
 }
 
-TEST_F(EnsembleLogs, AreNoneWhereThereIsSomethingElse) {
-  EXPECT_FALSE(EnsembleLog::identity_of(path_));
+TEST_F(RowLogs, AreNoneWhereThereIsSomethingElse) {
+  EXPECT_FALSE(RowLog::identity_of(path_));
   folder_.write("log", "something else");
-  EXPECT_FALSE(EnsembleLog::identity_of(path_));
-  EXPECT_FALSE(EnsembleLog::identity_of(folder_.path()));
+  EXPECT_FALSE(RowLog::identity_of(path_));
+  EXPECT_FALSE(RowLog::identity_of(folder_.path()));
 }
 
 }  // namespace

@@ -1,0 +1,186 @@
+#include "bumpfoil/experiments/transient/transient.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "experiments/transient/machine_state_file.hpp"
+#include "experiments/transient/step_row.hpp"
+#include "support/faulty_keys.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using test_support::faulty_keys;
+using test_support::Keys;
+
+/// 1 kg on each bearing, its centre of mass 1 um from the axis along +X, with friction.
+Case marched_case(std::vector<SpeedPhase> speed) {
+  Case input = film_rotor_case({4, 4});
+  input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
+  input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
+  input.settings.set(TransientSettings{.speed = std::move(speed), .steps_per_revolution = 30});
+  return input;
+}
+
+TransientSettings& settings_of(Case& input) {
+  return *input.settings.find<TransientSettings>();
+}
+
+/// Some turns of the rotor at this speed.
+SpeedPhase turning(double rpm, double turns) {
+  return {.to = speed_of_rpm(rpm), .time = turns * 60.0 / std::abs(rpm)};
+}
+
+std::vector<double> all_rows(const TransientResult& result) {
+  std::vector<double> all;
+  for (std::size_t column = 0; column < result.layout.width(); ++column) {
+    const std::vector<double> values = result.steps->column(column, 0, result.steps->rows());
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
+TEST(Transient, EndsTurnsWithASequenceOfSteps) {
+  const TransientResult result = run_transient(marched_case({turning(-12000.0, 3.0)}));
+  ASSERT_EQ(result.status, Status::converged);
+  EXPECT_EQ(result.steps->rows(), 91U);
+  const std::vector<TransientTurn> turns = turns_of(result);
+  ASSERT_EQ(turns.size(), 3U);
+  EXPECT_NEAR(turns[2].time, 0.015, 1e-12);
+  EXPECT_NEAR(turns[1].speed, speed_of_rpm(-12000.0), 1e-6);
+  // What begins on the linear orbit stays near it: a small orbit, a little below the onset of whirl.
+  EXPECT_NEAR(std::abs(turns[2].places[0].orbit.once[0]) / std::abs(turns[0].places[0].orbit.once[0]), 1.0, 0.05);
+  EXPECT_LT(energy_check(turns).relative(), 0.05);
+}
+
+/// Killed anywhere and gone on with, a run is the same to the last bit.
+TEST(Transient, GoesOnToTheLastBit) {
+  const Case input = marched_case({{.from = speed_of_rpm(-12000.0), .to = speed_of_rpm(-11000.0), .time = 0.02}});
+  const TransientResult whole = run_transient(input);
+  ASSERT_EQ(whole.status, Status::converged);
+  const std::shared_ptr<StepTable> kept(make_step_table(whole.layout.width()));
+  std::optional<std::string> bytes;
+  TransientRun run{.keep = [&](const MachineState& state) { bytes = bytes_of(state); }};
+  int asked = 0;
+  run.progress = [&](double) { return ++asked < 47; };
+  const TransientResult part = run_transient(input, kept, run);
+  EXPECT_EQ(part.status, Status::interrupted);
+  ASSERT_TRUE(bytes.has_value());
+  run.progress = {};
+  run.from = machine_state_of(*bytes);
+  ASSERT_TRUE(run.from.has_value());
+  const TransientResult rest = run_transient(input, kept, run);
+  ASSERT_EQ(rest.status, Status::converged);
+  EXPECT_EQ(all_rows(rest), all_rows(whole));
+  EXPECT_FALSE(machine_state_of(bytes->substr(1)).has_value());
+  EXPECT_FALSE(machine_state_of(*bytes + "more").has_value());
+}
+
+/// A base that is pushed along pushes the rotor back.
+TEST(Transient, BaseMotionIsAForceOnTheMass) {
+  Case shaken = marched_case({turning(-12000.0, 1.0)});
+  settings_of(shaken).base.push_back({.acceleration = {-4.0, 10.0}, .begin = 1e-3, .duration = 2e-3});
+  Case pushed = marched_case({turning(-12000.0, 1.0)});
+  settings_of(pushed).pulses.push_back({.force = {8.0, -20.0}, .begin = 1e-3, .duration = 2e-3});  // 2 kg
+  const Case quiet = marched_case({turning(-12000.0, 1.0)});
+  const auto end = [](const TransientResult& result) {
+    const std::size_t last = result.steps->rows() - 1;
+    return Eigen::Vector2d(result.steps->column(place_column(result.layout, 0, 0), last, 1).front(),
+                           result.steps->column(place_column(result.layout, 0, 1), last, 1).front());
+  };
+  const Eigen::Vector2d of_base = end(run_transient(shaken));
+  EXPECT_LT((of_base - end(run_transient(pushed))).norm(), 1e-12);
+  EXPECT_GT((of_base - end(run_transient(quiet))).norm(), 1e-7);
+}
+
+/// Rows of a rotor whose axis goes round, with asperities that carry something for a while.
+TransientResult synthetic(double order, double amplitude) {
+  TransientResult result;
+  result.settings.steps_per_revolution = 32;
+  result.settings.revolutions_per_spectrum = 4;
+  result.layout = {.places = 1, .bearings = 1};
+  result.machine.loads = {Eigen::Vector2d(10.0, 0.0)};
+  const auto filled = std::shared_ptr<StepTable>(make_step_table(result.layout.width()));
+  for (int i = 0; i <= 8 * 32; ++i) {
+    std::vector<double> row(result.layout.width());
+    const double angle = 2.0 * std::numbers::pi * i / 32.0;
+    row[column_of(StepColumn::time)] = 1e-3 * i;
+    row[column_of(StepColumn::angle)] = angle;
+    row[column_of(StepColumn::speed)] = 1.0;
+    row[place_column(result.layout, 0, 0)] = 3e-6 + amplitude * std::cos(order * angle);
+    row[place_column(result.layout, 0, 1)] = amplitude * std::sin(order * angle);
+    row[bearing_column(result.layout, 0, BearingColumn::asperity_load)] = i >= 40 && i < 50 ? 0.5 + 0.01 * i : 0.01;
+    row[bearing_column(result.layout, 0, BearingColumn::thinnest)] = 1e-6 * (1 + i);
+    filled->append(row);
+  }
+  result.steps = filled;
+  return result;
+}
+
+TEST(Transient, TellsHarmonicsOfATurn) {
+  const std::vector<TransientTurn> turns = turns_of(synthetic(1.0, 2e-6));
+  ASSERT_EQ(turns.size(), 8U);
+  const PlaceTurn& place = turns[3].places[0];
+  EXPECT_NEAR(std::abs(place.orbit.once[0] - 2e-6), 0.0, 1e-15);
+  EXPECT_NEAR(std::abs(place.orbit.once[1] - std::complex<double>(0.0, -2e-6)), 0.0, 1e-15);
+  EXPECT_NEAR(place.orbit.mean[0], 3e-6, 1e-15);
+  EXPECT_NEAR(place.orbit.half_peak_to_peak[1], 2e-6, 1e-15);
+  EXPECT_LT(place.orbit.twice.norm() + place.half.norm(), 1e-15);
+  EXPECT_NEAR(place.at_end.x(), 5e-6, 1e-15);
+  EXPECT_NEAR(turns[3].bearings[0].thinnest, 98e-6, 1e-12);
+  const PlaceTurn& whirling = turns_of(synthetic(0.5, 2e-6))[3].places[0];
+  EXPECT_NEAR(std::abs(whirling.half[0]), 2e-6, 1e-15);
+}
+
+TEST(Transient, ShowsAWaveAtItsOrderWithItsAmplitude) {
+  const Waterfall waterfall = waterfall_of(synthetic(0.5, 2e-6));
+  ASSERT_EQ(waterfall.times.size(), 2U);
+  ASSERT_EQ(waterfall.orders.size(), 33U);
+  EXPECT_EQ(waterfall.orders[2], 0.5);
+  for (std::size_t spectrum = 0; spectrum < 2; ++spectrum) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const std::size_t at = (2 * spectrum + axis) * 33;
+      EXPECT_NEAR(waterfall.amplitudes[at + 2], 2e-6, 1e-14);
+      EXPECT_NEAR(waterfall.amplitudes[at + 5], 0.0, 1e-14);
+    }
+  }
+  EXPECT_NEAR(waterfall.speeds[0], 2.0 * std::numbers::pi / 0.032, 1e-9);
+}
+
+TEST(Transient, TellsRubsApart) {
+  const std::vector<RubEvent> rubs = rubs_of(synthetic(1.0, 2e-6));
+  ASSERT_EQ(rubs.size(), 1U);
+  EXPECT_NEAR(rubs[0].begin, 0.040, 1e-12);
+  EXPECT_NEAR(rubs[0].end, 0.049, 1e-12);
+  EXPECT_NEAR(rubs[0].load, 0.99, 1e-12);
+}
+
+TEST(Transient, SaysWhatIsWrongWithItsTable) {
+  const auto faults = [](const std::vector<SpeedPhase>& speed) {
+    return faulty_keys([&](Case& input) { input = marched_case(speed); });
+  };
+  EXPECT_EQ(faults({turning(12000.0, 1.0)}), Keys{});
+  EXPECT_EQ(faults({}), Keys{"transient.speed"});
+  EXPECT_EQ(faults({{.to = 0.0, .time = 1.0}}), Keys{"transient.speed"});
+  EXPECT_EQ(faults({{.to = 100.0, .time = 0.0}}), Keys{"transient.speed[1].time"});
+  EXPECT_EQ(faults({{.from = 100.0, .to = -100.0, .time = 1.0}}), Keys{"transient.speed[1].to"});
+  EXPECT_EQ(faults({{.to = 100.0, .time = 1.0}, {.from = 99.0, .to = 200.0, .time = 1.0}}),
+            Keys{"transient.speed[2].from"});
+  EXPECT_THROW(transient_not_begun(marched_case({{.from = 0.0, .to = 200.0, .time = 1.0}})), Error);
+  Case input = marched_case({turning(12000.0, 1.0)});
+  settings_of(input).pulses.push_back({.force = {1.0}, .begin = -1.0, .duration = 1.0});
+  EXPECT_EQ(faulty_keys([&](Case& wrong) { wrong = input; }),
+            (Keys{"transient.pulse[1].force", "transient.pulse[1].begin"}));
+  settings_of(input).pulses = {{.force = {1.0, 0.0}, .begin = 0.0, .duration = 1.0, .at = "moon"}};
+  EXPECT_THROW(transient_not_begun(input), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil
