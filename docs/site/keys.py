@@ -143,6 +143,7 @@ MEANINGS = {
     "speeds[].responses": "one object per kind and station",
     "speeds[].responses[].kind": "`linear_sliding`, `linear_stuck` or `orbit`",
     "speeds[].responses[].station": "place on the rotor, by its name",
+    "stations": "places on the rotor by their names, its bearings first",
     "peaks": "speeds at which the largest orbit of all stations has a maximum",
     "peaks[].kind": "`linear_sliding`, `linear_stuck` or `orbit`",
     "peaks[].station": "place of the largest orbit",
