@@ -95,14 +95,13 @@ double FilmNewton::find_residual() {
     foil_film_residual(pad.foil, equations_[k], part.state, residual);
     square += film_square(mesh, residual.film);
     const double unit = pad.foil.stiffness * bearing_.scales.thickness;
-    double balance = residual.balance.squaredNorm();
+    Vector balance = residual.balance;
     for (int i = 0; i < pad.bumps(); ++i) {
-      const double held = residual.balance[pad.foil.supports[static_cast<std::size_t>(i)]];
       double& support = forces[(pad.first_block + i) * size + bearing_.dofs().top_u];
-      balance += (held + support / unit) * (held + support / unit) - held * held;
+      balance[pad.foil.supports[static_cast<std::size_t>(i)]] += support / unit;
       support = 0.0;
     }
-    square += balance + residual.compatibility.squaredNorm() +
+    square += balance.squaredNorm() + residual.compatibility.squaredNorm() +
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
   force_ = journal_force(bearing_, state.film, state.speed);
