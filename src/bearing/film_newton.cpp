@@ -528,7 +528,7 @@ bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const Be
   iterate_.speed = to.speed;
   iterate_.film.thickness = bearing_.undeformed_thickness(iterate_.position, iterate_.opening);
   iterate_.film.thickness.rowwise() += iterate_.film.lift.transpose();
-  trial_ = iterate_;
+  trial_ = instead_ = iterate_;
   return iterate_.film.thickness.minCoeff() > 0.0;
 }
 

@@ -30,6 +30,8 @@ class FilmNewton {
   /// The force on the journal at the trial, N: once its residuals are found.
   [[nodiscard]] const Eigen::Vector2d& force() const { return force_; }
   void keep_trial() { std::swap(iterate_, trial_); }
+  /// Sets the trial aside, or tries again what was set aside.
+  void swap_instead() { std::swap(instead_, trial_); }
   /// Linearises about the iterate and finds Newton's step with the journal at rest, and with as much of the change of
   /// the clearance as one step allows.
   [[nodiscard]] bool find_step(FilmReport& report);
@@ -132,6 +134,7 @@ class FilmNewton {
   std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
   Step opening_rate_;          ///< per opening of the clearance, m
   BearingState iterate_, trial_;
+  BearingState instead_;  ///< of a full step that may be taken back
   FilmEquations equations_;
   double opening_{};  ///< that the clearance is to have, m
   LastStep taken_;

@@ -11,6 +11,10 @@ namespace {
 constexpr int newton_max_halvings = 8;
 /// Fraction of a step that is taken where no halving reduces the residual.
 constexpr double newton_forced_fraction = 0.25;
+/// A full step that makes the residuals larger stands if the next one is shorter than this part of it. Pressures of
+/// gas and asperities grow steeply where the film is thin, and so do the residuals on the way to a state with them:
+/// steps that never let them grow are many and short.
+constexpr double leap_shortening = 0.5;
 /// Full steps smaller than this that no part of makes the residuals smaller are round-off, of contact forces above all.
 constexpr double round_off_step = 1e-7;
 
@@ -18,7 +22,12 @@ constexpr double round_off_step = 1e-7;
 class JointNewton {
  public:
   JointNewton(const std::vector<FilmNewton*>& films, const JointLaw& law, Eigen::VectorXd y)
-      : films_(films), law_(law), y_(std::move(y)), y_trial_(y_), dy_(Eigen::VectorXd::Zero(y_.size())) {}
+      : films_(films),
+        law_(law),
+        y_(std::move(y)),
+        y_trial_(y_),
+        y_instead_(y_),
+        dy_(Eigen::VectorXd::Zero(y_.size())) {}
 
   /// Norm of all residuals at the trial: those of the films in their units, those of the law in its own.
   double residual_of_trial() {
@@ -59,6 +68,11 @@ class JointNewton {
     y_.swap(y_trial_);
     for (FilmNewton* film : films_) film->keep_trial();
   }
+  /// Sets the trial aside, or tries again what was set aside.
+  void swap_instead() {
+    y_trial_.swap(y_instead_);
+    for (FilmNewton* film : films_) film->swap_instead();
+  }
   [[nodiscard]] bool touches() const {
     return std::any_of(films_.begin(), films_.end(), [](const FilmNewton* film) { return film->touches(); });
   }
@@ -82,7 +96,7 @@ class JointNewton {
 
   const std::vector<FilmNewton*>& films_;
   const JointLaw& law_;
-  Eigen::VectorXd y_, y_trial_, dy_;
+  Eigen::VectorXd y_, y_trial_, y_instead_, dy_;
   std::vector<Eigen::Vector2d> forces_;
   std::vector<Eigen::Matrix2d> rates_;
 };
@@ -94,9 +108,20 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
   JointNewton newton(films, law, y);
   FilmReport report;
   report.residual = newton.residual_of_trial();
+  double leap = 0.0;  // largest change in a full step that made the residuals larger, if the last one did
+  bool may_leap = true;
   while (report.iterations < max_iterations) {
     ++report.iterations;
-    if (!newton.find_step(report)) return report;
+    const bool is_regular = newton.find_step(report);
+    if (leap > 0.0 && !(is_regular && newton.largest_change() < leap_shortening * leap)) {
+      newton.swap_instead();
+      report.residual = newton.residual_of_trial();
+      newton.keep_trial();
+      leap = 0.0;
+      may_leap = false;
+      continue;
+    }
+    if (!is_regular) return report;
     // All residuals but those of what changes are zero in the first one: it leads along the tangent.
     if (report.iterations == 1) newton.note_prediction();
     const double fraction = newton.longest_part();
@@ -124,6 +149,13 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
       report.status = newton.touches() ? Status::touchdown : Status::converged;
       if (report.status == Status::converged) y = law.holds_place() ? law.place : newton.trial();
       return report;
+    }
+    leap = 0.0;
+    if (may_leap && fraction == 1.0 && part < 1.0) {
+      leap = largest;
+      newton.swap_instead();
+      newton.try_step(1.0);
+      report.residual = newton.residual_of_trial();
     }
     newton.keep_trial();
   }

@@ -53,7 +53,7 @@ TEST(FilmAsperities, RestsWhereTheDryBearingDoes) {
   ASSERT_EQ(loads.size(), dry_loads.size());
   EXPECT_LT((loads - dry_loads).cwiseAbs().maxCoeff(), 2e-3 * dry_loads.maxCoeff());
   EXPECT_NEAR(running.outcome->asperity_force.x(), 50.0, 1e-6);
-  EXPECT_EQ(running.outcome->torque, 0.0);
+  EXPECT_NEAR(running.outcome->torque, 0.0, 1e-20);  // roundings of P = 1
   EXPECT_NEAR(running.outcome->max_pressure, 1.0, 1e-9);
 }
 

@@ -152,5 +152,14 @@ TEST(RunningBearing, JudgesWhatItFoundBeforeAnInterruption) {
   EXPECT_THROW(static_cast<void>(analyse_running_bearing(input, throws)), std::runtime_error);
 }
 
+/// A journal comes to rest on rough surfaces in a hundred or two of Newton's steps: steps that must not make the
+/// residuals larger were 1251 and 524.
+TEST(RunningBearing, ComesToRestOnRoughSurfacesInFewSteps) {
+  const EquilibriumResult result = run_equilibrium(rough_case({0.0, speed_of_rpm(100.0)}));
+  ASSERT_TRUE(result.converged());
+  EXPECT_LT(result.states[0].report.iterations, 300);
+  EXPECT_LT(result.states[1].report.iterations, 300);
+}
+
 }  // namespace
 }  // namespace bumpfoil
