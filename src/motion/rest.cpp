@@ -104,7 +104,9 @@ FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, Bearing
   Step step;
   const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
     next.state = from;
-    next.film = stepper.solve(stepper.move_to(leg.point(taken), leg.dt, TimeScheme::implicit_euler), next.state);
+    // A film that only seems to rest, as it passes by the end of a branch, has no state there to be found.
+    const bool rests = leg.dt == 0.0;
+    next.film = stepper.solve(stepper.move_to(leg.point(taken), leg.dt, TimeScheme::implicit_euler), next.state, rests);
     next.status = next.film.status;
   };
   march([&] { return search.next(); }, take, moving, step, [&](const Passage& at) { return search.see(at); });
