@@ -213,6 +213,30 @@ def test_bode(running):
         figures.bode(response, station="fan")
 
 
+def test_waterfall_and_revolutions(running):
+    speed = {"speed": {"from": "12000 rpm", "to": "11000 rpm", "time": "22 ms"}, "steps_per_revolution": 30, "revolutions_per_spectrum": 2}
+    run = bumpfoil.run_transient(EXAMPLES / "rotor.toml", film=COARSE, transient=speed)
+    data = run.to_xarray()
+    figure = figures.waterfall(run)
+    inspect(figure, width=90, panels=1)
+    spectra = [line for line in figure.axes[0].lines if len(line.get_xdata()) > 2]
+    assert len(spectra) == data.sizes["spectrum"] == 2
+    # The fastest is drawn first, and peaks at its frequency of rotation.
+    first = spectra[0]
+    peak = first.get_xdata()[np.argmax(first.get_ydata())]
+    assert peak == pytest.approx(data["spectrum_speed"].max().item() / (2 * np.pi))
+    figure = figures.revolutions(run)
+    inspect(figure, width=190, panels=2)
+    np.testing.assert_array_equal(
+        figure.axes[0].lines[0].get_ydata(), 1e6 * data["half_peak_to_peak_x"].isel(station=0).to_numpy()
+    )
+    for draw in (figures.waterfall, figures.revolutions):
+        with pytest.raises(ValueError, match="no revolutions"):
+            draw(running)
+    with pytest.raises(ValueError, match="one of x, y"):
+        figures.waterfall(run, axis="z")
+
+
 def test_polar_and_orbits(running):
     speeds = {"speeds": ["8000 rpm", "9000 rpm"], "orbits": True, "steps_per_revolution": 30}
     response = bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film=COARSE, unbalance=speeds)

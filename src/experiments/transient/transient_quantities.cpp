@@ -37,7 +37,7 @@ double turn_twice(const TurnView& view) {
 }
 template <int axis>
 double turn_half(const TurnView& view) {
-  return view.revolution.number > 1 ? std::abs(view.place.half[axis]) : absent;
+  return view.place.half ? std::abs((*view.place.half)[axis]) : absent;
 }
 template <int axis>
 double turn_way(const TurnView& view) {
@@ -63,9 +63,11 @@ constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
      shown::micrometres},
     {"half_peak_to_peak_y", "m", "half of the way along Y from end to end", turn_way<1>, csv, "half way, Y",
      shown::micrometres},
-    {"amplitude_x_half", "m", "amplitude along X at half of the frequency of rotation, of two revolutions",
+    {"amplitude_x_half", "m",
+     "amplitude along X at half of the frequency of rotation, of two revolutions with this one in their middle",
      turn_half<0>, csv},
-    {"amplitude_y_half", "m", "amplitude along Y at half of the frequency of rotation, of two revolutions",
+    {"amplitude_y_half", "m",
+     "amplitude along Y at half of the frequency of rotation, of two revolutions with this one in their middle",
      turn_half<1>, csv},
     {"amplitude_x_2x", "m", "amplitude along X at twice the frequency of rotation", turn_twice<0>, csv},
     {"amplitude_y_2x", "m", "amplitude along Y at twice the frequency of rotation", turn_twice<1>, csv},
@@ -122,6 +124,14 @@ double largest_of(const TransientReading& reading, const Value& value) {
 }
 
 constexpr auto run_quantity_table = std::to_array<RunQuantity>({
+    {"end_status",
+     "",
+     "how the march ended",
+     [](const TransientReading& reading) { return static_cast<double>(reading.result.status); },
+     none,
+     "",
+     {},
+     search_status},
     {"end_time", "s", "time that was reached", [](const TransientReading& reading) { return reading.result.time; }},
     {"end_speed", "rad/s", "speed at the end", [](const TransientReading& reading) { return reading.result.speed; }},
     {"largest_half_peak_to_peak", "m", "largest half of the way of a journal along X or Y in a revolution",
@@ -193,8 +203,9 @@ std::vector<std::string> warning_lines(const Case& input, const TransientReading
   if (!reading.rubs.empty()) {
     const auto worst = std::max_element(reading.rubs.begin(), reading.rubs.end(),
                                         [](const RubEvent& a, const RubEvent& b) { return a.load < b.load; });
-    lines.push_back(fmt::format("journals rub on foils {} times; at {:.4g} s asperities of bearing {} carry {:.3g} N",
-                                reading.rubs.size(), worst->begin, worst->bearing + 1, worst->load));
+    lines.push_back(fmt::format(
+        "journals touch foils in {} stretches of time: from {:.4g} s on asperities of bearing {} carry up to {:.3g} N",
+        reading.rubs.size(), worst->begin, worst->bearing + 1, worst->load));
   }
   return lines;
 }

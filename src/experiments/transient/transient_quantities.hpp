@@ -46,7 +46,14 @@ std::vector<std::string> warning_lines(const Case& input, const TransientReading
 /// The run as a text table: a line for some of its turns, rubs, and the balance of energy.
 std::string transient_table(const TransientReading& reading);
 
-/// The run over the dimensions step, revolution, station, bearing, spectrum and order. It lives as long as the reading.
+/// The run as a whole, as sweeps keep it.
+Dataset run_dataset(const TransientReading& reading);
+
+/// The same in a line under its header.
+std::string run_csv(const TransientReading& reading);
+
+/// The same and all else over the dimensions step, revolution, station, bearing, spectrum and order. It lives as long
+/// as the reading.
 Dataset transient_dataset(const TransientReading& reading);
 
 /// Contents of transient.csv: a line for each station and revolution.

@@ -46,8 +46,8 @@ void describe(CaseVisitor& keys, BaseMotion& base) {
 void describe(CaseVisitor& keys, TransientSettings& transient) {
   using enum Presence;
   using enum Dimension;
-  list_of_tables(keys, {"speed", required, "Speed", "over time: one entry, or several one after the other"},
-                 transient.speed, [](CaseVisitor& inner, SpeedPhase& phase) { describe(inner, phase); });
+  list_of_tables(keys, {"speed", required, "Speed", "one entry, or several one after the other"}, transient.speed,
+                 [](CaseVisitor& inner, SpeedPhase& phase) { describe(inner, phase); });
   keys.value({"steps_per_revolution", defaulted, "Steps per revolution",
               "in time: 100 leave 0.3 % of error in an amplitude beyond the critical speed, 200 a quarter of it"},
              &transient.steps_per_revolution);

@@ -44,7 +44,7 @@ std::string turn_line(const TransientTurn& revolution) {
   return turn_cell(static_cast<double>(revolution.number), 1.0) + turn_cell(revolution.time, 1e-3) +
          turn_cell(revolution.speed, shown::revolutions.size) +
          turn_cell(place.orbit.once.cwiseAbs().maxCoeff(), 1e-6) +
-         turn_cell(revolution.number > 1 ? place.half.cwiseAbs().maxCoeff() : absent, 1e-6) +
+         turn_cell(place.half ? place.half->cwiseAbs().maxCoeff() : absent, 1e-6) +
          turn_cell(place.orbit.half_peak_to_peak.maxCoeff(), 1e-6) + turn_cell(thinnest, 1e-6) + turn_cell(load, 1.0) +
          turn_cell(revolution.energy.friction, 1e-6) + '\n';
 }

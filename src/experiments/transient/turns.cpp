@@ -1,6 +1,8 @@
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
@@ -22,6 +24,8 @@ constexpr std::size_t steps_at_once = 10'000;
 constexpr double rubbing_part = 0.01;
 /// Spectra end here.
 constexpr double highest_order = 8.0;
+/// Angles that are the same.
+constexpr double rounded_angle = 1e-6;
 
 /// Rows at which turns end, the start first.
 std::vector<std::size_t> ends_of_turns(const StepTable& steps) {
@@ -53,41 +57,78 @@ PlaceMotion motion_of(const TransientResult& result, std::size_t place, std::siz
   return motion;
 }
 
-/// Part of the whole angle that each row stands for, by the trapezoidal rule.
-std::vector<double> weights_of(const std::vector<double>& angles) {
-  std::vector<double> weights(angles.size());
-  const double whole = angles.back() - angles.front();
-  for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-    const double share = 0.5 * (angles[i + 1] - angles[i]) / whole;
-    weights[i] += share;
-    weights[i + 1] += share;
+/// A motion at equal angles, by straight lines between steps.
+/// @param begin  the first of them, rad, not before the motion begins
+Eigen::Matrix2Xd at_equal_angles(const PlaceMotion& motion, double begin, std::size_t count, double step) {
+  Eigen::Matrix2Xd places(2, static_cast<Eigen::Index>(count));
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = begin + step * static_cast<double>(i);
+    while (at + 2 < motion.angles.size() && motion.angles[at + 1] < angle) ++at;
+    const double part = (angle - motion.angles[at]) / (motion.angles[at + 1] - motion.angles[at]);
+    places.col(static_cast<Eigen::Index>(i)) = (1.0 - part) * motion.at(at) + part * motion.at(at + 1);
   }
-  return weights;
+  return places;
 }
 
-/// Amplitude of e^{i order angle}.
-Eigen::Vector2cd harmonic(const PlaceMotion& motion, const std::vector<double>& weights, double order) {
-  Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    sum += std::polar(2.0 * weights[i], -order * motion.angles[i]) * motion.at(i);
+/// Amplitudes of e^{i order angle} of some orders at equal angles, beside a mean that moves on, by least squares.
+std::vector<Eigen::Vector2cd> harmonics_of(const Eigen::Matrix2Xd& places, double begin, double step,
+                                           std::initializer_list<double> orders) {
+  Eigen::MatrixXd basis(places.cols(), 2 + 2 * static_cast<Eigen::Index>(orders.size()));
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    const double angle = begin + step * static_cast<double>(i);
+    basis.row(i).head<2>() << 1.0, step * static_cast<double>(i);
+    Eigen::Index at = 2;
+    for (const double order : orders) {
+      basis.row(i).segment<2>(at) << std::cos(order * angle), std::sin(order * angle);
+      at += 2;
+    }
   }
-  return sum;
+  const Eigen::MatrixXd found = basis.householderQr().solve(places.transpose());
+  std::vector<Eigen::Vector2cd> amplitudes;
+  for (Eigen::Index at = 2; at < basis.cols(); at += 2) {
+    amplitudes.emplace_back(found.row(at).transpose() - Complex(0.0, 1.0) * found.row(at + 1).transpose());
+  }
+  return amplitudes;
 }
 
+/// Mean and way of a turn.
 PlaceTurn place_in_turn(const PlaceMotion& motion) {
-  const std::vector<double> weights = weights_of(motion.angles);
-  PlaceTurn revolution{.orbit = {}, .at_end = motion.at(weights.size() - 1)};
-  Eigen::Vector2d least = revolution.at_end;
-  Eigen::Vector2d most = revolution.at_end;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    revolution.orbit.mean += weights[i] * motion.at(i);
+  const std::size_t last = motion.angles.size() - 1;
+  PlaceTurn found{.orbit = {}, .at_end = motion.at(last)};
+  Eigen::Vector2d least = found.at_end;
+  Eigen::Vector2d most = found.at_end;
+  const double whole = motion.angles[last] - motion.angles[0];
+  for (std::size_t i = 0; i < last; ++i) {
+    const double part = (motion.angles[i + 1] - motion.angles[i]) / whole;
+    found.orbit.mean += 0.5 * part * (motion.at(i) + motion.at(i + 1));
     least = least.cwiseMin(motion.at(i));
     most = most.cwiseMax(motion.at(i));
   }
-  revolution.orbit.half_peak_to_peak = 0.5 * (most - least);
-  revolution.orbit.once = harmonic(motion, weights, 1.0);
-  revolution.orbit.twice = harmonic(motion, weights, 2.0);
-  return revolution;
+  found.orbit.half_peak_to_peak = 0.5 * (most - least);
+  return found;
+}
+
+/// Harmonics of a turn from two turns, with it in their middle: motion of half the frequency is then none of the whole
+/// one, nor is a mean that moves on. Of the first and the last turn from that alone, without the half.
+/// @param steps  in a turn
+void find_harmonics(const PlaceMotion& motion, long number, std::size_t steps, PlaceTurn& found) {
+  const double step = turn / static_cast<double>(steps);
+  double begin = turn * (static_cast<double>(number) - 1.5);
+  const double end = begin + 2.0 * turn;
+  const bool has_both = motion.angles.front() <= begin + rounded_angle && motion.angles.back() >= end - rounded_angle;
+  if (!has_both) begin = turn * static_cast<double>(number - 1);
+  const Eigen::Matrix2Xd places = at_equal_angles(motion, begin, (has_both ? 2 : 1) * steps, step);
+  if (has_both) {
+    const std::vector<Eigen::Vector2cd> all = harmonics_of(places, begin, step, {1.0, 2.0, 0.5});
+    found.orbit.once = all[0];
+    found.orbit.twice = all[1];
+    found.half = all[2];
+  } else {
+    const std::vector<Eigen::Vector2cd> whole = harmonics_of(places, begin, step, {1.0, 2.0});
+    found.orbit.once = whole[0];
+    found.orbit.twice = whole[1];
+  }
 }
 
 BearingRecord bearing_in_turn(const TransientResult& result, std::size_t bearing, std::size_t first,
@@ -101,19 +142,6 @@ BearingRecord bearing_in_turn(const TransientResult& result, std::size_t bearing
                        .asperity_load = *std::max_element(load.begin(), load.end())};
   for (const double power : read(BearingColumn::power)) record.power += power / static_cast<double>(count);
   return record;
-}
-
-/// A motion at equal angles from its first, by straight lines between steps.
-Eigen::Matrix2Xd at_equal_angles(const PlaceMotion& motion, std::size_t count, double step) {
-  Eigen::Matrix2Xd places(2, static_cast<Eigen::Index>(count));
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = motion.angles.front() + step * static_cast<double>(i);
-    while (at + 2 < motion.angles.size() && motion.angles[at + 1] < angle) ++at;
-    const double part = (angle - motion.angles[at]) / (motion.angles[at + 1] - motion.angles[at]);
-    places.col(static_cast<Eigen::Index>(i)) = (1.0 - part) * motion.at(at) + part * motion.at(at + 1);
-  }
-  return places;
 }
 
 }  // namespace
@@ -132,10 +160,11 @@ std::vector<TransientTurn> turns_of(const TransientResult& result) {
     revolution.speed = std::copysign(turn / (times.back() - times.front()),
                                      result.steps->column(column_of(StepColumn::angle), ends[k], 1).front());
     for (std::size_t place = 0; place < result.layout.places; ++place) {
-      revolution.places.push_back(place_in_turn(motion_of(result, place, first, ends[k])));
-      if (k == 1) continue;
-      const PlaceMotion both = motion_of(result, place, ends[k - 2], ends[k]);
-      revolution.places.back().half = harmonic(both, weights_of(both.angles), 0.5);
+      PlaceTurn& found = revolution.places.emplace_back(place_in_turn(motion_of(result, place, first, ends[k])));
+      const std::size_t from = ends[k < 2 ? 0 : k - 2];
+      const std::size_t to = k + 1 < ends.size() ? ends[k + 1] : result.steps->rows() - 1;
+      find_harmonics(motion_of(result, place, from, to), revolution.number,
+                     static_cast<std::size_t>(result.settings.steps_per_revolution), found);
     }
     for (std::size_t bearing = 0; bearing < result.layout.bearings; ++bearing) {
       revolution.bearings.push_back(bearing_in_turn(result, bearing, first + 1, count));
@@ -198,7 +227,8 @@ Waterfall waterfall_of(const TransientResult& result) {
     waterfall.speeds.push_back((at(StepColumn::angle, ends[k]) - at(StepColumn::angle, first)) / (end - begin));
     for (std::size_t place = 0; place < result.layout.places; ++place) {
       const Eigen::Matrix2Xd places =
-          at_equal_angles(motion_of(result, place, first, ends[k]), count, turn / static_cast<double>(per_turn));
+          at_equal_angles(motion_of(result, place, first, ends[k]), turn * static_cast<double>(k - per_spectrum), count,
+                          turn / static_cast<double>(per_turn));
       const Eigen::Vector2d mean = places.rowwise().mean();
       for (const int axis : {0, 1}) {
         std::vector<double> windowed(count);

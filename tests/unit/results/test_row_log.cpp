@@ -36,6 +36,18 @@ TEST_F(RowLogs, AreReadByColumnsAcrossBlocks) {
   EXPECT_EQ(RowLog::open(path_, 2).rows(), 5U);
 }
 
+TEST_F(RowLogs, AreCutBackToWholeBlocks) {
+  write_two_blocks();
+  EXPECT_EQ(RowLog::open(path_, 2, 4).rows(), 4U);
+  {
+    RowLog log = RowLog::open(path_, 2, 3);
+    EXPECT_EQ(log.rows(), 3U);
+    log.append(std::vector{7.0, 70.0});
+  }
+  EXPECT_EQ(RowLog::open(path_, 2).column(0), (std::vector{1.0, 2.0, 3.0, 7.0}));
+  EXPECT_EQ(RowLog::open(path_, 2, 2).rows(), 0U);
+}
+
 TEST_F(RowLogs, TornAnywhereHoldWhatIsWhole) {
   write_two_blocks();
   const std::string whole = folder_.read("log");

@@ -11,10 +11,10 @@
 
 #include "bumpfoil/experiments/rotor_settings.hpp"
 #include "bumpfoil/model/case.hpp"
-#include "bumpfoil/motion/work_balance.hpp"
 #include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/motion/orbit.hpp"
 #include "bumpfoil/motion/speed_program.hpp"
+#include "bumpfoil/motion/work_balance.hpp"
 
 namespace bumpfoil {
 
@@ -95,7 +95,7 @@ struct TransientResult {
   TransientSettings settings;
   StepLayout layout;
   std::shared_ptr<const StepTable> steps;  ///< row 0 is the start; none where it was not found
-  Status status{Status::not_reached};      ///< of the last step that was tried
+  Status status{Status::interrupted};      ///< of the last step that was tried
   double time{};                           ///< that was reached, s
   double speed{};                          ///< there, rad/s
 };
@@ -124,8 +124,11 @@ TransientResult run_transient(const Case& input, const std::function<bool(double
 
 /// What a place of the rotor does in a turn.
 struct PlaceTurn {
-  StationOrbit orbit;                               ///< t = 0 of its phases is angle 0
-  Eigen::Vector2cd half{Eigen::Vector2cd::Zero()};  ///< at half of the frequency of rotation, of two turns, m
+  /// t = 0 of its phases is angle 0. Its harmonics are those of two turns with this one in their middle, so that whirl
+  /// at half of the frequency is none of them; of the first and last turn those of the turn.
+  StationOrbit orbit;
+  /// At half of the frequency of rotation, of the same two turns, m. None of the first and last turn.
+  std::optional<Eigen::Vector2cd> half{};
   Eigen::Vector2d at_end{Eigen::Vector2d::Zero()};  ///< m: a point of a Poincare section
 };
 

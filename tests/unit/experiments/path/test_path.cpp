@@ -326,7 +326,7 @@ void expect_same_files(const Case& input, const ProgressCallback& progress = {})
   ResultFolder folder(scratch.path() / "results", Existing::refuse, path.files);
   int calls = 0;
   const auto until = [&](double) { return !progress || progress(++calls); };
-  const Outcome staged = path.staged(input, provenance, folder, until);
+  const Outcome staged = path.staged(input, {provenance, folder}, until);
   folder.publish();
   calls = 0;
   const Outcome kept = path.run(input, until);

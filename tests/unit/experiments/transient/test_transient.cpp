@@ -3,16 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "experiments/transient/machine_state_file.hpp"
 #include "experiments/transient/step_row.hpp"
 #include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -83,6 +86,33 @@ TEST(Transient, GoesOnToTheLastBit) {
   EXPECT_FALSE(machine_state_of(*bytes + "more").has_value());
 }
 
+/// The same on the disk, as the command does it: what is kept is gone on with by the same case alone.
+TEST(Transient, GoesOnFromItsFolder) {
+  const ExperimentInfo& experiment = experiment_named("transient");
+  const Case input = marched_case({turning(-12000.0, 2.0)});
+  const auto staged = [&](const std::filesystem::path& path, bool resumes, const ProgressCallback& progress,
+                          const Case& of) {
+    const Provenance provenance{.command_line = "bumpfoil transient", .case_text = "case"};
+    ResultFolder folder(path, Existing::replace, experiment.files);
+    const Outcome outcome = experiment.staged(of, {provenance, folder, resumes}, progress);
+    folder.publish();
+    return outcome.status;
+  };
+  const test_support::TemporaryFolder scratch;
+  const auto to_the_end = [](double) { return true; };
+  EXPECT_EQ(staged(scratch.path() / "whole", false, to_the_end, input), RunStatus::complete);
+  int asked = 0;
+  EXPECT_EQ(staged(
+                scratch.path() / "parts", false, [&](double) { return ++asked < 20; }, input),
+            RunStatus::interrupted);
+  Case other = input;
+  other.friction.top_bump = 0.2;
+  EXPECT_THROW(staged(scratch.path() / "parts", true, to_the_end, other), Error);
+  EXPECT_EQ(staged(scratch.path() / "parts", true, to_the_end, input), RunStatus::complete);
+  EXPECT_EQ(scratch.read("parts/transient.csv"), scratch.read("whole/transient.csv"));
+  EXPECT_NE(scratch.read("whole/transient.csv").find("bearing 1"), std::string::npos);
+}
+
 /// A base that is pushed along pushes the rotor back.
 TEST(Transient, BaseMotionIsAForceOnTheMass) {
   Case shaken = marched_case({turning(-12000.0, 1.0)});
@@ -132,11 +162,18 @@ TEST(Transient, TellsHarmonicsOfATurn) {
   EXPECT_NEAR(std::abs(place.orbit.once[1] - std::complex<double>(0.0, -2e-6)), 0.0, 1e-15);
   EXPECT_NEAR(place.orbit.mean[0], 3e-6, 1e-15);
   EXPECT_NEAR(place.orbit.half_peak_to_peak[1], 2e-6, 1e-15);
-  EXPECT_LT(place.orbit.twice.norm() + place.half.norm(), 1e-15);
+  ASSERT_TRUE(place.half.has_value());
+  EXPECT_LT(place.orbit.twice.norm() + place.half->norm(), 1e-15);
   EXPECT_NEAR(place.at_end.x(), 5e-6, 1e-15);
   EXPECT_NEAR(turns[3].bearings[0].thinnest, 98e-6, 1e-12);
-  const PlaceTurn& whirling = turns_of(synthetic(0.5, 2e-6))[3].places[0];
-  EXPECT_NEAR(std::abs(whirling.half[0]), 2e-6, 1e-15);
+  EXPECT_FALSE(turns[0].places[0].half.has_value());
+  EXPECT_FALSE(turns[7].places[0].half.has_value());
+  EXPECT_NEAR(std::abs(turns[7].places[0].orbit.once[0]), 2e-6, 1e-15);
+  // Whirl at half of the frequency is nothing at the whole of it.
+  const std::vector<TransientTurn> whirling = turns_of(synthetic(0.5, 2e-6));
+  ASSERT_TRUE(whirling[3].places[0].half.has_value());
+  EXPECT_NEAR(std::abs((*whirling[3].places[0].half)[0]), 2e-6, 1e-15);
+  EXPECT_LT(whirling[3].places[0].orbit.once.norm(), 1e-15);
 }
 
 TEST(Transient, ShowsAWaveAtItsOrderWithItsAmplitude) {
