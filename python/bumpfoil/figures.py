@@ -410,9 +410,9 @@ def revolutions(result: Result, *, width: str = "double", station: int = 1) -> F
     film.plot(time, 1e6 * data["thinnest_film"].min("station").to_numpy(), label="thinnest film (µm)", **_style(0))
     film.plot(time, 1e-3 * abs(data["revolution_speed"].to_numpy()) * 30.0 / np.pi, label="speed (1000 rpm)", **_style(1))
     film.set_ylim(bottom=0.0)
+    film.legend(frameon=False)
     for ax in sheet.panels:
         ax.set_xlabel("time (ms)")
-        ax.legend(frameon=False)
     sheet.entitle([f"motion of station {station}", "film and speed"])
     return sheet.finish(None)
 
