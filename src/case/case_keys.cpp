@@ -308,11 +308,10 @@ void describe(CaseVisitor& keys, WavinessScatter& waves) {
 }
 
 void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
-  keys.choice(
-      {"command", defaulted, "Command",
-       "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\" or "
-       "\"unbalance\": a rotor whose bearings all have the deviations that are drawn"},
-      ensemble.command);
+  keys.choice({"command", defaulted, "Command",
+               "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\" or "
+               "\"unbalance\": a rotor whose bearings all have the deviations that are drawn"},
+              ensemble.command);
   keys.value({"samples", defaulted, "Samples", "number of bearings"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
              &ensemble.seed);

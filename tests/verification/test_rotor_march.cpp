@@ -15,12 +15,12 @@
 
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/branch.hpp"
-#include "bumpfoil/motion/work_balance.hpp"
 #include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/motion/orbit.hpp"
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "bumpfoil/motion/whirl.hpp"
+#include "bumpfoil/motion/work_balance.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_motions.hpp"

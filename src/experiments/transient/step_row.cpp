@@ -110,9 +110,11 @@ std::size_t bearing_column(const StepLayout& layout, std::size_t bearing, Bearin
 }
 
 std::vector<double> step_row(const StepView& step) {
+  const std::vector<RotorStation> places = step.machine.places();
   std::vector<double> row;
+  row.reserve(StepLayout{.places = places.size(), .bearings = step.state.bearings.size()}.width());
   for (const StepQuantity& quantity : step_quantity_table) row.push_back(quantity.value(step));
-  for (const RotorStation& place : step.machine.places()) {
+  for (const RotorStation& place : places) {
     const Eigen::Vector2d at = place.motion * step.state.rotor.y;
     for (const PlaceQuantity& quantity : place_quantity_table) row.push_back(quantity.value(at));
   }

@@ -73,6 +73,7 @@ RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSetti
     Eigen::VectorXd force;
   };
   std::vector<Pulse> pulses;
+  pulses.reserve(settings.pulses.size());
   // On half a rotor that does not tilt, half of a force.
   const double part = rotor_settings.tilts() ? 1.0 : 0.5;
   for (const RotorPulse& pulse : settings.pulses) {

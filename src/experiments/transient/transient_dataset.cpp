@@ -39,6 +39,7 @@ void add_steps(const TransientResult& result, Dataset& data) {
   for (std::size_t i = 0; i < step_quantities().size(); ++i) add(step_quantities()[i].meaning(), {"step"}, {i});
   for (std::size_t i = 0; i < place_quantities().size(); ++i) {
     std::vector<std::size_t> columns;
+    columns.reserve(result.layout.places);
     for (std::size_t place = 0; place < result.layout.places; ++place) {
       columns.push_back(place_column(result.layout, place, i));
     }
@@ -46,6 +47,7 @@ void add_steps(const TransientResult& result, Dataset& data) {
   }
   for (std::size_t i = 0; i < bearing_quantities().size(); ++i) {
     std::vector<std::size_t> columns;
+    columns.reserve(result.layout.bearings);
     for (std::size_t bearing = 0; bearing < result.layout.bearings; ++bearing) {
       columns.push_back(bearing_column(result.layout, bearing, static_cast<BearingColumn>(i)));
     }

@@ -210,6 +210,7 @@ Waterfall waterfall_of(const TransientResult& result) {
   const std::size_t count = per_spectrum * per_turn;
   Waterfall waterfall;
   const std::size_t orders = std::min(static_cast<std::size_t>(highest_order) * per_spectrum, (count - 1) / 2) + 1;
+  waterfall.orders.reserve(orders);
   for (std::size_t i = 0; i < orders; ++i) {
     waterfall.orders.push_back(static_cast<double>(i) / static_cast<double>(per_spectrum));
   }
