@@ -32,7 +32,7 @@ Eigen::Vector2d plain_amplitudes(const TransientResult& result, std::size_t turn
   const auto angles = result.steps->column(column_of(StepColumn::angle), first, steps);
   Eigen::Vector2d amplitudes;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto places = result.steps->column(place_column(result.layout, 0, axis), first, steps);
+    const auto places = result.steps->column(place_column(0, axis), first, steps);
     std::complex<double> sum;
     for (std::size_t i = 0; i < steps; ++i) sum += std::polar(2.0 / static_cast<double>(steps), -angles[i]) * places[i];
     amplitudes[static_cast<Eigen::Index>(axis)] = std::abs(sum);

@@ -100,7 +100,7 @@ std::size_t column_of(StepColumn column) {
   return static_cast<std::size_t>(column);
 }
 
-std::size_t place_column(const StepLayout& /*layout*/, std::size_t place, std::size_t axis) {
+std::size_t place_column(std::size_t place, std::size_t axis) {
   return step_quantity_table.size() + place * place_quantity_table.size() + axis;
 }
 

@@ -40,7 +40,7 @@ enum class BearingColumn : std::size_t { thinnest, power, asperity_load, loaded_
 
 std::size_t column_of(StepColumn column);
 /// @param axis  0 or 1
-std::size_t place_column(const StepLayout& layout, std::size_t place, std::size_t axis);
+std::size_t place_column(std::size_t place, std::size_t axis);
 std::size_t bearing_column(const StepLayout& layout, std::size_t bearing, BearingColumn column);
 
 /// The row of a step.

@@ -41,7 +41,7 @@ void add_steps(const TransientResult& result, Dataset& data) {
     std::vector<std::size_t> columns;
     columns.reserve(result.layout.places);
     for (std::size_t place = 0; place < result.layout.places; ++place) {
-      columns.push_back(place_column(result.layout, place, i));
+      columns.push_back(place_column(place, i));
     }
     add(place_quantities()[i].meaning(), {"step", "station"}, std::move(columns));
   }

@@ -129,7 +129,8 @@ void judge_transient(Judge& judge, const Case& input, const JudgedBumpFoil& /*fo
   }
   judge.require_for("transient", input.settings.find<RotorSettings>() != nullptr, "rotor", "", "this table is missing",
                     "add [rotor] with a mass such as \"2 kg\"");
-  const bool rests = !transient->speed.empty() && transient->speed.front().from.value_or(1.0) == 0.0;
+  const bool rests =
+      !transient->speed.empty() && transient->speed.front().from.value_or(transient->speed.front().to) == 0.0;
   judge.require_for("transient", !rests || input.asperity.has_value(), "asperity", "",
                     "this table is missing: a rotor at rest lies on its foils",
                     "add [asperity], or begin at a speed at which the film carries");

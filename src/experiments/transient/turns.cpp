@@ -51,8 +51,8 @@ struct PlaceMotion {
 PlaceMotion motion_of(const TransientResult& result, std::size_t place, std::size_t first, std::size_t last) {
   const std::size_t count = last - first + 1;
   PlaceMotion motion{.angles = result.steps->column(column_of(StepColumn::angle), first, count),
-                     .x = result.steps->column(place_column(result.layout, place, 0), first, count),
-                     .y = result.steps->column(place_column(result.layout, place, 1), first, count)};
+                     .x = result.steps->column(place_column(place, 0), first, count),
+                     .y = result.steps->column(place_column(place, 1), first, count)};
   for (double& angle : motion.angles) angle = std::abs(angle);
   return motion;
 }
@@ -65,7 +65,8 @@ Eigen::Matrix2Xd at_equal_angles(const PlaceMotion& motion, double begin, std::s
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = begin + step * static_cast<double>(i);
     while (at + 2 < motion.angles.size() && motion.angles[at + 1] < angle) ++at;
-    const double part = (angle - motion.angles[at]) / (motion.angles[at + 1] - motion.angles[at]);
+    const double way = motion.angles[at + 1] - motion.angles[at];  // none while the rotor rests
+    const double part = way > 0.0 ? (angle - motion.angles[at]) / way : 0.0;
     places.col(static_cast<Eigen::Index>(i)) = (1.0 - part) * motion.at(at) + part * motion.at(at + 1);
   }
   return places;

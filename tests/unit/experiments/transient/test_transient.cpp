@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -122,8 +123,8 @@ TEST(Transient, BaseMotionIsAForceOnTheMass) {
   const Case quiet = marched_case({turning(-12000.0, 1.0)});
   const auto end = [](const TransientResult& result) {
     const std::size_t last = result.steps->rows() - 1;
-    return Eigen::Vector2d(result.steps->column(place_column(result.layout, 0, 0), last, 1).front(),
-                           result.steps->column(place_column(result.layout, 0, 1), last, 1).front());
+    return Eigen::Vector2d(result.steps->column(place_column(0, 0), last, 1).front(),
+                           result.steps->column(place_column(0, 1), last, 1).front());
   };
   const Eigen::Vector2d of_base = end(run_transient(shaken));
   EXPECT_LT((of_base - end(run_transient(pushed))).norm(), 1e-12);
@@ -131,7 +132,8 @@ TEST(Transient, BaseMotionIsAForceOnTheMass) {
 }
 
 /// Rows of a rotor whose axis goes round, with asperities that carry something for a while.
-TransientResult synthetic(double order, double amplitude) {
+/// @param resting  steps before it begins to turn
+TransientResult synthetic(double order, double amplitude, int resting = 0) {
   TransientResult result;
   result.settings.steps_per_revolution = 32;
   result.settings.revolutions_per_spectrum = 4;
@@ -140,12 +142,12 @@ TransientResult synthetic(double order, double amplitude) {
   const auto filled = std::shared_ptr<StepTable>(make_step_table(result.layout.width()));
   for (int i = 0; i <= 8 * 32; ++i) {
     std::vector<double> row(result.layout.width());
-    const double angle = 2.0 * std::numbers::pi * i / 32.0;
+    const double angle = 2.0 * std::numbers::pi * std::max(i - resting, 0) / 32.0;
     row[column_of(StepColumn::time)] = 1e-3 * i;
     row[column_of(StepColumn::angle)] = angle;
     row[column_of(StepColumn::speed)] = 1.0;
-    row[place_column(result.layout, 0, 0)] = 3e-6 + amplitude * std::cos(order * angle);
-    row[place_column(result.layout, 0, 1)] = amplitude * std::sin(order * angle);
+    row[place_column(0, 0)] = 3e-6 + amplitude * std::cos(order * angle);
+    row[place_column(0, 1)] = amplitude * std::sin(order * angle);
     row[bearing_column(result.layout, 0, BearingColumn::asperity_load)] = i >= 40 && i < 50 ? 0.5 + 0.01 * i : 0.01;
     row[bearing_column(result.layout, 0, BearingColumn::thinnest)] = 1e-6 * (1 + i);
     filled->append(row);
@@ -174,6 +176,18 @@ TEST(Transient, TellsHarmonicsOfATurn) {
   ASSERT_TRUE(whirling[3].places[0].half.has_value());
   EXPECT_NEAR(std::abs((*whirling[3].places[0].half)[0]), 2e-6, 1e-15);
   EXPECT_LT(whirling[3].places[0].orbit.once.norm(), 1e-15);
+}
+
+TEST(Transient, TellsHarmonicsAfterARest) {
+  const std::vector<TransientTurn> turns = turns_of(synthetic(1.0, 2e-6, 10));
+  ASSERT_EQ(turns.size(), 7U);
+  for (const std::size_t i : {0U, 1U, 6U}) {
+    EXPECT_NEAR(std::abs(turns[i].places[0].orbit.once[0] - 2e-6), 0.0, 1e-14);
+    EXPECT_NEAR(turns[i].places[0].orbit.mean[0], 3e-6, 1e-14);
+  }
+  const Waterfall waterfall = waterfall_of(synthetic(1.0, 2e-6, 10));
+  ASSERT_EQ(waterfall.times.size(), 1U);
+  EXPECT_NEAR(waterfall.amplitudes[4], 2e-6, 1e-14);
 }
 
 TEST(Transient, ShowsAWaveAtItsOrderWithItsAmplitude) {
