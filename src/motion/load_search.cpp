@@ -18,7 +18,7 @@ constexpr double first_part = 1e-3;
 /// Newton's method in the plane needs a handful of steps, more where the body rolls from contact to contact; each may
 /// be halved as often as this.
 constexpr int most_steps_in_plane = 100;
-constexpr int most_halvings = 20;
+constexpr int most_step_halvings = 20;
 constexpr double most_overshoot = 0.3;
 /// As part of the stiffness of sticking contacts.
 constexpr double softest_spring = 1e-6;
@@ -161,7 +161,7 @@ void LoadSearch::in_plane() {
       }
       move *= room / move.norm();
     }
-    for (int halvings = 0; halvings < most_halvings; ++halvings, move *= 0.5) {
+    for (int halvings = 0; halvings < most_step_halvings; ++halvings, move *= 0.5) {
       if (!try_at(here + move)) return;
       // Nearer to the load, or not much past where the move no longer leads towards it.
       if (missing().norm() < lacking.norm() || missing().dot(move) > -most_overshoot * lacking.dot(move)) break;
