@@ -19,6 +19,7 @@ DRAWN = {
     "running": lambda case: figures.coefficients(bumpfoil.run_equilibrium(case)),
     "running_from_rest": lambda case: figures.run_up(bumpfoil.run_equilibrium(case)),
     "rotor": lambda case: figures.campbell(bumpfoil.run_stability(case)),
+    "rotor_unlike": lambda case: figures.campbell(bumpfoil.run_stability(case)),
     "rotor_pads": lambda case: figures.campbell(bumpfoil.run_stability(case)),
     "running_pads": lambda case: figures.coefficients(bumpfoil.run_equilibrium(case)),
     "strip": lambda case: figures.loops(bumpfoil.run_strip(case)),

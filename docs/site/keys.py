@@ -129,6 +129,7 @@ MEANINGS = {
     "passed": "samples that keep it",
     "failed": "every cycle that did not converge",
     "failures": "what was not found, and why: a sentence each",
+    "end_status": "how the march ended",
     "revolutions": "whole revolutions of the rotor",
     "energy": "terms of the balance of energy of all whole revolutions",
     "energy.entrained_J": "work of the turning journals on the gas that they draw along",

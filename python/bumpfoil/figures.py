@@ -409,6 +409,7 @@ def revolutions(result: Result, *, width: str = "double", station: int = 1) -> F
     way.set_ylim(bottom=0.0)
     film.plot(time, 1e6 * data["thinnest_film"].min("station").to_numpy(), label="thinnest film (µm)", **_style(0))
     film.plot(time, 1e-3 * abs(data["revolution_speed"].to_numpy()) * 30.0 / np.pi, label="speed (1000 rpm)", **_style(1))
+    film.set_ylabel("film (µm), speed (1000 rpm)")
     film.set_ylim(bottom=0.0)
     film.legend(frameon=False)
     for ax in sheet.panels:

@@ -21,8 +21,9 @@ RunStatus status_of(const TransientReading& reading) {
 
 /// What summary.json lists: totals of the run, and rubs.
 Json transient_lists(const TransientReading& reading) {
-  Json json{{"revolutions", reading.turns.size()}};
-  for (const RunQuantity& quantity : run_quantities()) {
+  // What all summaries begin with has a status of its own, that of the run.
+  Json json{{"end_status", name_of(reading.result.status)}, {"revolutions", reading.turns.size()}};
+  for (const RunQuantity& quantity : run_quantities().subspan(1)) {
     json[quantity.key()] = value_json(quantity.value(reading), quantity.form);
   }
   const WorkBalance& sum = reading.energy.sum;

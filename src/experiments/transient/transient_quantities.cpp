@@ -124,7 +124,7 @@ double largest_of(const TransientReading& reading, const Value& value) {
 }
 
 constexpr auto run_quantity_table = std::to_array<RunQuantity>({
-    {"end_status",
+    {"status",
      "",
      "how the march ended",
      [](const TransientReading& reading) { return static_cast<double>(reading.result.status); },

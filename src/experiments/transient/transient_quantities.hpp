@@ -36,7 +36,7 @@ struct TransientReading {
   EnergyCheck energy;
 };
 
-/// Of a run as a whole, as sweeps list it.
+/// Of a run as a whole, as sweeps list it: first how the march ended.
 using RunQuantity = Quantity<double (*)(const TransientReading&)>;
 std::span<const RunQuantity> run_quantities();
 

@@ -219,7 +219,7 @@ TEST(Transient, SaysWhatIsWrongWithItsTable) {
   };
   EXPECT_EQ(faults({turning(12000.0, 1.0)}), Keys{});
   EXPECT_EQ(faults({}), Keys{"transient.speed"});
-  EXPECT_EQ(faults({{.to = 0.0, .time = 1.0}}), Keys{"transient.speed"});
+  EXPECT_EQ(faults({{.to = 0.0, .time = 1.0}}), (Keys{"transient.speed", "asperity"}));
   EXPECT_EQ(faults({{.to = 100.0, .time = 0.0}}), Keys{"transient.speed[1].time"});
   EXPECT_EQ(faults({{.from = 100.0, .to = -100.0, .time = 1.0}}), Keys{"transient.speed[1].to"});
   EXPECT_EQ(faults({{.to = 100.0, .time = 1.0}, {.from = 99.0, .to = 200.0, .time = 1.0}}),
