@@ -379,8 +379,8 @@ def waterfall(result: Result, *, width: str = "single", station: int = 1, axis: 
 
 @styled
 def revolutions(result: Result, *, width: str = "double", station: int = 1) -> Figure:
-    """What a rotor does revolution by revolution: amplitudes at half of the frequency of rotation and at it, the whole way,
-    the thinnest film, and speed, over time.
+    """What a rotor does revolution by revolution: amplitudes at half of the frequency of rotation and at it, half
+    of the way from end to end, the thinnest film, speed, and what friction of the foils takes, over time.
 
     Parameters
     ----------
@@ -397,8 +397,8 @@ def revolutions(result: Result, *, width: str = "double", station: int = 1) -> F
     if len(time) == 0:
         raise ValueError("the run has no whole revolution")
     at = data.isel(station=station - 1)
-    sheet = Sheet(width, *arranged(width, 2), panel_height=60)
-    way, film = sheet.panels
+    sheet = Sheet(width, *arranged(width, 4), panel_height=50)
+    way, film, speed, friction = sheet.panels
     for number, (name, label) in enumerate(
         (("half_peak_to_peak", "half way"), ("amplitude", "1x"), ("amplitude_half", "1/2x"))
     ):
@@ -407,14 +407,17 @@ def revolutions(result: Result, *, width: str = "double", station: int = 1) -> F
             way.plot(time, 1e6 * at[key].to_numpy(), label=f"{axis.upper()}, {label}", color=_style(number)["color"], linestyle=dashes)
     way.set_ylabel("motion (µm)")
     way.set_ylim(bottom=0.0)
-    film.plot(time, 1e6 * data["thinnest_film"].min("station").to_numpy(), label="thinnest film (µm)", **_style(0))
-    film.plot(time, 1e-3 * abs(data["revolution_speed"].to_numpy()) * 30.0 / np.pi, label="speed (1000 rpm)", **_style(1))
-    film.set_ylabel("film (µm), speed (1000 rpm)")
+    film.plot(time, 1e6 * data["thinnest_film"].min("station").to_numpy(), **_style(0))
+    film.set_ylabel("thinnest film (µm)")
     film.set_ylim(bottom=0.0)
-    film.legend(frameon=False)
+    speed.plot(time, abs(data["revolution_speed"].to_numpy()) * 30.0 / np.pi, **_style(0))
+    speed.set_ylabel("speed (rpm)")
+    friction.plot(time, 1e6 * data["revolution_friction_loss"].to_numpy(), **_style(0))
+    friction.set_ylabel("friction of foils (µJ)")
+    friction.set_ylim(bottom=0.0)
     for ax in sheet.panels:
         ax.set_xlabel("time (ms)")
-    sheet.entitle([f"motion of station {station}", "film and speed"])
+    sheet.entitle([f"motion of station {station}", "film", "speed", "loss in a revolution"])
     return sheet.finish(None)
 
 

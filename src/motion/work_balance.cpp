@@ -1,6 +1,9 @@
 #include "bumpfoil/motion/work_balance.hpp"
 
 #include <utility>
+#include <vector>
+
+#include "bumpfoil/bearing/film_bearing_energy.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -25,46 +28,61 @@ WorkBalance& WorkBalance::operator+=(const WorkBalance& other) {
   return *this;
 }
 
-EnergyMeter::EnergyMeter(const MachineStepper& stepper, RotorForces forces, const MachineState& start)
-    : stepper_(stepper), forces_(std::move(forces)), last_(read(start)) {}
+/// What the powers and forces of a step are read off at its ends.
+struct EnergyMeter::Instant {
+  struct Bearing {
+    FilmPowers powers;
+    Eigen::Vector2d rubbing{Eigen::Vector2d::Zero()};  ///< friction of asperities on the journal, N
+    Eigen::Vector2d place;
+    Vector tangential, friction;  ///< of the contacts
+    double energy{};
+  };
 
-EnergyMeter::Instant EnergyMeter::read(const MachineState& state) const {
-  Instant instant{
-      .at = {.time = state.time, .angle = state.angle, .speed = state.speed}, .rotor = state.rotor, .bearings = {}};
-  for (std::size_t i = 0; i < state.bearings.size(); ++i) {
-    const FilmBearing& bearing = stepper_.bearings()[i]->bearing();
-    const BearingState& now = state.bearings[i];
-    Bearing& read =
-        instant.bearings.emplace_back(Bearing{.powers = film_powers(bearing, now),
-                                              .rubbing = Eigen::Vector2d::Zero(),
-                                              .place = now.position,
-                                              .tangential = tangential_displacements(bearing.problem, now.contacts.x),
-                                              .friction = now.contacts.friction_force,
-                                              .energy = bearing_energy(bearing, now).total()});
-    if (!bearing.surroundings.asperities) continue;
-    const Vector pressures = asperity_pressures(bearing, now.film.thickness);
-    read.rubbing = asperity_force(bearing, pressures, 0.0) -
-                   asperity_force(bearing, pressures, sliding_friction(bearing, now.speed));
+  Instant(const MachineStepper& stepper, const MachineState& state)
+      : at{.time = state.time, .angle = state.angle, .speed = state.speed}, rotor(state.rotor) {
+    for (std::size_t i = 0; i < state.bearings.size(); ++i) {
+      const FilmBearing& bearing = stepper.bearings()[i]->bearing();
+      const BearingState& now = state.bearings[i];
+      Bearing& one =
+          bearings.emplace_back(Bearing{.powers = film_powers(bearing, now),
+                                        .place = now.position,
+                                        .tangential = tangential_displacements(bearing.problem, now.contacts.x),
+                                        .friction = now.contacts.friction_force,
+                                        .energy = bearing_energy(bearing, now).total()});
+      if (!bearing.surroundings.asperities) continue;
+      const Vector pressures = asperity_pressures(bearing, now.film.thickness);
+      one.rubbing = asperity_force(bearing, pressures, 0.0) -
+                    asperity_force(bearing, pressures, sliding_friction(bearing, now.speed));
+    }
   }
-  return instant;
-}
+
+  RotorInstant at;
+  RotorMotion rotor;
+  std::vector<Bearing> bearings;
+};
+
+EnergyMeter::EnergyMeter(const MachineStepper& stepper, RotorForces forces, const MachineState& start)
+    : stepper_(stepper), forces_(std::move(forces)), last_(std::make_unique<Instant>(stepper, start)) {}
+
+EnergyMeter::~EnergyMeter() = default;
 
 WorkBalance EnergyMeter::step_to(const MachineState& end) {
-  Instant now = read(end);
-  const double dt = now.at.time - last_.at.time;
+  Instant& last = *last_;
+  Instant now(stepper_, end);
+  const double dt = now.at.time - last.at.time;
   // Both ends have the acceleration of the step.
-  last_.at.acceleration = now.at.acceleration = (now.at.speed - last_.at.speed) / dt;
-  const Eigen::VectorXd way = now.rotor.y - last_.rotor.y;
-  WorkBalance step{.forces = 0.5 * (forces_(last_.at) + forces_(now.at)).dot(way)};
+  last.at.acceleration = now.at.acceleration = (now.at.speed - last.at.speed) / dt;
+  const Eigen::VectorXd way = now.rotor.y - last.rotor.y;
+  WorkBalance step{.forces = 0.5 * (forces_(last.at) + forces_(now.at)).dot(way)};
   const Rotor& rotor = stepper_.rotor();
   const auto twice_energy = [&](const RotorMotion& motion) {
     return quadratic(rotor.mass, motion.v) + quadratic(rotor.stiffness, motion.y);
   };
-  step.stored = 0.5 * (twice_energy(now.rotor) - twice_energy(last_.rotor));
-  step.damping = 0.5 * dt * (quadratic(rotor.damping, last_.rotor.v) + quadratic(rotor.damping, now.rotor.v));
+  step.stored = 0.5 * (twice_energy(now.rotor) - twice_energy(last.rotor));
+  step.damping = 0.5 * dt * (quadratic(rotor.damping, last.rotor.v) + quadratic(rotor.damping, now.rotor.v));
   for (std::size_t i = 0; i < now.bearings.size(); ++i) {
-    const Bearing& a = last_.bearings[i];
-    const Bearing& b = now.bearings[i];
+    const Instant::Bearing& a = last.bearings[i];
+    const Instant::Bearing& b = now.bearings[i];
     step.entrained += 0.5 * dt * (a.powers.entrained + b.powers.entrained);
     step.supplied += 0.5 * dt * (a.powers.supplied + b.powers.supplied);
     step.dissipated += 0.5 * dt * (a.powers.dissipated + b.powers.dissipated);
@@ -72,7 +90,7 @@ WorkBalance EnergyMeter::step_to(const MachineState& end) {
     step.friction -= 0.5 * (a.friction + b.friction).dot(b.tangential - a.tangential);
     step.stored += b.energy - a.energy;
   }
-  last_ = std::move(now);
+  last = std::move(now);
   return step;
 }
 

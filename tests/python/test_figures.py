@@ -226,7 +226,7 @@ def test_waterfall_and_revolutions(running):
     peak = first.get_xdata()[np.argmax(first.get_ydata())]
     assert peak == pytest.approx(data["spectrum_speed"].max().item() / (2 * np.pi))
     figure = figures.revolutions(run)
-    inspect(figure, width=190, panels=2)
+    inspect(figure, width=190, panels=4)
     np.testing.assert_array_equal(
         figure.axes[0].lines[0].get_ydata(), 1e6 * data["half_peak_to_peak_x"].isel(station=0).to_numpy()
     )

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
+#include <memory>
 
-#include "bumpfoil/bearing/film_bearing_energy.hpp"
 #include "bumpfoil/motion/machine.hpp"
 
 namespace bumpfoil {
@@ -36,28 +34,17 @@ class EnergyMeter {
   /// @param stepper  outlives this, as do the forces
   EnergyMeter(const MachineStepper& stepper, RotorForces forces, const MachineState& start);
 
+  ~EnergyMeter();
+
   /// The balance of a step that led to `end`, from where the one before ended.
   WorkBalance step_to(const MachineState& end);
 
  private:
-  struct Bearing {
-    FilmPowers powers;
-    Eigen::Vector2d rubbing;  ///< friction of asperities on the journal, N
-    Eigen::Vector2d place;
-    Vector tangential, friction;  ///< of the contacts
-    double energy{};
-  };
-  struct Instant {
-    RotorInstant at;
-    RotorMotion rotor;
-    std::vector<Bearing> bearings;
-  };
-
-  [[nodiscard]] Instant read(const MachineState& state) const;
+  struct Instant;
 
   const MachineStepper& stepper_;
   RotorForces forces_;
-  Instant last_;
+  std::unique_ptr<Instant> last_;
 };
 
 }  // namespace bumpfoil
