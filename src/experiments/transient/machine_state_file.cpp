@@ -52,7 +52,12 @@ class ByteReader {
   }
   void array(Matrix& values) {
     const Eigen::Index rows = count();
-    values.resize(rows, count());
+    const Eigen::Index columns = count();
+    if (static_cast<std::size_t>(rows * columns) > left_.size() / sizeof(double)) {
+      whole_ = false;
+      return;
+    }
+    values.resize(rows, columns);
     raw(values.data(), sizeof(double) * static_cast<std::size_t>(values.size()));
   }
   template <typename Value, typename Visit>
