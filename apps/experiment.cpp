@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
+#include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/readers/sampled_case.hpp"
 #include "bumpfoil/results/result_folder.hpp"
@@ -42,11 +42,6 @@ Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand 
   return read_sampled_case(sample.substr(0, colon), number, input, command);
 }
 
-bool has_any(const std::filesystem::path& folder, const std::vector<std::string>& names) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& name) { return std::filesystem::exists(folder / name); });
-}
-
 void remove_all(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   for (const std::string& name : names) std::filesystem::remove(folder / name);
 }
@@ -58,11 +53,11 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
                           {.overrides = options.overrides, .commands = {std::string(experiment.name)}});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
   const InterruptionGuard guard;  // before there is anything to clean up
-  const bool has_checkpoint = has_any(options.folder, experiment.checkpoints);
-  const bool resumes = options.resume && has_checkpoint;
-  if (has_checkpoint && !options.resume && !options.force) {
-    throw Error(ErrorKind::file, {{options.folder, 0, "", "", "holds an unfinished run",
-                                   "continue it with --resume, restart with --force, or use another folder"}});
+  bool resumes = false;
+  for (const std::string& name : experiment.checkpoints) {
+    const std::filesystem::path checkpoint = std::filesystem::path(options.folder) / name;
+    if (!options.force && !options.resume) require_no_checkpoint(checkpoint, resume_advice);
+    resumes |= options.resume && std::filesystem::exists(checkpoint);
   }
   ResultFolder folder(options.folder, options.force || resumes ? Existing::replace : Existing::refuse,
                       experiment.files);

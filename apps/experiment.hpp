@@ -5,6 +5,9 @@
 
 namespace bumpfoil {
 
+/// To those who find an unfinished run in their folder.
+inline constexpr const char* resume_advice = "continue it with --resume, restart with --force, or use another folder";
+
 /// Exit code for the status of a run.
 ExitCode exit_code_of(RunStatus status);
 

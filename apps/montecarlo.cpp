@@ -111,7 +111,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   const Existing existing = options.force || resumes ? Existing::replace : Existing::refuse;
   ResultFolder folder(options.folder, existing, ensemble_file_names());
   if (!options.force && !options.resume) {
-    require_no_checkpoint(checkpoint, "continue it with --resume, restart with --force, or use another folder");
+    require_no_checkpoint(checkpoint, resume_advice);
   }
 
   const EnsembleLayout layout = make_ensemble_layout(input);

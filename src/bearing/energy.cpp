@@ -12,6 +12,11 @@ double gap_work(const Vector& mean_force, const Vector& gap_change) {
   return -mean_force.dot(gap_change);
 }
 
+double friction_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end) {
+  const Vector slip = tangential_displacements(problem, end.x) - tangential_displacements(problem, begin.x);
+  return -0.5 * (begin.friction_force + end.friction_force).dot(slip);
+}
+
 FrictionDissipation::FrictionDissipation(const ContactProblem& problem) {
   // In the order of their ranks in their blocks, so that the sums of like contacts along the foil come one after the
   // other.

@@ -381,8 +381,7 @@ void describe(CaseVisitor& keys, Case& input) {
       {"montecarlo", optional, "Ensemble",
        "bearings that differ within their tolerances, for the command montecarlo: for each a cycle in each direction "
        "of [cycle], the states of [equilibrium], or the rotor over the speeds of [stability] or [unbalance]; "
-       "deviations "
-       "are from the values above"},
+       "deviations are from the values above"},
       input.montecarlo, [](CaseVisitor& inner, MonteCarloSettings& ensemble) { describe(inner, ensemble); });
 }
 

@@ -6,6 +6,19 @@
 
 namespace bumpfoil {
 
+void add_bearing_numbers(std::size_t count, Dataset& data) {
+  data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
+}
+
+void add_stations(const std::vector<RotorStation>& stations, Dataset& data) {
+  data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
+                     numbers_from(1.0, stations.size()));
+  Variable& places = data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
+                                         each(stations, [](const RotorStation& station) { return station.z; }));
+  std::string& names = places.attributes["stations"];
+  for (const RotorStation& station : stations) names += (names.empty() ? "" : ", ") + station.name;
+}
+
 std::string rotor_speed_text(double speed) {
   return fmt::format("{:.6g} rpm", speed / shown::revolutions.size);
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/bearing/film_bearing.hpp"
 #include "bumpfoil/core/assert.hpp"
 
@@ -45,12 +46,6 @@ Eigen::VectorXd journal_numbers(const MachineStepper& stepper, const MachineStat
     numbers.segment<2>(at + 2) = bearings[i].motion * state.rotor.v / (c * std::abs(state.speed));
   }
   return numbers;
-}
-
-/// Work that friction takes in a step, J: -t du with the mean of the forces at its ends.
-double friction_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end) {
-  const Vector slip = tangential_displacements(problem, end.x) - tangential_displacements(problem, begin.x);
-  return -0.5 * (begin.friction_force + end.friction_force).dot(slip);
 }
 
 /// Sums over the steps of a turn.

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/bearing/film_bearing_energy.hpp"
 
 namespace bumpfoil {
@@ -34,7 +35,7 @@ struct EnergyMeter::Instant {
     FilmPowers powers;
     Eigen::Vector2d rubbing{Eigen::Vector2d::Zero()};  ///< friction of asperities on the journal, N
     Eigen::Vector2d place;
-    Vector tangential, friction;  ///< of the contacts
+    ContactState contacts;
     double energy{};
   };
 
@@ -43,12 +44,10 @@ struct EnergyMeter::Instant {
     for (std::size_t i = 0; i < state.bearings.size(); ++i) {
       const FilmBearing& bearing = stepper.bearings()[i]->bearing();
       const BearingState& now = state.bearings[i];
-      Bearing& one =
-          bearings.emplace_back(Bearing{.powers = film_powers(bearing, now),
-                                        .place = now.position,
-                                        .tangential = tangential_displacements(bearing.problem, now.contacts.x),
-                                        .friction = now.contacts.friction_force,
-                                        .energy = bearing_energy(bearing, now).total()});
+      Bearing& one = bearings.emplace_back(Bearing{.powers = film_powers(bearing, now),
+                                                   .place = now.position,
+                                                   .contacts = now.contacts,
+                                                   .energy = bearing_energy(bearing, now).total()});
       if (!bearing.surroundings.asperities) continue;
       const Vector pressures = asperity_pressures(bearing, now.film.thickness);
       one.rubbing = asperity_force(bearing, pressures, 0.0) -
@@ -87,7 +86,7 @@ WorkBalance EnergyMeter::step_to(const MachineState& end) {
     step.supplied += 0.5 * dt * (a.powers.supplied + b.powers.supplied);
     step.dissipated += 0.5 * dt * (a.powers.dissipated + b.powers.dissipated);
     step.rubbing += 0.5 * (a.rubbing + b.rubbing).dot(b.place - a.place);
-    step.friction -= 0.5 * (a.friction + b.friction).dot(b.tangential - a.tangential);
+    step.friction += friction_work(stepper_.bearings()[i]->bearing().problem, a.contacts, b.contacts);
     step.stored += b.energy - a.energy;
   }
   last = std::move(now);

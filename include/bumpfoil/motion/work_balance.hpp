@@ -22,9 +22,9 @@ struct WorkBalance {
   double damping{};     ///< of the rotor itself
   double stored{};      ///< change of the energy of motion, of shaft, films, foils and asperities
 
-  [[nodiscard]] double defect() const {
-    return entrained + supplied + forces + rubbing - dissipated - friction - damping - stored;
-  }
+  /// Work of the films on what bounds them and on what they hold.
+  [[nodiscard]] double films() const { return entrained + supplied - dissipated; }
+  [[nodiscard]] double defect() const { return films() + forces + rubbing - friction - damping - stored; }
   WorkBalance& operator+=(const WorkBalance& other);
 };
 

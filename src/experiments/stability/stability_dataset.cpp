@@ -9,6 +9,7 @@
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "experiments/rotor_speeds.hpp"
 #include "experiments/stability/stability_quantities.hpp"
 #include "results/csv_value.hpp"
 
@@ -20,20 +21,11 @@ std::vector<double> speeds_of(const StabilityResult& result) {
 }
 
 void add_bearings(const StabilityResult& result, Dataset& data) {
-  const std::size_t count = result.machine.rotor.bearings.size();
-  data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
+  add_journals(result.map.points, result.machine.rotor.bearings.size(), data);
   for (const int axis : {0, 1}) {
-    const char letter = axis == 0 ? 'x' : 'y';
-    const char big = axis == 0 ? 'X' : 'Y';
-    data.add({fmt::format("load_{}", letter), "N", fmt::format("weight of the rotor on the bearing, {}", big)},
+    data.add({axis == 0 ? "load_x" : "load_y", "N",
+              fmt::format("weight of the rotor on the bearing, {}", axis == 0 ? 'X' : 'Y')},
              {"bearing"}, each(result.machine.loads, [axis](const Eigen::Vector2d& load) { return load[axis]; }));
-    data.add({fmt::format("{}", letter), "m", fmt::format("journal centre in equilibrium, {}", big)},
-             {"speed", "bearing"}, [&result, axis, count] {
-               return padded_rows(result.map.points.size(), count, [&](std::size_t i) {
-                 return each(result.map.points[i].states,
-                             [axis](const BearingState& state) { return state.position[axis]; });
-               });
-             });
   }
 }
 
@@ -74,10 +66,7 @@ void add_motions(const StabilityResult& result, Dataset& data) {
 /// Shapes of all motions at the places of the rotor, the largest displacement of a shape 1 with the phase 0.
 void add_shapes(const StabilityResult& result, Dataset& data) {
   const std::vector<RotorStation> places = result.machine.places();
-  data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
-                     numbers_from(1.0, places.size()));
-  data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
-                      each(places, [](const RotorStation& place) { return place.z; }));
+  add_stations(places, data);
   for (const int axis : {0, 1}) {
     const char letter = axis == 0 ? 'x' : 'y';
     for (const bool phase : {false, true}) {

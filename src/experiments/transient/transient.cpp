@@ -1,5 +1,9 @@
 #include "bumpfoil/experiments/transient/transient.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <deque>
@@ -12,6 +16,7 @@
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/motion/rotor_equilibria.hpp"
+#include "bumpfoil/results/dataset.hpp"
 #include "experiments/transient/step_row.hpp"
 
 namespace bumpfoil {
@@ -52,22 +57,20 @@ double wave_at(double time, double begin, double duration, const std::optional<d
   return std::sin(frequency.value_or(std::numbers::pi / duration) * (time - begin));
 }
 
-const RotorStation& place_named(const Rotor& rotor, const std::string& name) {
-  for (const std::vector<RotorStation>* places : {&rotor.bearings, &rotor.stations}) {
-    for (const RotorStation& place : *places) {
-      if (place.name == name) return place;
-    }
-  }
-  std::string names;
-  for (const std::vector<RotorStation>* places : {&rotor.bearings, &rotor.stations}) {
-    for (const RotorStation& place : *places) names += (names.empty() ? "" : ", ") + place.name;
-  }
-  throw Error(ErrorKind::input,
-              {{"", 0, "transient.pulse.at", name, "is no place of the rotor", "give one of these: " + names}});
+/// @throws Error (input) if there is none
+const RotorStation& place_named(const std::vector<RotorStation>& places, const std::string& name) {
+  const auto found =
+      std::find_if(places.begin(), places.end(), [&](const RotorStation& place) { return place.name == name; });
+  if (found != places.end()) return *found;
+  const std::vector<std::string> names = each(places, [](const RotorStation& place) { return place.name; });
+  throw Error(ErrorKind::input, {{"", 0, "transient.pulse.at", name, "is no place of the rotor",
+                                  fmt::format("give one of these: {}", fmt::join(names, ", "))}});
 }
 
 /// Weight, unbalance, pulses and the inertia of a base that moves.
-RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSettings& settings, const Rotor& rotor) {
+RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSettings& settings, const Machine& machine) {
+  const Rotor& rotor = machine.rotor;
+  const std::vector<RotorStation> places = machine.places();
   struct Pulse {
     RotorPulse wave;
     Eigen::VectorXd force;
@@ -78,7 +81,7 @@ RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSetti
   const double part = rotor_settings.tilts() ? 1.0 : 0.5;
   for (const RotorPulse& pulse : settings.pulses) {
     const Eigen::Vector2d force(pulse.force[0], pulse.force[1]);
-    pulses.push_back({pulse, part * place_named(rotor, pulse.at).motion.transpose() * force});
+    pulses.push_back({pulse, part * place_named(places, pulse.at).motion.transpose() * force});
   }
   std::vector<std::pair<BaseMotion, Eigen::VectorXd>> base;
   base.reserve(settings.base.size());
@@ -136,14 +139,16 @@ TransientResult transient_not_begun(const Case& input) {
                          .settings = settings,
                          .layout = {},
                          .steps = {}};
-  for (const RotorPulse& pulse : settings.pulses) place_named(result.machine.rotor, pulse.at);
-  result.layout = {.places = result.machine.places().size(), .bearings = result.machine.rotor.bearings.size()};
+  const std::vector<RotorStation> places = result.machine.places();
+  for (const RotorPulse& pulse : settings.pulses) place_named(places, pulse.at);
+  result.layout = {.places = places.size(), .bearings = result.machine.rotor.bearings.size()};
   result.speed = program.start();
   return result;
 }
 
-TransientResult run_transient(const Case& input, std::shared_ptr<StepTable> table, const TransientRun& run) {
-  TransientResult result = transient_not_begun(input);
+TransientResult run_transient(const Case& input, TransientResult begun, const std::shared_ptr<StepTable>& table,
+                              const TransientRun& run) {
+  TransientResult result = std::move(begun);
   result.steps = table;
   const RotorSettings& rotor_settings = rotor_settings_of(input);
   const TransientSettings& settings = result.settings;
@@ -153,7 +158,7 @@ TransientResult run_transient(const Case& input, std::shared_ptr<StepTable> tabl
   const SpeedProgram program = speed_program(settings);
   const double longest = settings.longest_step.value_or(2.0 * std::numbers::pi / settings.steps_per_revolution /
                                                         (slow_part * program.highest()));
-  const RotorForces forces = all_forces(rotor_settings, settings, rotor);
+  const RotorForces forces = all_forces(rotor_settings, settings, result.machine);
   const auto goes_on = [&](double time) { return !run.progress || run.progress(time / program.duration()); };
 
   result.status = Status::interrupted;
@@ -197,8 +202,9 @@ TransientResult run_transient(const Case& input, std::shared_ptr<StepTable> tabl
 }
 
 TransientResult run_transient(const Case& input, const std::function<bool(double)>& progress) {
-  const StepLayout layout = transient_not_begun(input).layout;
-  return run_transient(input, make_step_table(layout.width()), {.progress = progress});
+  TransientResult begun = transient_not_begun(input);
+  const std::size_t width = begun.layout.width();
+  return run_transient(input, std::move(begun), make_step_table(width), {.progress = progress});
 }
 
 }  // namespace bumpfoil

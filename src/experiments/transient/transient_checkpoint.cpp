@@ -1,5 +1,7 @@
 #include "experiments/transient/transient_checkpoint.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -33,16 +35,14 @@ class TableOnDisk : public StepTable {
   RowLog log_;
 };
 
-/// A state is kept behind its checksum and the number of rows up to it.
+/// A state is kept behind a checksum and the number of rows up to it.
 struct KeptState {
   std::size_t rows{};
   MachineState state;
 };
 
 void write_state(const fs::path& path, std::size_t rows, const MachineState& state) {
-  const std::string bytes = bytes_of(state);
-  const std::string head = std::to_string(rows) + '\n';
-  write_file(path, xxh3_128(head + bytes) + head + bytes, Existing::replace);
+  write_file(path, sealed(fmt::format("{}{}\n{}", blank_checksum, rows, bytes_of(state))), Existing::replace);
 }
 
 std::optional<KeptState> read_state(const fs::path& path) {
@@ -51,8 +51,7 @@ std::optional<KeptState> read_state(const fs::path& path) {
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const std::size_t begin = blank_checksum.size();
   const std::size_t end = text.find('\n', begin);
-  if (text.size() < begin || end == std::string::npos) return std::nullopt;
-  if (text.substr(0, begin) != xxh3_128(std::string_view(text).substr(begin))) return std::nullopt;
+  if (end == std::string::npos || !is_sealed(text, text.substr(0, begin))) return std::nullopt;
   std::optional<MachineState> state = machine_state_of(std::string_view(text).substr(end + 1));
   if (!state) return std::nullopt;
   return KeptState{std::stoul(text.substr(begin, end - begin)), *std::move(state)};

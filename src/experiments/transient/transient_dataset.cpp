@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/rotor_speeds.hpp"
 #include "experiments/transient/step_row.hpp"
 #include "experiments/transient/transient_quantities.hpp"
 #include "results/csv_value.hpp"
@@ -116,17 +117,9 @@ std::string run_csv(const TransientReading& reading) {
 
 Dataset transient_dataset(const TransientReading& reading) {
   const TransientResult& result = reading.result;
-  const std::vector<RotorStation> stations = result.machine.places();
   Dataset data = run_dataset(reading);
-  data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
-                     numbers_from(1.0, stations.size()));
-  data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}},
-                     numbers_from(1.0, result.layout.bearings));
-  Variable& places = data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
-                                         each(stations, [](const RotorStation& station) { return station.z; }));
-  std::string names;
-  for (const RotorStation& station : stations) names += (names.empty() ? "" : ", ") + station.name;
-  places.attributes["stations"] = names;
+  add_stations(result.machine.places(), data);
+  add_bearing_numbers(result.layout.bearings, data);
   if (result.steps && result.steps->rows() > 0) add_steps(result, data);
   add_turns(reading, data);
   add_waterfall(reading, data);

@@ -89,9 +89,10 @@ SharedReading reading_of(TransientResult result) {
 
 /// Steps stay on the disk, in files with which the run can go on.
 Outcome stage_transient(const Case& input, const StagedRun& staged, const ProgressCallback& progress) {
-  KeptRun kept = keep_run(staged.folder.path(), staged.resumes, input, transient_not_begun(input).layout.width());
+  TransientResult begun = transient_not_begun(input);
+  KeptRun kept = keep_run(staged.folder.path(), staged.resumes, input, begun.layout.width());
   kept.run.progress = progress;
-  const SharedReading reading = reading_of(run_transient(input, kept.table, kept.run));
+  const SharedReading reading = reading_of(run_transient(input, std::move(begun), kept.table, kept.run));
   Outcome outcome = transient_outcome(input, reading);
   outcome.files = {};
   stage_result_files(record_of(input, *reading, staged.provenance), "result.nc", "use fewer steps",

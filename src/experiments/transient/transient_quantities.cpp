@@ -99,9 +99,7 @@ constexpr auto whole_turn_quantity_table = std::to_array<WholeTurnQuantity>({
      turn_energy<&WorkBalance::forces>},
     {"revolution_film_work", "J",
      "work of the films on the rotor and its foils in the revolution: entrained and supplied less dissipated",
-     [](const TransientTurn& revolution) {
-       return revolution.energy.entrained + revolution.energy.supplied - revolution.energy.dissipated;
-     }},
+     [](const TransientTurn& revolution) { return revolution.energy.films(); }},
     {"revolution_friction_loss", "J", "work that friction of the foils takes in the revolution",
      turn_energy<&WorkBalance::friction>},
     {"revolution_stored_energy", "J", "change of the energy of motion, of films, foils and asperities",
@@ -193,7 +191,7 @@ std::vector<std::string> failure_lines(const TransientReading& reading) {
 }
 
 std::vector<std::string> warning_lines(const Case& input, const TransientReading& reading) {
-  std::vector<std::string> lines = case_warnings(input);
+  std::vector<std::string> lines = rotor_case_warnings(input);
   const EnergyCheck& energy = reading.energy;
   if (energy.defect > largest_energy_defect * energy.largest &&
       energy.defect > rounded_work * std::abs(energy.sum.entrained)) {

@@ -76,8 +76,7 @@ std::string transient_table(const TransientReading& reading) {
     out += fmt::format(
         "energy of these revolutions, mJ: forces {:.4g}, films {:.4g}, friction of foils {:.4g}, stored {:.4g}; "
         "balance met to {:.2g} %\n",
-        1e3 * sum.forces, 1e3 * (sum.entrained + sum.supplied - sum.dissipated), 1e3 * sum.friction, 1e3 * sum.stored,
-        100.0 * reading.energy.relative());
+        1e3 * sum.forces, 1e3 * sum.films(), 1e3 * sum.friction, 1e3 * sum.stored, 100.0 * reading.energy.relative());
   }
   return out;
 }

@@ -255,8 +255,8 @@ EnergyCheck energy_check(const std::vector<TransientTurn>& turns) {
     const WorkBalance& energy = revolution.energy;
     check.sum += energy;
     check.defect += std::abs(energy.defect());
-    check.largest += std::max({std::abs(energy.forces), energy.friction, std::abs(energy.stored),
-                               std::abs(energy.entrained + energy.supplied - energy.dissipated)});
+    check.largest +=
+        std::max({std::abs(energy.forces), energy.friction, std::abs(energy.stored), std::abs(energy.films())});
   }
   return check;
 }

@@ -22,17 +22,7 @@ void add_points(const UnbalanceResult& result, Dataset& data) {
                }));
     }
   }
-  const std::size_t count = result.machine.rotor.bearings.size();
-  data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
-  for (const int axis : {0, 1}) {
-    data.add({axis == 0 ? "x" : "y", "m", fmt::format("journal centre in equilibrium, {}", axis == 0 ? 'X' : 'Y')},
-             {"speed", "bearing"}, [&result, axis, count] {
-               return padded_rows(result.points.size(), count, [&](std::size_t i) {
-                 return each(result.points[i].states,
-                             [axis](const BearingState& state) { return state.position[axis]; });
-               });
-             });
-  }
+  add_journals(result.points, result.machine.rotor.bearings.size(), data);
 }
 
 }  // namespace
@@ -48,13 +38,7 @@ Dataset unbalance_dataset(const UnbalanceResult& result, bool with_responses) {
   const std::vector<RotorStation> stations = result.machine.places();
   const std::span<const ResponseKind> kinds = kinds_of(result);
   data.add_dimension({"kind", "", "how the response was found", flags<ResponseKind>}, numbers_from(0.0, kinds.size()));
-  data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
-                     numbers_from(1.0, stations.size()));
-  Variable& places = data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
-                                         each(stations, [](const RotorStation& station) { return station.z; }));
-  std::string names;
-  for (const RotorStation& station : stations) names += (names.empty() ? "" : ", ") + station.name;
-  places.attributes["stations"] = names;
+  add_stations(stations, data);
   for (const ResponseQuantity& quantity : response_quantities()) {
     data.add(quantity.meaning(), {"speed", "kind", "station"}, [&result, stations, kinds, quantity] {
       std::vector<double> values;

@@ -21,6 +21,17 @@ TEST(GapWork, IsTheMeanForceTimesTheMotionOfTheWall) {
   EXPECT_DOUBLE_EQ(gap_work(force, Eigen::Vector3d(-2e-6, 3e-6, 0.0)), 20.0 * 2e-6 - 8.0 * 3e-6);
 }
 
+TEST(FrictionWork, IsTheMeanForceTimesTheSlipAgainstIt) {
+  const ContactProblem problem = two_contacts();
+  ContactState begin = ContactState::unstressed(problem);
+  ContactState end = begin;
+  end.x[2] = -2e-6;
+  begin.friction_force[1] = 1.0;
+  end.friction_force[1] = 3.0;
+  EXPECT_DOUBLE_EQ(friction_work(problem, begin, end), 2.0 * 2e-6);
+  EXPECT_DOUBLE_EQ(friction_work(problem, end, begin), -2.0 * 2e-6);
+}
+
 TEST(FrictionDissipation, IsBoundTimesSlipWhateverItsDirection) {
   const FrictionDissipation dissipation(two_contacts());
   const Vector begin = Vector::Zero(3);

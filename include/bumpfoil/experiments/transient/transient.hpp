@@ -94,7 +94,7 @@ struct TransientResult {
   Machine machine;
   TransientSettings settings;
   StepLayout layout;
-  std::shared_ptr<const StepTable> steps;  ///< row 0 is the start; none where it was not found
+  std::shared_ptr<const StepTable> steps;  ///< row 0 is the start, without rows where it was not found; null before
   Status status{Status::interrupted};      ///< of the last step that was tried
   double time{};                           ///< that was reached, s
   double speed{};                          ///< there, rad/s
@@ -108,18 +108,20 @@ struct TransientRun {
   std::function<void(const MachineState&)> keep{};
 };
 
-/// What a run would write, and where it would begin.
-/// @throws Error (input) as run_transient() does
+/// A run that ended before its first step: its machine, and what it would write.
+/// @throws Error (input) if the case cannot be built, or has no rotor or no speeds
 TransientResult transient_not_begun(const Case& input);
 
 /// Marches the rotor of a case through its speeds, from the equilibrium at the first one; where it turns there, from
 /// the orbit that its unbalance makes, by the linear response with stuck contacts. A march that goes on from a state
 /// that was kept goes on to the last bit.
+/// @param begun  of transient_not_begun()
 /// @param table  receives a row for each step, some at a time
-/// @throws Error (input) if the case cannot be built, or has no rotor or no speeds
-TransientResult run_transient(const Case& input, std::shared_ptr<StepTable> table, const TransientRun& run = {});
+TransientResult run_transient(const Case& input, TransientResult begun, const std::shared_ptr<StepTable>& table,
+                              const TransientRun& run = {});
 
 /// The same with a table in memory.
+/// @throws Error (input) if the case cannot be built, or has no rotor or no speeds
 TransientResult run_transient(const Case& input, const std::function<bool(double)>& progress = {});
 
 /// What a place of the rotor does in a turn.

@@ -14,6 +14,7 @@
 #include "bumpfoil/experiments/experiments.hpp"
 #include "experiments/transient/machine_state_file.hpp"
 #include "experiments/transient/step_row.hpp"
+#include "experiments/transient/transient_quantities.hpp"
 #include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
@@ -74,13 +75,13 @@ TEST(Transient, GoesOnToTheLastBit) {
   TransientRun run{.keep = [&](const MachineState& state) { bytes = bytes_of(state); }};
   int asked = 0;
   run.progress = [&](double) { return ++asked < 47; };
-  const TransientResult part = run_transient(input, kept, run);
+  const TransientResult part = run_transient(input, transient_not_begun(input), kept, run);
   EXPECT_EQ(part.status, Status::interrupted);
   ASSERT_TRUE(bytes.has_value());
   run.progress = {};
   run.from = machine_state_of(*bytes);
   ASSERT_TRUE(run.from.has_value());
-  const TransientResult rest = run_transient(input, kept, run);
+  const TransientResult rest = run_transient(input, transient_not_begun(input), kept, run);
   ASSERT_EQ(rest.status, Status::converged);
   EXPECT_EQ(all_rows(rest), all_rows(whole));
   EXPECT_FALSE(machine_state_of(bytes->substr(1)).has_value());
@@ -211,6 +212,21 @@ TEST(Transient, TellsRubsApart) {
   EXPECT_NEAR(rubs[0].begin, 0.040, 1e-12);
   EXPECT_NEAR(rubs[0].end, 0.049, 1e-12);
   EXPECT_NEAR(rubs[0].load, 0.99, 1e-12);
+}
+
+/// What is doubtful about a bearing is told of the one that is so.
+TEST(Transient, WarnsOfEachBearing) {
+  Case input = marched_case({turning(12000.0, 1.0)});
+  RotorSettings& rotor = *input.settings.find<RotorSettings>();
+  rotor.bearings = {-0.05, 0.05};
+  rotor.transverse_inertia = 4e-3;
+  input.rotor_bearings.resize(2);
+  TopFoil tight = input.top_foil;
+  tight.formed_radius = {FormedTo::radius, 0.99 * input.bearing.radius};
+  input.rotor_bearings[1].top_foil = tight;
+  const std::vector<std::string> lines = warning_lines(input, TransientReading(transient_not_begun(input)));
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].find("bearing 2: the top foil is formed tighter"), 0U) << lines[0];
 }
 
 TEST(Transient, SaysWhatIsWrongWithItsTable) {
