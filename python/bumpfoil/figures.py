@@ -211,6 +211,9 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
             ("largest_amplitude_speed", "speed of the largest amplitude (rpm)", rpm),
             ("largest_amplitude_ratio", "amplitude / film thickness", 1),
             ("least_h_min", "minimum film thickness, orbits (µm)", 1e-6),
+            ("largest_half_peak_to_peak", "largest half peak-to-peak (µm)", 1e-6),
+            ("largest_amplitude_half", "largest amplitude at half speed (µm)", 1e-6),
+            ("thinnest_film_of_run", "minimum film thickness (µm)", 1e-6),
         ]
     shown = [entry for entry in quantities if entry[0] in data and np.isfinite(data[entry[0]]).any()]
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)

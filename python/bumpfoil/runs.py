@@ -290,7 +290,8 @@ def run_montecarlo(
     **tables: Any,
 ) -> Result:
     """Runs the cycles of many random bearings within the tolerances of [montecarlo], their states on the film
-    (``montecarlo={"command": "equilibrium", ...}``), or a rotor on them (``"stability"``, ``"unbalance"``).
+    (``montecarlo={"command": "equilibrium", ...}``), or a rotor on them (``"stability"``, ``"unbalance"``,
+    ``"transient"``).
 
     Every sample keeps its quantities, see :meth:`Result.to_xarray`, :meth:`Result.to_dataframe` and
     ``summary["statistics"]``."""

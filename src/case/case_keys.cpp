@@ -309,8 +309,8 @@ void describe(CaseVisitor& keys, WavinessScatter& waves) {
 
 void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
   keys.choice({"command", defaulted, "Command",
-               "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\" or "
-               "\"unbalance\": a rotor whose bearings all have the deviations that are drawn"},
+               "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\", "
+               "\"unbalance\" or \"transient\": a rotor whose bearings all have the deviations that are drawn"},
               ensemble.command);
   keys.value({"samples", defaulted, "Samples", "number of bearings"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
@@ -380,7 +380,8 @@ void describe(CaseVisitor& keys, Case& input) {
       keys,
       {"montecarlo", optional, "Ensemble",
        "bearings that differ within their tolerances, for the command montecarlo: for each a cycle in each direction "
-       "of [cycle], the states of [equilibrium], or the rotor over the speeds of [stability] or [unbalance]; "
+       "of [cycle], the states of [equilibrium], or the rotor over the speeds of [stability], [unbalance] or "
+       "[transient]; "
        "deviations are from the values above"},
       input.montecarlo, [](CaseVisitor& inner, MonteCarloSettings& ensemble) { describe(inner, ensemble); });
 }

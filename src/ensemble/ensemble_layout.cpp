@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/ensemble/running_sample.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/quantity.hpp"
-#include "experiments/stability/stability_quantities.hpp"
-#include "experiments/unbalance/unbalance_quantities.hpp"
+#include "experiments/rotor_speeds.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -64,18 +65,11 @@ EnsembleColumn column_of(const RunningQuantity& quantity) {
 }
 
 /// Without an onset a rotor is stable at all speeds, or at none: stable_up_to tells which.
-EnsembleColumn column_of(const StabilityQuantity& quantity) {
-  return {.meaning = sampled_meaning(quantity.meaning()),
-          .limitable = !quantity.name.starts_with("onset_"),
-          .value = [quantity](const SampleResult& result, std::size_t /*place*/, const Case&) {
-            return quantity.value(std::get<StabilityResult>(result));
-          }};
-}
-
-EnsembleColumn column_of(const UnbalanceQuantity& quantity) {
-  return {.meaning = sampled_meaning(quantity.meaning()),
-          .value = [quantity](const SampleResult& result, std::size_t /*place*/, const Case&) {
-            return quantity.value(std::get<UnbalanceResult>(result));
+EnsembleColumn rotor_column(const VariableMeaning& meaning, std::size_t i) {
+  return {.meaning = sampled_meaning(meaning),
+          .limitable = !meaning.name.starts_with("onset_"),
+          .value = [i](const SampleResult& result, std::size_t /*place*/, const Case&) {
+            return std::get<std::vector<double>>(result)[i];
           }};
 }
 
@@ -114,18 +108,12 @@ void lay_out_states(const Case& input, EnsembleLayout& layout) {
 }
 
 void lay_out_rotor(const Case& input, EnsembleLayout& layout) {
-  static_cast<void>(stability_not_begun(input));  // as above
+  const Outcome none = experiment_named(name_of(layout.command)).sweeping->not_begun(input);  // throws, as above
+  const Dataset run = none.dataset();
   layout.places.push_back({"rotor"});
-  add_sampled(stability_quantities(),
-              [&](const StabilityQuantity& quantity) { layout.columns.push_back(column_of(quantity)); });
-}
-
-void lay_out_unbalance(const Case& input, EnsembleLayout& layout) {
-  const bool with_orbits = unbalance_not_begun(input).with_orbits;
-  layout.places.push_back({"rotor"});
-  add_sampled(unbalance_quantities(), [&](const UnbalanceQuantity& quantity) {
-    if (with_orbits || !quantity.is(tag::of_orbits)) layout.columns.push_back(column_of(quantity));
-  });
+  for (const Variable* variable : sampled_variables(run)) {
+    layout.columns.push_back(rotor_column(variable->meaning, layout.columns.size()));
+  }
 }
 
 std::size_t places_run(const SampleResult& result) {
@@ -158,12 +146,13 @@ constexpr auto sample_statuses = [] {
 }  // namespace
 
 std::string_view EnsembleLayout::dimension() const {
-  constexpr std::array<std::string_view, 4> names{"direction", "state", "rotor", "rotor"};
+  constexpr std::array<std::string_view, 5> names{"direction", "state", "rotor", "rotor", "rotor"};
   return names.at(static_cast<std::size_t>(command));
 }
 
 std::string_view EnsembleLayout::leading() const {
-  constexpr std::array<std::string_view, 4> names{"max_force", "h_min", "stable_up_to", "largest_amplitude"};
+  constexpr std::array<std::string_view, 5> names{"max_force", "h_min", "stable_up_to", "largest_amplitude",
+                                                  "largest_half_peak_to_peak"};
   return names.at(static_cast<std::size_t>(command));
 }
 
@@ -193,11 +182,9 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
       statuses = sample_statuses<running_status>;
       break;
     case EnsembleCommand::stability:
-      lay_out_rotor(input, layout);
-      statuses = sample_statuses<search_status>;
-      break;
     case EnsembleCommand::unbalance:
-      lay_out_unbalance(input, layout);
+    case EnsembleCommand::transient:
+      lay_out_rotor(input, layout);
       statuses = sample_statuses<search_status>;
       break;
   }

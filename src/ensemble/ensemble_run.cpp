@@ -76,10 +76,9 @@ std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, cons
       keep(run_running_sample(sampled, goes_on, input_.montecarlo->limits));
       break;
     case EnsembleCommand::stability:
-      keep(run_rotor_sample(sampled, goes_on));
-      break;
     case EnsembleCommand::unbalance:
-      keep(run_unbalance_sample(sampled, goes_on));
+    case EnsembleCommand::transient:
+      keep(run_rotor_sample(sampled, layout_.command, goes_on));
       break;
   }
   if (stopped) return std::nullopt;

@@ -1,7 +1,10 @@
 #include "bumpfoil/ensemble/running_sample.hpp"
 
+#include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/equilibrium/film_limits.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/model/case_names.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -27,12 +30,22 @@ std::optional<EquilibriumResult> run_running_sample(const Case& sampled, const s
   });
 }
 
-std::optional<StabilityResult> run_rotor_sample(const Case& sampled, const std::function<bool(double)>& progress) {
-  return unless_faulty([&] { return run_stability(sampled, progress); });
+std::vector<const Variable*> sampled_variables(const Dataset& run) {
+  std::vector<const Variable*> sampled;
+  for (const Variable& variable : run.variables) {
+    if (variable.dims.empty() && (variable.meaning.tags & tag::sampled) != 0) sampled.push_back(&variable);
+  }
+  BUMPFOIL_ASSERT(!sampled.empty() && sampled.front()->meaning.name == "status");
+  return sampled;
 }
 
-std::optional<UnbalanceResult> run_unbalance_sample(const Case& sampled, const std::function<bool(double)>& progress) {
-  return unless_faulty([&] { return run_unbalance(sampled, progress); });
+std::optional<std::vector<double>> run_rotor_sample(const Case& sampled, EnsembleCommand command,
+                                                    const std::function<bool(double)>& progress) {
+  return unless_faulty([&] {
+    const Outcome outcome = experiment_named(name_of(command)).run(sampled, progress);
+    const Dataset run = outcome.dataset();
+    return each(sampled_variables(run), [](const Variable* variable) { return variable->values().front(); });
+  });
 }
 
 }  // namespace bumpfoil

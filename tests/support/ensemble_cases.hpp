@@ -2,6 +2,7 @@
 
 #include "bumpfoil/experiments/rotor_settings.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/model/case.hpp"
 
@@ -56,6 +57,16 @@ inline Case unbalance_ensemble_case(int samples) {
   rotor.unbalances.emplace_back().amount = 2e-6;
   input.settings.set(rotor);
   input.settings.set(UnbalanceSettings{.speeds = {-700.0, -900.0, -1100.0}});
+  return input;
+}
+
+/// The same in time at constant speed, four revolutions in few steps.
+inline Case transient_ensemble_case(int samples) {
+  Case input = unbalance_ensemble_case(samples);
+  input.montecarlo->command = EnsembleCommand::transient;
+  TransientSettings settings{.steps_per_revolution = 20};
+  settings.speed = {SpeedPhase{.to = -900.0, .time = 28e-3}};
+  input.settings.set(settings);
   return input;
 }
 

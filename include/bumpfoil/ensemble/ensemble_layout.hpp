@@ -11,16 +11,14 @@
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
-#include "bumpfoil/experiments/stability/stability.hpp"
-#include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
 namespace bumpfoil {
 
-/// What was run of a bearing of an ensemble, as its case says by montecarlo.command; nothing if what was drawn makes no
-/// bearing.
-using SampleResult = std::variant<std::monostate, CycleResult, EquilibriumResult, StabilityResult, UnbalanceResult>;
+/// What was run of a bearing of an ensemble, as its case says by montecarlo.command: of a rotor the values of
+/// sampled_variables(); nothing if what was drawn makes no bearing.
+using SampleResult = std::variant<std::monostate, CycleResult, EquilibriumResult, std::vector<double>>;
 
 /// Where numbers of a bearing are kept: the direction of a cycle, rad, or a state in which it runs; of a rotor there is
 /// one place, over all its speeds.
@@ -56,7 +54,7 @@ struct EnsembleLayout {
   /// What a place is, the dimension of ensemble.nc: "direction", "state" or "rotor".
   [[nodiscard]] std::string_view dimension() const;
   /// The quantity whose mean EnsembleRun is asked to know: the maximum force, the minimum film thickness, the speed up
-  /// to which the rotor is stable, or its largest amplitude.
+  /// to which the rotor is stable, its largest amplitude, or the largest half of the way of a journal.
   [[nodiscard]] std::string_view leading() const;
   /// The status of samples that make no bearing: "not_physical".
   [[nodiscard]] int no_bearing() const { return static_cast<int>(columns.front().meaning.form.words.size()) - 1; }

@@ -2,11 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
-#include "bumpfoil/experiments/stability/stability.hpp"
-#include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/dataset.hpp"
 
 namespace bumpfoil {
 
@@ -19,13 +19,13 @@ std::optional<EquilibriumResult> run_running_sample(const Case& sampled,
                                                     const std::function<bool(double)>& progress = {},
                                                     bool limits = false);
 
-/// Runs the rotor of a sampled case, all of whose bearings are that of the case, over the speeds of [stability].
-/// Failures are reported at the speeds.
-/// @return nothing if the case makes no bearing
-std::optional<StabilityResult> run_rotor_sample(const Case& sampled, const std::function<bool(double)>& progress = {});
+/// What ensembles keep of a rotor: of the result of its command the numbers of the run as a whole that are sampled, the
+/// status of the run first.
+std::vector<const Variable*> sampled_variables(const Dataset& run);
 
-/// The same for its response to unbalance, over the speeds of [unbalance].
-std::optional<UnbalanceResult> run_unbalance_sample(const Case& sampled,
+/// Runs the rotor of a sampled case, all of whose bearings are that of the case, as the command of this name does.
+/// @return the values of sampled_variables(); nothing if the case makes no bearing
+std::optional<std::vector<double>> run_rotor_sample(const Case& sampled, EnsembleCommand command,
                                                     const std::function<bool(double)>& progress = {});
 
 }  // namespace bumpfoil

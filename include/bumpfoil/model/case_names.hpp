@@ -44,7 +44,7 @@ inline constexpr auto enum_names<FilmPath> = std::to_array<std::string_view>({"l
 template <>
 inline constexpr auto enum_names<ComparedPaths> = std::to_array<std::string_view>({"one", "two", "all"});
 template <>
-inline constexpr auto enum_names<EnsembleCommand> = std::to_array<std::string_view>({"cycle", "equilibrium",
-                                                                                     "stability", "unbalance"});
+inline constexpr auto enum_names<EnsembleCommand> =
+    std::to_array<std::string_view>({"cycle", "equilibrium", "stability", "unbalance", "transient"});
 
 }  // namespace bumpfoil

@@ -60,6 +60,7 @@ enum class EnsembleCommand : std::uint8_t {
   equilibrium,  ///< the running bearing, along the path of [equilibrium] to all its states
   stability,    ///< the rotor of [rotor] on two such bearings, over the speeds of [stability]
   unbalance,    ///< its response to unbalance over those of [unbalance]
+  transient,    ///< the same rotor in time, through the speeds of [transient]
 };
 
 /// An ensemble of bearings that differ within their tolerances. Deviations are from what the case says, and those other

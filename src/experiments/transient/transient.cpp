@@ -29,7 +29,7 @@ constexpr double slow_part = 0.1;
 
 const TransientSettings& transient_settings_of(const Case& input) {
   const TransientSettings* const settings = input.settings.find<TransientSettings>();
-  if (settings == nullptr) {
+  if (settings == nullptr || settings->speed.empty()) {
     throw Error(ErrorKind::input, {{"", 0, "transient", "", "this table is missing", "add [transient] with a speed"}});
   }
   return *settings;

@@ -122,6 +122,7 @@ ExperimentInfo transient_experiment() {
               "time=\"0.1 s\"}' --set 'transient.pulse={force=[\"0 N\", \"20 N\"], begin=\"5 ms\", duration=\"1 "
               "ms\"}'\n",
           .files = {"summary.json", "transient.csv", "result.nc"},
+          .sampled = EnsembleCommand::transient,
           .run = run,
           .staged = stage_transient,
           .checkpoints = transient_checkpoint_names(),

@@ -114,8 +114,7 @@ double largest_of(const TransientReading& reading, const Value& value) {
   double largest = absent;
   for (const TransientTurn& revolution : reading.turns) {
     for (std::size_t i = 0; i < revolution.bearings.size(); ++i) {
-      const double one = value(revolution, i);
-      if (!(largest >= one)) largest = one;
+      largest = std::fmax(largest, value(revolution, i));
     }
   }
   return largest;
@@ -126,38 +125,52 @@ constexpr auto run_quantity_table = std::to_array<RunQuantity>({
      "",
      "how the march ended",
      [](const TransientReading& reading) { return static_cast<double>(reading.result.status); },
-     none,
+     sampled,
      "",
      {},
      search_status},
-    {"end_time", "s", "time that was reached", [](const TransientReading& reading) { return reading.result.time; }},
-    {"end_speed", "rad/s", "speed at the end", [](const TransientReading& reading) { return reading.result.speed; }},
+    {"end_time", "s", "time that was reached", [](const TransientReading& reading) { return reading.result.time; },
+     sampled},
+    {"end_speed", "rad/s", "speed at the end", [](const TransientReading& reading) { return reading.result.speed; },
+     sampled},
     {"largest_half_peak_to_peak", "m", "largest half of the way of a journal along X or Y in a revolution",
      [](const TransientReading& reading) {
        return largest_of(reading, [](const TransientTurn& revolution, std::size_t i) {
          return revolution.places[i].orbit.half_peak_to_peak.maxCoeff();
        });
      },
-     headline | csv, "largest half way", shown::micrometres},
+     headline | csv | sampled, "largest half way", shown::micrometres},
+    {"largest_amplitude_half", "m",
+     "largest amplitude of a journal along X or Y at half of the frequency of rotation: half-speed whirl",
+     [](const TransientReading& reading) {
+       return largest_of(reading, [](const TransientTurn& revolution, std::size_t i) {
+         const auto& amplitudes = revolution.places[i].half;
+         return amplitudes ? amplitudes->cwiseAbs().maxCoeff() : absent;
+       });
+     },
+     csv | sampled, "amplitude at half speed", shown::micrometres},
     {"thinnest_film_of_run", "m", "minimum film thickness of all bearings in all revolutions",
      [](const TransientReading& reading) {
        return -largest_of(
            reading, [](const TransientTurn& revolution, std::size_t i) { return -revolution.bearings[i].thinnest; });
      },
-     headline | csv, "minimum film thickness", shown::micrometres},
+     headline | csv | sampled, "minimum film thickness", shown::micrometres},
     {"largest_asperity_load_of_run", "N", "largest force that asperities of a bearing carry",
      [](const TransientReading& reading) {
        return largest_of(reading, [](const TransientTurn& revolution, std::size_t i) {
          return revolution.bearings[i].asperity_load;
        });
      },
-     headline | csv, "largest asperity load", shown::newtons},
+     headline | csv | sampled, "largest asperity load", shown::newtons},
+    {"rub_count", "1", "number of stretches of time in which a journal rubs on its foils",
+     [](const TransientReading& reading) { return static_cast<double>(reading.rubs.size()); }, csv | sampled, "rubs",
+     shown::unitless, whole_number},
     {"friction_loss_of_run", "J", "work that friction of the foils takes in all whole revolutions",
-     [](const TransientReading& reading) { return reading.energy.sum.friction; }, headline | csv, "friction loss",
-     shown::millijoules},
+     [](const TransientReading& reading) { return reading.energy.sum.friction; }, headline | csv | sampled,
+     "friction loss", shown::millijoules},
     {"energy_defect_of_run", "1",
      "sum of the sizes of the defects of energy over what drives, is taken or is stored, whichever is larger",
-     [](const TransientReading& reading) { return reading.energy.relative(); }, of_solver},
+     [](const TransientReading& reading) { return reading.energy.relative(); }, of_solver | sampled},
 });
 
 }  // namespace

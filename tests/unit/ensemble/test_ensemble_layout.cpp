@@ -115,11 +115,13 @@ TEST(EnsembleLayout, RowsHoldTheRotorOverItsSpeeds) {
   EXPECT_EQ(layout.status_name(layout.no_bearing()), "not_physical");
   EXPECT_EQ(make_ensemble_row(layout, input, SampleResult{}).front(), layout.no_bearing());
 
-  const StabilityResult result = run_rotor_sample(sampled_case(input, draw_sample(input, 0))).value();
+  const Case sampled = sampled_case(input, draw_sample(input, 0));
+  const StabilityResult result = run_stability(sampled);
   double first = 1570.8;
   for (const WhirlOnset& found : result.map.onsets) first = std::min(first, std::abs(found.onset.speed));
   ASSERT_LT(first, 1570.8);
-  const std::vector<double> row = make_ensemble_row(layout, input, result);
+  const std::vector<double> row =
+      make_ensemble_row(layout, input, run_rotor_sample(sampled, EnsembleCommand::stability).value());
   ASSERT_EQ(row.size(), layout.width());
   const auto value = [&](std::string_view name) {
     const auto column = std::find_if(layout.columns.begin(), layout.columns.end(),
@@ -144,8 +146,8 @@ TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
   EXPECT_EQ(names, (std::vector<std::string>{"status", "largest_amplitude", "largest_amplitude_speed",
                                              "largest_amplitude_ratio"}));
   EXPECT_EQ(layout.status_name(layout.no_bearing()), "not_physical");
-  const UnbalanceResult result = run_unbalance_sample(sampled_case(input, draw_sample(input, 0))).value();
-  const std::vector<double> row = make_ensemble_row(layout, input, result);
+  const std::vector<double> row = make_ensemble_row(
+      layout, input, run_rotor_sample(sampled_case(input, draw_sample(input, 0)), EnsembleCommand::unbalance).value());
   EXPECT_EQ(row[0], 0.0);
   EXPECT_GT(row[1], 0.5e-6);  // the centre of mass lies 1 um from the axis
   EXPECT_LT(row[1], 5e-6);
@@ -156,8 +158,27 @@ TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
   EXPECT_EQ(make_ensemble_layout(input).columns.back().meaning.name, "orbits_last");
 }
 
+TEST(EnsembleLayout, RowsHoldWhatARotorDoesInTime) {
+  const Case input = test_support::transient_ensemble_case(1);
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  EXPECT_EQ(layout.dimension(), "rotor");
+  std::vector<std::string> names;
+  for (const EnsembleColumn& column : layout.columns) names.push_back(column.meaning.name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"status", "end_time", "end_speed", "largest_half_peak_to_peak",
+                                      "largest_amplitude_half", "thinnest_film_of_run", "largest_asperity_load_of_run",
+                                      "rub_count", "friction_loss_of_run", "energy_defect_of_run"}));
+  EXPECT_EQ(std::count(names.begin(), names.end(), layout.leading()), 1);
+  const std::vector<double> row = make_ensemble_row(
+      layout, input, run_rotor_sample(sampled_case(input, draw_sample(input, 0)), EnsembleCommand::transient).value());
+  EXPECT_EQ(row[1], input.settings.find<TransientSettings>()->speed.front().time);
+}
+
 /// What is wrong with the case is no fault of a sample.
 TEST(EnsembleLayout, OfRotorsWantsOne) {
+  Case still = test_support::transient_ensemble_case(1);
+  still.settings.set(TransientSettings{});
+  EXPECT_THROW(static_cast<void>(make_ensemble_layout(still)), Error);
   Case unbalanced = test_support::unbalance_ensemble_case(1);
   unbalanced.settings.set(UnbalanceSettings{});
   EXPECT_THROW(static_cast<void>(make_ensemble_layout(unbalanced)), Error);

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <vector>
+
 #include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/motion/response.hpp"
 #include "support/ensemble_cases.hpp"
 
 namespace bumpfoil {
@@ -33,33 +38,46 @@ TEST(RunningSample, IsNothingWhereWhatWasDrawnMakesNoBearing) {
   EXPECT_FALSE(run_running_sample(sampled));
 }
 
-TEST(RunningSample, OfARotorIsItsCommandOnTheCaseThatWasDrawn) {
-  const Case input = test_support::rotor_ensemble_case(2);
+/// Of a rotor a sample is its command on the case that was drawn. @param place  of `expected` among its values
+void expect_run_of_rotor(const Case& input, std::size_t place, const std::function<double(const Case&)>& expected) {
+  const EnsembleCommand command = input.montecarlo->command;
   const Case sampled = sampled_case(input, draw_sample(input, 1));
-  const StabilityResult result = run_rotor_sample(sampled).value();
-  for (const SpeedPoint& point : result.map.points) ASSERT_EQ(point.status, Status::converged);
-  ASSERT_FALSE(result.map.onsets.empty());
-  EXPECT_EQ(result.map.onsets.front().onset.speed, run_stability(sampled).map.onsets.front().onset.speed);
-  EXPECT_NE(result.map.onsets.front().onset.speed, run_stability(input).map.onsets.front().onset.speed);
-  const StabilityResult stopped = run_rotor_sample(sampled, [](double) { return false; }).value();
-  EXPECT_EQ(stopped.map.points[0].status, Status::interrupted);
+  const std::vector<double> values = run_rotor_sample(sampled, command).value();
+  EXPECT_EQ(values.front(), 0.0);
+  EXPECT_EQ(values[place], expected(sampled));
+  EXPECT_NE(values[place], expected(input));
+  const std::vector<double> stopped = run_rotor_sample(sampled, command, [](double) { return false; }).value();
+  EXPECT_EQ(stopped.front(), static_cast<double>(Status::interrupted));
   Case none = sampled;
   none.bump_foil.thickness = -0.1e-3;
-  EXPECT_FALSE(run_rotor_sample(none));
+  EXPECT_FALSE(run_rotor_sample(none, command));
+}
+
+TEST(RunningSample, OfARotorHasItsOnset) {
+  expect_run_of_rotor(test_support::rotor_ensemble_case(2), 1,
+                      [](const Case& input) { return run_stability(input).map.onsets.front().onset.speed; });
 }
 
 TEST(RunningSample, RespondsToUnbalanceAsItsCommandDoes) {
-  const Case input = test_support::unbalance_ensemble_case(2);
-  const Case sampled = sampled_case(input, draw_sample(input, 1));
-  const UnbalanceResult result = run_unbalance_sample(sampled).value();
-  ASSERT_TRUE(result.points[2].stuck.has_value());
-  EXPECT_EQ(*result.points[2].stuck, *run_unbalance(sampled).points[2].stuck);
-  EXPECT_NE(*result.points[2].stuck, *run_unbalance(input).points[2].stuck);
-  const UnbalanceResult stopped = run_unbalance_sample(sampled, [](double) { return false; }).value();
-  EXPECT_EQ(stopped.points[0].status, Status::interrupted);
-  Case none = sampled;
-  none.bump_foil.thickness = -0.1e-3;
-  EXPECT_FALSE(run_unbalance_sample(none));
+  expect_run_of_rotor(test_support::unbalance_ensemble_case(2), 1, [](const Case& input) {
+    const UnbalanceResult result = run_unbalance(input);
+    double largest = 0.0;
+    for (const UnbalancePoint& point : result.points) {
+      const Eigen::Vector2cd journal = result.machine.places().front().motion * point.stuck.value();
+      largest = std::max(largest, elliptic_orbit(journal, point.speed).major);
+    }
+    return largest;
+  });
+}
+
+TEST(RunningSample, MarchesInTimeAsItsCommandDoes) {
+  expect_run_of_rotor(test_support::transient_ensemble_case(2), 3, [](const Case& input) {
+    double largest = 0.0;
+    for (const TransientTurn& revolution : turns_of(run_transient(input))) {
+      largest = std::max(largest, revolution.places.front().orbit.half_peak_to_peak.maxCoeff());
+    }
+    return largest;
+  });
 }
 
 TEST(RunningSample, CanBeStopped) {
