@@ -11,6 +11,7 @@ from .cycle import Cycle
 from .errors import CaseError, Error, FileError, RunWarning
 from .result import Result, write_report
 from .ross_rotor import write_ross_rotor
+from .running_stepper import Instant, RunningStepper
 from .runs import (
     check,
     properties,
@@ -37,8 +38,10 @@ __all__ = [
     "Cycle",
     "Error",
     "FileError",
+    "Instant",
     "Result",
     "RunWarning",
+    "RunningStepper",
     "State",
     "Stepper",
     "check",

@@ -32,6 +32,7 @@
 #include "cycle_views.hpp"
 #include "ensemble.hpp"
 #include "run.hpp"
+#include "running_stepper.hpp"
 #include "stepper.hpp"
 #include "watch.hpp"
 
@@ -181,6 +182,7 @@ PYBIND11_MODULE(_native, m) {
       .def("files", files_of)
       .def("cycles", [](const py::object& run) { return cycle_views(run); });
   add_stepper(m);
+  add_running_stepper(m);
   m.def("read_case_text", read_case_text);
   m.def("case_template", [](const std::string& name) { return case_template(name); });
   m.def("quantity_names", quantity_names);
