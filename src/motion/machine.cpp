@@ -86,7 +86,10 @@ MachineState MachineStepper::at_rest(std::vector<BearingState> states, const Eig
 JointMove MachineStepper::move_of(const TimeStep& step, const BackwardDifference& rate, const RotorMotion& reference,
                                   const Eigen::VectorXd& forces) const {
   const Eigen::MatrixXd by_rate = rotor_.mass / rate.span + step.speed * rotor_.gyroscopic + rotor_.damping;
-  JointMove move{.law = {.by_place = by_rate / rate.span + rotor_.stiffness}, .speed = step.speed, .dt = step.dt};
+  JointMove move{.law = {.by_place = by_rate / rate.span + rotor_.stiffness},
+                 .speed = step.speed,
+                 .dt = step.dt,
+                 .scheme = step.scheme};
   JointLaw& law = move.law;
   law.place =
       law.by_place.partialPivLu().solve(forces + (rotor_.mass * reference.v + by_rate * reference.y) / rate.span);
@@ -120,7 +123,8 @@ void MachineStepper::guess(double dt, const MachineState& state, Eigen::VectorXd
 }
 
 FilmReport MachineStepper::take(const TimeStep& step, const RotorForces& forces, MachineState& state) {
-  const BackwardDifference rate = bdf2(step.dt, state.last_dt);
+  const BackwardDifference rate =
+      step.scheme == TimeScheme::bdf2 ? bdf2(step.dt, state.last_dt) : implicit_euler(step.dt);
   const RotorMotion reference{.y = rate.reference(state.rotor.y, state.rotor_before.y),
                               .v = rate.reference(state.rotor.v, state.rotor_before.v)};
   const RotorInstant end{.time = state.time + step.dt,
@@ -163,7 +167,8 @@ MachineReport MachineStepper::advance(const TimeStep& step, const RotorForces& f
     do {
       ++taken;
       const double end = begin + (step.speed - begin) * taken / report.parts;
-      if (!count(take({.dt = step.dt / report.parts, .speed = end}, forces, trial))) break;
+      const TimeStep part{.dt = step.dt / report.parts, .speed = end, .scheme = step.scheme};
+      if (!count(take(part, forces, trial))) break;
     } while (taken < report.parts);
     if (report.status == Status::converged) state = std::move(trial);
   }

@@ -43,6 +43,8 @@ using RotorForces = std::function<Eigen::VectorXd(const RotorInstant&)>;
 struct TimeStep {
   double dt{};     ///< s
   double speed{};  ///< Omega, rad/s
+  /// Implicit Euler shows what is lost by it: benchmarks.
+  TimeScheme scheme{TimeScheme::bdf2};
 };
 
 /// How a step in time ended and what it cost.

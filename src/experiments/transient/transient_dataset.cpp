@@ -27,7 +27,7 @@ std::vector<double> columns_of(const StepTable& steps, const std::vector<std::si
 
 void add_steps(const TransientResult& result, Dataset& data) {
   const std::size_t rows = result.steps->rows();
-  data.dims.push_back({.name = "step", .size = rows});
+  data.dims.push_back({.name = "step", .size = rows, .grows = true});
   const auto add = [&](const VariableMeaning& meaning, std::vector<std::string> over,
                        std::vector<std::size_t> columns) {
     Variable& variable = data.add(meaning, std::move(over));
