@@ -6,6 +6,12 @@
 #include "bearing/joint_newton.hpp"
 
 namespace bumpfoil {
+namespace {
+
+/// NewtonAim::most_vain_steps on the way to states: those that are found take two at most in all bearings met.
+constexpr int most_vain_steps_in_time = 8;
+
+}  // namespace
 
 OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control) {
   return {control, control == Control::load ? journal_force(bearing, state.film, state.speed) : state.position,
@@ -38,8 +44,10 @@ FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_
   const JointMove to{law_of_one(move.law), move.speed, move.opening, move.dt, move.scheme};
   if (!newton_->set_out(to, state, state)) return {.status = Status::no_room};
   Eigen::VectorXd position = state.position;
-  FilmReport report = solve_jointly({newton_.get()}, to.law, {.tolerance = tolerance, .stays_near = stays_near},
-                                    options_.newton.max_iterations, position);
+  NewtonAim aim{.tolerance = tolerance};
+  if (finds_states) aim.most_vain_steps = most_vain_steps_in_time;
+  if (stays_near) aim.most_vain_steps = 0;
+  FilmReport report = solve_jointly({newton_.get()}, to.law, aim, options_.newton.max_iterations, position);
   if (report.status != Status::converged) return report;
   newton_->finish(position, state, report);
   state.time += move.dt;

@@ -9,6 +9,8 @@ namespace {
 
 /// Halvings of a Newton step: at 1/256 of it the search for a smaller residual ends.
 constexpr int newton_max_halvings = 8;
+/// From so many halvings on a step is vain.
+constexpr int halvings_in_vain = 6;
 /// Fraction of a step that is taken where no halving reduces the residual.
 constexpr double newton_forced_fraction = 0.25;
 /// A full step that makes the residuals larger stands if the next one is shorter than this part of it. Pressures of
@@ -110,6 +112,7 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
   report.residual = newton.residual_of_trial();
   double leap = 0.0;  // largest change in a full step that made the residuals larger, if the last one did
   bool may_leap = true;
+  int vain_steps = 0;
   while (report.iterations < max_iterations) {
     ++report.iterations;
     const bool is_regular = newton.find_step(report);
@@ -128,12 +131,12 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
     const double largest = newton.largest_change();
     bool is_last = fraction == 1.0 && largest < aim.tolerance;
     double part = fraction;
-    for (int halvings = 0; !is_last; ++halvings) {
+    int halvings = 0;
+    for (; !is_last; ++halvings) {
       const bool none_helps = halvings == newton_max_halvings;
       if (none_helps) {
         is_last = fraction == 1.0 && largest < round_off_step;
         if (is_last) break;
-        if (aim.stays_near) return report;
         part = newton_forced_fraction * fraction;
       }
       newton.try_step(part);
@@ -150,6 +153,7 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
       if (report.status == Status::converged) y = law.holds_place() ? law.place : newton.trial();
       return report;
     }
+    if (halvings >= halvings_in_vain && vain_steps++ == aim.most_vain_steps) return report;
     leap = 0.0;
     if (may_leap && fraction == 1.0 && part < 1.0) {
       leap = largest;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "bearing/film_newton.hpp"
@@ -9,8 +10,9 @@ namespace bumpfoil {
 
 /// What a solve looks for.
 struct NewtonAim {
-  double tolerance{};      ///< largest change of P, H and position over c in a full step of a state that has converged
-  bool stays_near{false};  ///< gives up where no part of a step makes the residuals smaller; else it goes on from there
+  double tolerance{};  ///< largest change of P, H and position over c in a full step of a state that has converged
+  /// Steps that it may take though no more than 1/64 of them makes the residuals smaller. It gives up at the next one.
+  int most_vain_steps{std::numeric_limits<int>::max()};
 };
 
 /// Newton's method for the films, foils and contacts of any number of bearings and for what holds their journals, in

@@ -131,7 +131,8 @@ class FilmStepper {
   /// The state near `state` at the end of a move, all in one step. Friction refers to BearingState::slip_origin, so
   /// that several moves can make one increment.
   /// @param state       receives the result, later by `dt`; stays as it was unless the status is converged
-  /// @param stays_near  gives up where no part of a step makes the residuals smaller; else it goes on from there
+  /// @param stays_near  gives up where no more than 1/64 of a step makes the residuals smaller; else it goes on from
+  ///                    there
   [[nodiscard]] FilmReport solve(const Move& move, BearingState& state, bool stays_near = false);
 
   /// One increment: the same with friction that refers to `state` as it was handed over.
