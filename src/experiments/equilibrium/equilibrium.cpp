@@ -84,9 +84,8 @@ class PathWalker {
 
   void hand_over(RunningState& found) {
     found.last = state_;
-    const auto judge = [bearing = result_.bearing, &settings = settings_, &found] {
-      judge_state(bearing, settings, found);
-    };
+    const auto judge = [bearing = result_.bearing, &settings = settings_, tabulates = judges_ && found.found(),
+                        &found] { judge_state(bearing, settings, tabulates, found); };
     judges_ ? judges_->take(result_.bearing, found, judge) : judge();
   }
 
@@ -337,6 +336,7 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
     const auto keep_going = [&](double) { return !progress || progress(1.0); };
     if (auto better = stable_instead(result, *input.equilibrium, thickness_floor(input), state, keep_going)) {
       state = std::move(*better);
+      if (judges) judge_state(result.bearing, *input.equilibrium, true, state);
     }
   }
   return result;

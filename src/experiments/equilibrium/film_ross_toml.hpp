@@ -12,7 +12,7 @@ namespace bumpfoil {
 /// the tabulated frequencies, and in synchronous whirl beside that; version 2, which knows one axis, in synchronous
 /// whirl alone. Speeds whose state was not found or whose coefficients are not known are left out.
 /// docs/rotor_dynamics.md explains them.
-/// @param result  with tabulated whirls, see tabulate_whirls()
+/// @param result  judged for rotor dynamics, see StateJudges
 std::string film_ross_toml(const Case& input, const EquilibriumResult& result, std::string_view run_id);
 
 }  // namespace bumpfoil

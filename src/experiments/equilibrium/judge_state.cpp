@@ -91,7 +91,8 @@ void find_stresses(const FilmBearing& bearing, RunningState& found) {
 
 }  // namespace
 
-void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, RunningState& found) {
+void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
+                 RunningState& found) {
   const auto begin = std::chrono::steady_clock::now();
   FilmStepper stepper(bearing);
   const BearingState& state = *found.last;
@@ -108,13 +109,20 @@ void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
   found.light_contacts = open_light_contacts(opened.contacts);
   if (found.light_contacts > 0) found.held_if_open = stepper.held_motions(opened);
   const std::vector<double> frequencies = frequencies_of(settings, state.speed);
-  std::vector<std::complex<double>> rates = rates_of(frequencies);
-  const std::vector<std::complex<double>> whirling = whirling_rates(state.speed);
-  rates.insert(rates.end(), whirling.begin(), whirling.end());
+  const std::vector<double> tabulated = tabulates ? tabulated_frequencies(settings) : std::vector<double>{};
+  // The slowest first: they are met last, and the rest is not looked at before.
+  std::vector<std::complex<double>> rates = rates_of(tabulated);
+  for (const auto& further : {rates_of(frequencies), whirling_rates(state.speed)}) {
+    rates.insert(rates.end(), further.begin(), further.end());
+  }
   const Impedances impedances(stepper, state, rates);
   found.critical_mass = critical_mass_of_state(impedances.moving, state.speed, found.held.sliding);
   found.stuck_critical_mass = critical_mass_of_state(impedances.stuck, state.speed, found.held.stuck);
   found.whirls = impedances.at(frequencies);
+  if (tabulates) {
+    found.synchronous = impedances.at({std::abs(state.speed)}).front();  // one of the whirling rates
+    found.tabulated = impedances.at(tabulated);
+  }
   find_stresses(*bearing, found);
   found.wall_time += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -139,29 +147,6 @@ std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium
   std::sort(frequencies.begin(), frequencies.end());
   frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
   return frequencies;
-}
-
-void tabulate_whirls(const Case& input, EquilibriumResult& result) {
-  for (RunningState& state : result.states) {
-    if (state.found()) tabulate_whirls(input, result.bearing, state);
-  }
-}
-
-void tabulate_whirls(const Case& input, const SharedFilmBearing& bearing, RunningState& state) {
-  FilmStepper stepper(bearing);
-  const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
-  if (input.equilibrium->frequencies.empty()) {
-    state.synchronous = state.whirls.front();
-    state.tabulated = Impedances(stepper, *state.last, rates_of(frequencies)).at(frequencies);
-    return;
-  }
-  const double synchronous = std::abs(state.last->speed);
-  state.synchronous = Impedances(stepper, *state.last, {{0.0, synchronous}}).at({synchronous}).front();
-  state.tabulated.clear();
-  for (const double frequency : frequencies) {
-    state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
-                                            [=](const FilmWhirl& whirl) { return whirl.frequency == frequency; }));
-  }
 }
 
 }  // namespace bumpfoil

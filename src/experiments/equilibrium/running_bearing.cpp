@@ -16,26 +16,24 @@ namespace {
 /// Minimum film thicknesses that differ by more than this part belong to different states.
 constexpr double tolerated_difference = 0.02;
 
-/// Judges states on all cores while the walk goes on, and adds the error of the mesh and coefficients for rotor
-/// dynamics. No state depends on another one there, nor on the thread.
+/// Judges states on all cores while the walk goes on, and adds the error of the mesh. No state depends on another one
+/// there, nor on the thread.
 class ParallelJudges : public StateJudges {
  public:
   ParallelJudges(const Case& input, tbb::task_group& group) : input_(input), group_(group) {}
 
   void take(const SharedFilmBearing& bearing, RunningState& state, const std::function<void()>& judge) override {
     if (!meshes_) meshes_.emplace(input_, bearing);
-    group_.run([this, &bearing, &state, judge] {
+    group_.run([this, &state, judge] {
       judge();
-      complete(bearing, state);
+      add_mesh_error(state);
     });
   }
 
   void finish() override { group_.wait(); }
 
-  void complete(const SharedFilmBearing& bearing, RunningState& state) const {
-    if (!state.found()) return;
-    state.mesh_error = meshes_->estimate(state);
-    tabulate_whirls(input_, bearing, state);
+  void add_mesh_error(RunningState& state) const {
+    if (state.found()) state.mesh_error = meshes_->estimate(state);
   }
 
  private:
@@ -44,8 +42,15 @@ class ParallelJudges : public StateJudges {
   tbb::task_group& group_;
 };
 
+/// Of states that count by their films alone.
+class NoJudges : public StateJudges {
+ public:
+  void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/,
+            const std::function<void()>& /*judge*/) override {}
+};
+
 double minimum_film_thickness(const EquilibriumResult& result, const RunningState& state) {
-  return state.outcome->thinnest.thickness * result.bearing->scales.thickness;
+  return state.last->film.thickness.minCoeff() * result.bearing->scales.thickness;
 }
 
 /// States of `result` that another path reaches with another film.
@@ -86,12 +91,14 @@ EquilibriumResult analyse_running_bearing(const Case& input, const std::function
   EquilibriumResult result =
       run_equilibrium(input, all ? possible_paths(settings) : std::vector<FilmPath>{}, part_progress, &judges);
   for (RunningState& state : result.states) {
-    if (state.instead_of_unstable) judges.complete(result.bearing, state);
+    if (state.instead_of_unstable) judges.add_mesh_error(state);
   }
   if (second) {
     done += 1.0;
-    result.other_branches = other_branches(
-        result, find_states(result.bearing, settings, thickness_floor(input), {second_path(settings)}, part_progress));
+    NoJudges nobody;
+    const EquilibriumResult other =
+        find_states(result.bearing, settings, thickness_floor(input), {second_path(settings)}, part_progress, &nobody);
+    result.other_branches = other_branches(result, other);
   }
   if (settings.limits) {
     done += 1.0;

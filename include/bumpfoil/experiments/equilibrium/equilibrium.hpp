@@ -96,8 +96,8 @@ struct RunningState {
   /// At the frequencies of the case, or at that of the rotation: one entry or more.
   std::vector<FilmWhirl> whirls;
   std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
-  /// For rotor dynamics, as tabulate_whirls() adds them: at the frequency of the rotation, and at the frequencies that
-  /// all states have in common.
+  /// For rotor dynamics, where StateJudges saw to it: at the frequency of the rotation, and at the frequencies that all
+  /// states have in common, tabulated_frequencies().
   std::optional<FilmWhirl> synchronous;
   std::vector<FilmWhirl> tabulated;
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
@@ -135,17 +135,19 @@ struct EquilibriumResult {
 /// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
 FilmBearing require_running_bearing(const Case& input);
 
-/// Sees to it that states are judged: stability, stiffness, critical mass, stresses. The walk along a path does not
-/// wait for that.
+/// Sees to it that states are judged: stability, stiffness, critical mass, stresses, and those that were found for
+/// rotor dynamics, too. The walk along a path does not wait for that. This one judges them at once.
 class StateJudges {
  public:
   virtual ~StateJudges() = default;
 
   /// Judges a state by `judge`, now or on another thread until finish(): the state stays where it is.
-  virtual void take(const SharedFilmBearing& bearing, RunningState& state, const std::function<void()>& judge) = 0;
+  virtual void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/, const std::function<void()>& judge) {
+    judge();
+  }
 
   /// Waits until all are judged. @throws what was thrown on other threads
-  virtual void finish() = 0;
+  virtual void finish() {}
 };
 
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
@@ -185,7 +187,8 @@ class StateJudges {
 ///
 /// @param paths     which to take, one after the other; empty: the one of the case
 /// @param progress  called with the fraction that is done; returning false ends the run
-/// @param judges    of the states on these paths; none: each is judged before the next is looked for
+/// @param judges    of the states on these paths; none: each is judged before the next is looked for, and not for rotor
+///                  dynamics
 /// @throws Error (input) as require_running_bearing() does
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
                                   const std::function<bool(double)>& progress = {}, StateJudges* judges = nullptr);
@@ -200,13 +203,6 @@ EquilibriumResult find_states(const SharedFilmBearing& bearing, const Equilibriu
 /// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine or more lie between 0.2
 /// and 1.2 times any speed.
 std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium);
-
-/// Adds stiffness and damping in synchronous whirl and at tabulated_frequencies() to every state that was found.
-/// @param input  case that the result is of
-void tabulate_whirls(const Case& input, EquilibriumResult& result);
-
-/// The same for one state that was found.
-void tabulate_whirls(const Case& input, const SharedFilmBearing& bearing, RunningState& state);
 
 /// Adds to every state where the torque of its curve over speed, with the same path, journal and sense of rotation, is
 /// least: by a parabola through the slowest three neighbours of which the middle one has the least. That is where a

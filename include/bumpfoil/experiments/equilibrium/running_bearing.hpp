@@ -6,8 +6,8 @@
 
 namespace bumpfoil {
 
-/// All that the command `equilibrium` reports: run_equilibrium() on the paths that the case names, the errors of the
-/// mesh (estimate_mesh_errors()), coefficients for rotor dynamics (tabulate_whirls()), a second path to compare with
+/// All that the command `equilibrium` reports: run_equilibrium() on the paths that the case names, judged for rotor
+/// dynamics, too, the errors of the mesh (estimate_mesh_errors()), a second path to compare with
 /// (EquilibriumResult::other_branches) unless equilibrium.paths says otherwise, and the limits of add_film_limits()
 /// where equilibrium.limits asks for them.
 /// @param progress  called with the fraction that is done; returning false ends the run

@@ -80,9 +80,11 @@ TEST(Equilibrium, PrefersStableStatesWhereThereAreAny) {
   EquilibriumSettings settings{.speeds = {speed_of_rpm(20000.0)}, .loads = {{10.0, 0.0}, {30.0, 0.0}}};
   const EquilibriumResult as_found = run_equilibrium(running_case(settings));
   settings.prefer_stable = true;
-  const EquilibriumResult result = run_equilibrium(running_case(settings));
+  StateJudges judges;
+  const EquilibriumResult result = run_equilibrium(running_case(settings), {}, {}, &judges);
   ASSERT_EQ(result.states.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(result.states[i].tabulated.size(), tabulated_frequencies(settings).size());
     EXPECT_EQ(as_found.states[i].held.is_stable(), false);
     EXPECT_FALSE(as_found.states[i].instead_of_unstable);
     EXPECT_TRUE(result.states[i].found());
@@ -120,12 +122,9 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
   EquilibriumSettings settings{
       .speeds = {speed, 0.8 * speed}, .positions = {{1e-5, 0.0}}, .path = FilmPath::cold_start, .steps = 2};
   Case input = running_case(settings, 0.1);
-  EquilibriumResult result = run_equilibrium(input);
-  EXPECT_FALSE(result.states[0].synchronous);
-  result.states[1].report.status = Status::fold;
-  tabulate_whirls(input, result);
-  EXPECT_FALSE(result.states[1].synchronous);
-  EXPECT_TRUE(result.states[1].tabulated.empty());
+  EXPECT_FALSE(run_equilibrium(input).states[0].synchronous);
+  StateJudges judges;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
   const RunningState& state = result.states[0];
   ASSERT_TRUE(state.synchronous);
   EXPECT_EQ(state.synchronous->frequency, speed);
@@ -136,8 +135,7 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
   EXPECT_LT(((*Z)[0] - *state.tabulated[2].impedance).norm(), 1e-8 * (*Z)[0].norm());
 
   input.equilibrium->frequencies = {2.0 * speed, 0.5 * speed};
-  EquilibriumResult given = run_equilibrium(input);
-  tabulate_whirls(input, given);
+  const EquilibriumResult given = run_equilibrium(input, {}, {}, &judges);
   ASSERT_EQ(given.states[1].tabulated.size(), 2U);
   EXPECT_EQ(given.states[1].tabulated[0].frequency, 0.5 * speed);
   EXPECT_EQ(*given.states[1].tabulated[0].impedance, *given.states[1].whirls[1].impedance);

@@ -111,8 +111,8 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
 TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   Case input = small_case();
   input.equilibrium->frequencies = {4000.0, 2000.0, 1000.0};
-  EquilibriumResult result = run_equilibrium(input);
-  tabulate_whirls(input, result);
+  StateJudges judges;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
   const std::vector<FilmWhirl>& whirls = result.states[1].whirls;
   const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
   const test_support::TemporaryFolder folder;
@@ -140,8 +140,8 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
 }
 
 TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
-  EquilibriumResult result = example();
-  tabulate_whirls(small_case(), result);
+  StateJudges judges;
+  const EquilibriumResult result = run_equilibrium(small_case(), {}, {}, &judges);
   const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(
       folder.write("result.nc", equilibrium_files(small_case(), result, RunStatus::complete, {})[3].contents),

@@ -194,8 +194,8 @@ TEST(FilmRossToml, TellsAnUnstableRotorByItsTableAloneNotBySynchronousWhirl) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, 0.0);
   input.equilibrium = EquilibriumSettings{
       .speeds = {-speed, -0.9 * speed}, .loads = {{9.81 * mass, 0.0}}, .path = FilmPath::cold_start, .steps = 3};
-  EquilibriumResult result = run_equilibrium(input);
-  tabulate_whirls(input, result);
+  StateJudges judges;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
   const toml::table document = toml::parse(film_ross_toml(input, result, "run"));
   expect_all_taken(document);
   const toml::table& table = *document["bearing"][0]["element"].as_table();
