@@ -11,7 +11,7 @@
 
 namespace bumpfoil {
 
-/// Rates s (1/s) less the shift, the largest of their sizes: both in units of 1 / T0.
+/// Rates s (1/s) less the shift, a real part of the largest of their sizes: both in units of 1 / T0.
 struct ShiftedRates {
   ShiftedRates(const std::vector<std::complex<double>>& rates, double squeeze_time);
 
