@@ -23,6 +23,7 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
+#include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "case/key_list.hpp"
@@ -68,7 +69,8 @@ std::vector<OfferedUnits> offered_units() {
           {Dimension::frequency, {"rad/s", "Hz", "rpm"}},
           {Dimension::temperature, {"K"}},
           {Dimension::viscosity, {"Pa s", "mPa s", "uPa s"}},
-          {Dimension::bed_stiffness, {"Pa/m", "MPa/m", "GPa/m"}}};
+          {Dimension::bed_stiffness, {"Pa/m", "MPa/m", "GPa/m"}},
+          {Dimension::mass, {"kg", "g", "lb"}}};
 }
 
 Json units_json() {
@@ -207,6 +209,25 @@ Json answer_equilibrium(const Json& request) {
   return {{"run", shown_states(input, result)}, {"state", state_json(*result.bearing, result.states.front())}};
 }
 
+/// Films on a mesh that is no finer than this.
+void coarsen(Case& input, const std::array<int, 2>& mesh) {
+  const auto coarsen_film = [&mesh](FilmSettings& film) {
+    film.columns_per_pitch = std::min(film.columns_per_pitch, mesh[0]);
+    film.rows = std::min(film.rows, mesh[1]);
+  };
+  coarsen_film(input.film);
+  for (RotorBearing& own : input.rotor_bearings) {
+    if (own.film) coarsen_film(*own.film);
+  }
+}
+
+Json answer_stability(const Json& request) {
+  Case input = read(request, {});
+  if (request.contains("mesh")) coarsen(input, request.at("mesh").get<std::array<int, 2>>());
+  input.settings.set(StabilitySettings{.speeds = request.at("speeds").get<std::vector<double>>()});
+  return {{"run", shown_rotor(input, run_stability(input))}};
+}
+
 /// Whether ensembles are shown by it.
 bool is_shown_of_samples(const CycleQuantity& quantity) {
   return quantity.is(tag::sampled) && quantity.form.kind == Form::real && quantity.shown.size > 0.0 &&
@@ -273,6 +294,7 @@ Json answer_json(const Json& request) {
   if (what == "properties") return answer_properties(request);
   if (what == "vibration") return answer_vibration(request);
   if (what == "equilibrium") return answer_equilibrium(request);
+  if (what == "stability") return answer_stability(request);
   if (what == "samples") return answer_samples(request);
   throw Error(ErrorKind::input, {{"", 0, "what", what, "is not a request", ""}});
 }

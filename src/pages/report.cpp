@@ -61,16 +61,13 @@ Json quantity_json(VariableMeaning meaning, const Json& result) {
 /// What tables tell of the results of an experiment; of a rotor, of the whole run, of each speed, and of each motion or
 /// orbit.
 std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment) {
+  if (has_onsets(experiment.name)) return stability_meanings();
   std::vector<VariableMeaning> meanings = experiment.quantities;
   const auto add = [&meanings](const auto& quantities) {
     for (const auto& quantity : quantities) {
       if (!quantity.is(tag::of_place)) meanings.push_back(quantity.meaning());
     }
   };
-  if (has_onsets(experiment.name)) {
-    add(speed_quantities());
-    add(motion_quantities());
-  }
   if (has_peaks(experiment.name)) {
     add(response_quantities());
     add(point_quantities());

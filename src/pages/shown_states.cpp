@@ -13,6 +13,9 @@
 #include "bumpfoil/results/quantity.hpp"
 #include "core/base64.hpp"
 #include "experiments/equilibrium/running_dataset.hpp"
+#include "experiments/stability/stability_dataset.hpp"
+#include "experiments/stability/stability_json.hpp"
+#include "experiments/stability/stability_quantities.hpp"
 #include "pages/shown_run.hpp"
 #include "results/summary_json.hpp"
 
@@ -53,20 +56,37 @@ Json running_quantities_json(const FilmBearing& bearing) {
   return json;
 }
 
-}  // namespace
+Json rotor_quantities_json() {
+  return each(stability_meanings(), [](const VariableMeaning& meaning) { return shown_quantity(labelled(meaning)); });
+}
 
-Json shown_states(const Case& input, const EquilibriumResult& result) {
-  const Dataset data = state_dataset(input, result);
-  return {{"kind", command_of(result)},
+/// Numbers of a run. @param summary  what summary.json begins with, and more
+template <typename Result>
+Json shown_numbers(const Case& input, const Result& result, const Dataset& data, Json summary, Json quantities) {
+  return {{"kind", summary.at("command")},
           {"attributes",
            {{"title", input.title},
             {"status_message", fmt::format("{}", fmt::join(failure_lines(result), "; "))},
             {"warnings", fmt::format("{}", fmt::join(warning_lines(input, result), "\n"))}}},
-          {"summary", summary_head(command_of(result), input, status_of(result), {})},
+          {"summary", std::move(summary)},
           {"dimensions", dimensions_json(data)},
           {"variables", variables_json(data)},
           {"left_out", Json::array()},
-          {"quantities", running_quantities_json(*result.bearing)}};
+          {"quantities", std::move(quantities)}};
+}
+
+}  // namespace
+
+Json shown_states(const Case& input, const EquilibriumResult& result) {
+  return shown_numbers(input, result, state_dataset(input, result),
+                       summary_head(command_of(result), input, status_of(result), {}),
+                       running_quantities_json(*result.bearing));
+}
+
+Json shown_rotor(const Case& input, const StabilityResult& result) {
+  Json summary = summary_head("stability", input, status_of(result), {});
+  summary["onsets"] = stability_lists(result).at("onsets");
+  return shown_numbers(input, result, stability_dataset(result), std::move(summary), rotor_quantities_json());
 }
 
 }  // namespace bumpfoil

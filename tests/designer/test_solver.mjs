@@ -135,3 +135,26 @@ test('running bearings are those of the program', () => {
     });
   }
 });
+
+test('rotors are those of the program, on their mesh and on a coarser one', () => {
+  const file = join(examples, 'rotor.toml');
+  const speeds = [12000, 14000].map((speed) => (speed * Math.PI) / 30);
+  const coarser = [4, 4];
+  for (const [mesh, keys] of [[undefined, []], [coarser, ['film.columns_per_pitch=4', 'film.rows=4']]]) {
+    const { run: found } = ask({ what: 'stability', text: readFileSync(file, 'utf8'), speeds, ...(mesh ? { mesh } : {}) });
+    withFolder((place) => {
+      run('stability', file, '-o', join(place, 's'), ...['stability.speeds=["12000 rpm", "14000 rpm"]', ...keys].flatMap((pair) => ['--set', pair]));
+      const { onsets } = JSON.parse(readFileSync(join(place, 's', 'summary.json'), 'utf8'));
+      assert.ok(onsets.length >= 2);
+      assert.equal(found.summary.onsets.length, onsets.length);
+      let most = 0;
+      onsets.forEach((onset, i) => {
+        const own = found.summary.onsets[i];
+        for (const key of ['contacts', 'by_coefficients', 'begins', 'of_foils', 'jumps']) assert.equal(own[key], onset[key]);
+        for (const key of ['speed_rad_per_s', 'whirl_ratio']) most = Math.max(most, Math.abs(own[key] / onset[key] - 1));
+      });
+      console.log(`rotors: onsets differ by ${most.toExponential(1)}`);
+      assert.ok(most <= 1e-8);
+    });
+  }
+});

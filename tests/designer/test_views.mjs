@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { answered, answeredIn, folder, slider, textOf, type, withPage } from './page.mjs';
+import { answered, answeredIn, folder, slide, slider, textOf, type, withPage } from './page.mjs';
 import { reference, run, withFolder } from './support.mjs';
 
 test('vibrations about a load are those of the program', () =>
@@ -101,6 +101,92 @@ test('the running bearing is that of the program, beside the design before', () 
     // A case that says where it runs is run there.
     await answeredIn(page, '.running', () => write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n[equilibrium]\nspeeds = ["30000 rpm"]\npositions = [["5 um", "0 um"]]\n`));
     assert.match(await view.locator('> .note').textContent(), /^30000 rpm, position \(5, 0\) µm: the journal runs at x = 5\.00 µm, y = 0/);
+  }));
+
+test('the rotor is that of the program, quickly at first, beside the design before', () =>
+  withPage(async (page) => {
+    const view = page.locator('.rotor');
+    const told = () => view.locator('> .note').textContent();
+    const shown = (key) => view.locator(`.tile[data-key="${key}"] strong`).textContent();
+    const more = (key) => view.locator(`.tile[data-key="${key}"] .change`).textContent();
+    const typeSpeed = (speed) => answeredIn(page, '.rotor', async () => {
+      await view.getByLabel('Speed, rpm').fill(speed);
+      await view.getByLabel('Speed, rpm').press('Tab');
+    });
+    const mesh = '\n[film]\ncolumns_per_pitch = 6\nrows = 8\n';
+    await write(page, reference + mesh);
+    await page.getByRole('tab', { name: 'Rotor' }).click();
+    await page.waitForFunction(() => document.querySelector('.rotor').dataset.answered === '1');
+    // A case without a rotor has one that is assumed, and it is put into the case as it is.
+    assert.match(await told(), /^The case has no rotor: assumed is one of 2 kg, half of it on each of two equal bearings/);
+    const assumed = await shown('onset');
+    assert.match(assumed, /^1\d{4}(\.\d)? rpm$/);
+    await answered(page, () => view.getByRole('button', { name: 'Add this rotor to the case' }).click());
+    assert.match(await textOf(page), /\[rotor\]\nmass = "2 kg"\n$/);
+    await page.waitForFunction(() => document.querySelector('.rotor > .note').textContent.startsWith('Rotor of 2 kg. On the mesh'));
+    assert.equal(await shown('onset'), assumed);
+    assert.ok(await view.getByRole('button', { name: 'Add this rotor to the case' }).isHidden());
+    // Speeds of the case, and one that is none of them.
+    const stability = 'speeds = ["11000 rpm", "12000 rpm", "13000 rpm"]';
+    const text = `${reference}${mesh}[rotor]\nmass = "3 kg"\n[stability]\n${stability}\n`;
+    await answeredIn(page, '.rotor', () => write(page, text));
+    await page.getByRole('button', { name: 'Compare from here' }).click();
+    assert.equal(await view.getByLabel('Speed, rpm').inputValue(), '13000');
+    await typeSpeed('12500');
+    let summary;
+    withFolder((place) => {
+      writeFileSync(join(place, 'case.toml'), text);
+      run('stability', join(place, 'case.toml'), '-o', join(place, 's'), '--set', `stability.${stability.replace(' = ', '=').replace('"13000', '"12500 rpm", "13000')}`);
+      summary = JSON.parse(readFileSync(join(place, 's', 'summary.json'), 'utf8'));
+    });
+    const number = (words) => Number(words.replace('−', '-').split(' ')[0]);
+    for (const kind of ['sliding', 'stuck']) {
+      await view.getByRole('button', { name: `Contacts ${kind}` }).click();
+      const { speed_rad_per_s: onset } = summary.onsets.find((one) => one.contacts === kind && !one.by_coefficients);
+      const due = (onset * 30) / Math.PI;
+      assert.ok(Math.abs(number(await shown('onset')) - due) <= 1e-5 * due, `${await shown('onset')}, not ${due}`);
+      const at = summary.speeds[2];
+      assert.ok(Math.abs(at.speed_rad_per_s - (12500 * Math.PI) / 30) < 1e-6);
+      const own = at.motions.filter((one) => one.contacts === kind);
+      const [rotor] = own.filter((one) => !one.of_foils).sort((a, b) => b.real_rad_per_s - a.real_rad_per_s);
+      assert.ok(Math.abs(number(await shown('log_decrement')) - rotor.log_decrement) <= 6e-3 * Math.abs(rotor.log_decrement));
+      assert.ok(Math.abs(number(await shown('frequency')) - rotor.imag_rad_per_s / (2 * Math.PI)) <= 6e-4 * rotor.imag_rad_per_s);
+      assert.equal(await shown('direction'), rotor.direction);
+      assert.equal((await more('log_decrement')).split(',')[0], rotor.real_rad_per_s > 0 ? 'grows' : 'decays');
+      assert.equal(await shown('foils'), own.some((one) => one.of_foils && one.real_rad_per_s > 0) ? 'grow' : 'decay');
+      assert.ok(Math.abs(number(await shown('h_min')) * 1e-6 - at.h_min_m) <= 6e-3 * at.h_min_m);
+    }
+    // Another design, of which a quick answer comes before the exact one; the one before stays beside it.
+    const quick = Number(await view.getAttribute('data-quick'));
+    await answeredIn(page, '.rotor', () => slide(page, 'rotor.mass', '5'));
+    assert.ok(Number(await view.getAttribute('data-quick')) > quick);
+    assert.match(await told(), /^Rotor of 5\.0\d* kg\. On the mesh of the case\.$/);
+    assert.match(await more('log_decrement'), /% vs\. baseline$/);
+    assert.match(await view.getByRole('region', { name: 'Campbell diagram' }).locator('.legend').textContent(), /baseline/);
+    const times = [];
+    for (let i = 0; i < 10; i += 1) {
+      const count = Number(await view.getAttribute('data-quick'));
+      await slide(page, 'bearing.radial_clearance', String(28 + i));
+      await page.waitForFunction((before) => Number(document.querySelector('.rotor').dataset.quick) > before, count);
+      times.push(Number(await view.getAttribute('data-took')));
+    }
+    console.log(`rotor: quick answers after ${times.sort((a, b) => a - b)[5]} ms (median), ${times[9]} ms at most`);
+    await page.waitForFunction(() => document.querySelector('.rotor').getAttribute('aria-busy') === 'false');
+    // What is not found is told, and no number stands for it.
+    await answeredIn(page, '.rotor', () => write(page, text.replace('"3 kg"', '"2000 kg"')));
+    assert.match(await view.locator('.remarks').textContent(), /11000 rpm: no equilibrium found: .*the 3 speeds behind it were not looked for/);
+    for (const key of ['onset', 'log_decrement', 'frequency', 'direction', 'foils', 'h_min']) assert.equal(await shown(key), '–', key);
+    assert.doesNotMatch(await view.innerText(), /NaN|undefined|Infinity/);
+    // A warning is told once, whatever answers have it.
+    await answeredIn(page, '.rotor', () => write(page, text.replace('[top_foil]', '[top_foil]\nformed_radius = "19 mm"')));
+    const remarks = await view.locator('.remarks li').allTextContents();
+    assert.equal(remarks.filter((one) => one.includes('formed tighter than the bearing')).length, 1, remarks.join());
+    await view.getByLabel('Speed, rpm').fill('fast');
+    await view.getByLabel('Speed, rpm').press('Tab');
+    assert.equal(await told(), 'The speed is a number.');
+    // What the program refuses is told in its words.
+    await typeSpeed('-12000');
+    assert.match(await view.locator('.remarks').textContent(), /has another sign than the first/);
   }));
 
 test('a hundred bearings are those of the program', () =>

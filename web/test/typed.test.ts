@@ -30,6 +30,7 @@ describe('typed lists', () => {
     expect(listOf('5 N')).toBe('["5 N"]');
     expect(listOf('5')).toBe('[5]');
     expect(listOf('[]')).toBe('[]');
+    expect(listOf('{ from = "1 um", to = "3 um", points = 5 }')).toBe('{ from = "1 um", to = "3 um", points = 5 }');
   });
 
   it('are texts, which the solver refuses, where one cannot tell what is meant', () => {

@@ -52,6 +52,23 @@ describe('motions of a rotor', () => {
     expect(whirls.first).toEqual({ speed: 0, contacts: 0, motion: 0 });
   });
 
+  it('are damped least, of the rotor and of the foils by themselves', () => {
+    expect(whirls.leastDamped({ speed: 2, contacts: 1 }, false)).toEqual({ speed: 2, contacts: 1, motion: 0 });
+    expect(whirls.leastDamped({ speed: 2, contacts: 1 }, true)).toEqual({ speed: 2, contacts: 1, motion: 1 });
+    expect(whirls.leastDamped({ speed: 0, contacts: 0 }, true)).toBeUndefined();
+    expect(whirls.leastDamped({ speed: 1, contacts: 0 }, false)).toBeUndefined();
+    expect(whirls.leastDamped({ speed: -1, contacts: 0 }, false)).toBeUndefined();
+  });
+
+  it('are those of the run that takes the place of another', () => {
+    const { data } = whirls;
+    const other = new Whirls(data);
+    other.replace({ ...data, dimensions: { ...data.dimensions, speed: 1 }, variables: { ...data.variables, speed: variable(['speed'], [50]) } });
+    expect(other.speeds).toEqual([50]);
+    expect(other.places(0)).toEqual([{ speed: 0, contacts: 0 }]);
+    expect(other.motion.texts).toEqual(['mode 1']);
+  });
+
   it('are missing where no equilibrium was found', () => {
     expect(whirls.numberAt('real', { speed: 1, contacts: 0, motion: 0 })).toBeNaN();
     expect(whirls.shortfallAt({ speed: 1 })).toBe('no equilibrium found: fold');

@@ -283,6 +283,15 @@ std::span<const MotionQuantity> motion_quantities() {
   return motion_quantity_table;
 }
 
+std::vector<VariableMeaning> stability_meanings() {
+  std::vector<VariableMeaning> meanings = meanings_of(stability_quantity_table);
+  for (const SpeedQuantity& quantity : speed_quantity_table) meanings.push_back(quantity.meaning());
+  for (const MotionQuantity& quantity : motion_quantity_table) {
+    if (!quantity.is(of_place)) meanings.push_back(quantity.meaning());
+  }
+  return meanings;
+}
+
 std::optional<bool> is_stable(const SpeedPoint& point) {
   bool known = true;
   for (const bool stuck : {false, true}) {
@@ -304,6 +313,11 @@ std::vector<SpeedMotion> motions_at(const SpeedPoint& point) {
     }
   }
   return all;
+}
+
+RunStatus status_of(const StabilityResult& result) {
+  return run_status(each(result.map.points, [](const SpeedPoint& point) { return point.status; }),
+                    result.map.points.size());
 }
 
 std::vector<std::string> failure_lines(const StabilityResult& result) {

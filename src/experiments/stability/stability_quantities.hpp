@@ -11,6 +11,7 @@
 
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "bumpfoil/results/result_set.hpp"
 #include "experiments/rotor_speeds.hpp"
 
 /// What results of the command stability tell, described once for all files.
@@ -55,11 +56,17 @@ inline constexpr Tags of_place = first_of_experiment;  ///< says which motion; k
 using MotionQuantity = Quantity<double (*)(const SpeedMotion&)>;
 std::span<const MotionQuantity> motion_quantities();
 
+/// What tables tell: of the whole run, of each speed, and of each motion but which one it is.
+std::vector<VariableMeaning> stability_meanings();
+
 /// Motions at one speed, those where contacts slide on first.
 std::vector<SpeedMotion> motions_at(const SpeedPoint& point);
 
 /// Whether all motions decay, with contacts sliding and stuck; nothing where it is not known.
 std::optional<bool> is_stable(const SpeedPoint& point);
+
+/// How the run ended.
+RunStatus status_of(const StabilityResult& result);
 
 /// What keeps a speed from being found, each with its place.
 std::vector<std::string> failure_lines(const StabilityResult& result);

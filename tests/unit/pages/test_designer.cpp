@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
@@ -16,8 +18,10 @@
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
+#include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/result_set.hpp"
@@ -251,6 +255,82 @@ TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
   Case events = parse_case(running_text(), "case");
   events.solver.name = SolverName::events;
   EXPECT_EQ(fault(case_to_toml(events), 3000.0)["key"], "solver.name");
+}
+
+/// A rotor of 2 kg whose whirl begins between these speeds, rad/s.
+const std::vector<double> rotor_speeds{1250.0, 1450.0};
+std::string rotor_text() {
+  Case input = parse_case(running_text(), "case");
+  input.equilibrium.reset();
+  input.bearing.weld_angle = 0.5 * std::numbers::pi;
+  input.bearing.wrap = Wrap::counterclockwise;
+  input.top_foil.formed_radius = FormedRadius{.to = FormedTo::seated};
+  RotorSettings rotor;
+  rotor.mass = 2.0;
+  input.settings.set(rotor);
+  return case_to_toml(input);
+}
+
+TEST(DesignerAnswer, RotorsAreThoseOfAReport) {
+  Case input = parse_case(rotor_text(), "case");
+  // The last of them in a part of a turn per second, where the film carries nothing.
+  input.settings.set(StabilitySettings{.speeds = {1450.0, 1250.0, 1.0}});
+  const StabilityResult result = run_stability(input);
+  const test_support::TemporaryFolder folder;
+  for (const ResultFile& file : experiment_named("stability").run(input, {}).files({}))
+    folder.write(file.name, file.contents);
+  const json expected = json::parse(report_json({folder.path()}))["runs"][0];
+  const json run = json::parse(shown_rotor(input, result).dump());
+  EXPECT_FALSE(run["attributes"]["status_message"].empty());
+  for (const char* part : {"kind", "dimensions", "left_out", "quantities", "variables"})
+    EXPECT_EQ(run[part], expected[part]) << part;
+  for (const auto& [name, text] : run["attributes"].items())
+    EXPECT_EQ(text, expected["attributes"].value(name, "")) << name;
+  for (const char* part : {"case", "status", "onsets"})
+    EXPECT_EQ(run["summary"][part], expected["summary"][part]) << part;
+  EXPECT_EQ(run["summary"]["onsets"].size(), 2U);
+}
+
+TEST(DesignerAnswer, FollowsTheRotorOverSpeedsOnAMeshThatIsCoarseEnough) {
+  const auto onset_of = [](const json& mesh) {
+    json request{{"what", "stability"}, {"text", rotor_text()}, {"speeds", rotor_speeds}};
+    if (!mesh.is_null()) request["mesh"] = mesh;
+    return ask(request)["run"]["summary"]["onsets"][0]["speed_rad_per_s"].get<double>();
+  };
+  Case input = parse_case(rotor_text(), "case");
+  const auto expected = [&input] {
+    input.settings.set(StabilitySettings{.speeds = rotor_speeds});
+    return run_stability(input).map.onsets.front().onset.speed;
+  };
+  // Its own mesh has 4 columns and 4 rows.
+  const double own = expected();
+  EXPECT_EQ(onset_of(nullptr), own);
+  EXPECT_EQ(onset_of({6, 8}), own);
+  input.film.rows = 2;
+  EXPECT_EQ(onset_of({6, 2}), expected());
+  EXPECT_NE(onset_of({6, 2}), own);
+  EXPECT_EQ(ask({{"what", "stability"}, {"text", running_text()}, {"speeds", rotor_speeds}})["faults"][0]["key"],
+            "rotor");
+}
+
+TEST(DesignerAnswer, CoarsensBearingsOfTheirOwn) {
+  Case input = parse_case(rotor_text(), "case");
+  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  rotor.bearings = {-0.06, 0.06};
+  rotor.transverse_inertia = 4e-3;
+  rotor.polar_inertia = 5e-4;
+  input.settings.set(rotor);
+  input.rotor_bearings.resize(2);
+  const auto onset_of = [&](int rows, const json& mesh) {
+    FilmSettings film = input.film;
+    film.rows = rows;
+    input.rotor_bearings[0].film = film;
+    json request{{"what", "stability"}, {"text", case_to_toml(input)}, {"speeds", rotor_speeds}};
+    if (!mesh.is_null()) request["mesh"] = mesh;
+    return ask(request)["run"]["summary"]["onsets"][0]["speed_rad_per_s"];
+  };
+  EXPECT_EQ(onset_of(6, {6, 4}), onset_of(4, nullptr));
+  EXPECT_NE(onset_of(6, nullptr), onset_of(4, nullptr));
 }
 
 TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {

@@ -1,5 +1,5 @@
 import { toCsv } from '../data/csv';
-import type { OnsetData } from '../data/format';
+import type { GridData, OnsetData } from '../data/format';
 import type { Place } from '../data/grid';
 import { at } from '../data/run';
 import { speedText } from '../data/states';
@@ -16,8 +16,8 @@ import { lineEntry, plainLook, type LineLook } from './grid_lines';
 import { followPointer } from './nearest';
 
 interface MotionAxis {
-  title: string;
-  value: (place: Place) => number;
+  title: () => string;
+  value: (whirls: Whirls, place: Place) => number;
   /** Where it begins; at what is shown without it. */
   min?: number;
 }
@@ -27,12 +27,15 @@ interface Guide {
   points: Point[];
   /** At its end. */
   label?: string;
-  dotted?: boolean;
+  /** Of what the coefficients say, or of the run that is compared with. */
+  line?: 'dotted' | 'dashed';
 }
+
+export type DiagramTitle = 'Campbell diagram' | 'Growth over speed' | 'Root locus';
 
 /** What a chart shows of motions at speeds. */
 interface Diagram {
-  title: string;
+  title: DiagramTitle;
   across: MotionAxis;
   upwards: MotionAxis;
   guides: (contacts: number) => Guide[];
@@ -67,6 +70,12 @@ const dottedEntry: LegendEntry = {
   text: 'by synchronous coefficients',
 };
 
+const baselineEntry: LegendEntry = {
+  width: 30,
+  draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: current.muted, 'stroke-width': 1, 'stroke-dasharray': '5 3' })],
+  text: 'baseline',
+};
+
 const markEntry: LegendEntry = {
   width: 30,
   draw: (current) => [svg('circle', { cx: 8, cy: 6, r: 3.5, fill: current.text }), svg('circle', { cx: 22, cy: 6, r: 3, fill: current.background, stroke: current.text, 'stroke-width': 1.5 })],
@@ -79,6 +88,8 @@ class MotionPanel {
   private contacts: number;
   private modes: Mode[] = [];
   private onsets: OnsetData[] = [];
+  /** What these were read from. */
+  private data: GridData | undefined;
   private readonly chart: Chart;
   private readonly panel: Panel;
 
@@ -86,6 +97,7 @@ class MotionPanel {
     private readonly whirls: Whirls,
     private readonly selection: GridSelection,
     private readonly diagram: Diagram,
+    private readonly baseline: () => Whirls | undefined,
   ) {
     this.contacts = selection.index(whirls.contacts);
     this.read();
@@ -121,13 +133,14 @@ class MotionPanel {
   }
 
   private read(): void {
+    this.data = this.whirls.data;
     this.modes = this.whirls.modes(this.contacts);
     this.onsets = this.whirls.onsets(this.contacts);
   }
 
   private follow(): void {
     const contacts = this.selection.index(this.whirls.contacts);
-    if (contacts !== this.contacts) {
+    if (contacts !== this.contacts || this.data !== this.whirls.data) {
       this.contacts = contacts;
       this.read();
       this.panel.refresh();
@@ -136,8 +149,14 @@ class MotionPanel {
     this.setCursor();
   }
 
-  private pointAt(place: Place): Point {
-    return [this.diagram.across.value(place), this.diagram.upwards.value(place)];
+  private pointAt(place: Place, whirls = this.whirls): Point {
+    return [this.diagram.across.value(whirls, place), this.diagram.upwards.value(whirls, place)];
+  }
+
+  /** The motions of the run that this one is compared with. */
+  private get ghosts(): Guide[] {
+    const whirls = this.baseline();
+    return whirls ? whirls.modes(this.contacts).map(({ places }) => ({ points: places.map((place) => this.pointAt(place, whirls)), line: 'dashed' })) : [];
   }
 
   private setCursor(): void {
@@ -157,6 +176,7 @@ class MotionPanel {
       ...this.modes.map(({ motion, text }) => lineEntry(lookOf(motion), text)),
       markEntry,
       ...this.diagram.legend,
+      ...(this.baseline() ? [baselineEntry] : []),
       ...(full ? [onsetEntry(onsetMarks.full, 'onset or end of whirl')] : []),
       ...(byCoefficients ? [onsetEntry(onsetMarks.byCoefficients, 'the same by synchronous coefficients')] : []),
     ];
@@ -164,13 +184,13 @@ class MotionPanel {
 
   private description(): string {
     const each = this.modes.slice(0, 8).map(({ text, places }) => {
-      const values = places.map(this.diagram.upwards.value);
+      const values = places.map((place) => this.diagram.upwards.value(this.whirls, place));
       const ends = [Math.min(...values), Math.max(...values)].map((value) => formatNumber(value));
       const growing = places.filter((place) => this.whirls.growthRateAt(place) > 0).length;
       return `${text} from ${ends[0] ?? ''} to ${ends[1] ?? ''}, growing at ${growing} of ${places.length} speeds`;
     });
     const { upwards, across, title } = this.diagram;
-    return `${title}: ${upwards.title} over ${across.title}, ${this.subject}: ${each.join('; ')}${this.modes.length > 8 ? '; and more' : ''}`;
+    return `${title}: ${upwards.title()} over ${across.title()}, ${this.subject}: ${each.join('; ')}${this.modes.length > 8 ? '; and more' : ''}`;
   }
 
   private option(current: Look): Option {
@@ -178,8 +198,8 @@ class MotionPanel {
     const few = this.whirls.speeds.length <= mostMarks;
     return {
       grid: { left: 66, right: 34, top: 16, bottom: 48 },
-      xAxis: axis(current, across.title, { scale: true }),
-      yAxis: axis(current, upwards.title, { nameGap: 48, scale: upwards.min === undefined, ...(upwards.min === undefined ? {} : { min: upwards.min }) }),
+      xAxis: axis(current, across.title(), { scale: true }),
+      yAxis: axis(current, upwards.title(), { nameGap: 48, scale: upwards.min === undefined, ...(upwards.min === undefined ? {} : { min: upwards.min }) }),
       tooltip: tooltip(current, { triggerOn: 'none', formatter: (tip: { seriesIndex: number; dataIndex: number }) => this.tip(tip.seriesIndex, tip.dataIndex) }),
       series: [
         ...this.modes.map(({ motion, text, places }) => this.modeSeries(motion, text, places, few, current)),
@@ -196,12 +216,12 @@ class MotionPanel {
             itemStyle: { color: 'none', borderColor: current.text, borderWidth: 2 },
           })),
         },
-        ...guides(this.contacts).map(({ points, label, dotted }) => ({
+        ...[...guides(this.contacts), ...this.ghosts].map(({ points, label, line }) => ({
           type: 'line',
           silent: true,
           symbol: 'none',
           z: 1,
-          lineStyle: dotted ? { color: current.text, width: 1.8, type: [2, 3] } : { color: current.muted, width: 1 },
+          lineStyle: line === 'dotted' ? { color: current.text, width: 1.8, type: [2, 3] } : { color: current.muted, width: 1, ...(line === 'dashed' ? { type: [5, 3] } : {}) },
           ...(label === undefined ? {} : { endLabel: { show: true, formatter: label, color: current.muted, fontSize: 12, distance: 4 } }),
           data: points.map(([x, y]) => [x, Number.isFinite(y) ? y : null]),
         })),
@@ -292,34 +312,38 @@ function revolutionsOf({ speed_rad_per_s: speed }: OnsetData): number {
   return (Math.abs(speed) * 30) / Math.PI;
 }
 
-/** Campbell diagram, growth over speed, and root locus. */
-export function motionCharts(whirls: Whirls, selection: GridSelection): HTMLElement[] {
-  const speed: MotionAxis = { title: whirls.turnsBack ? 'Speed, from Y to X (rpm)' : 'Speed (rpm)', value: (place) => whirls.revolutionsAt(place) };
-  const frequency: MotionAxis = { title: 'Damped frequency (Hz)', value: (place) => whirls.frequencyAt(place), min: 0 };
-  const [first, last] = speedRange(whirls);
-  const fastest = Math.max(...[0, 1].flatMap((contacts) => whirls.modes(contacts).flatMap(({ places }) => places.map((place) => whirls.frequencyAt(place)))), 0);
+/**
+ * Campbell diagram, growth over speed, and root locus, or some of them. They follow the selection, and what takes the place
+ * of the run before.
+ * @param baseline  the run that it is compared with, if any
+ */
+export function motionCharts(whirls: Whirls, selection: GridSelection, titles?: DiagramTitle[], baseline: () => Whirls | undefined = () => undefined): HTMLElement[] {
+  const speed: MotionAxis = { title: () => (whirls.turnsBack ? 'Speed, from Y to X (rpm)' : 'Speed (rpm)'), value: (of, place) => of.revolutionsAt(place) };
+  const frequency: MotionAxis = { title: () => 'Damped frequency (Hz)', value: (of, place) => of.frequencyAt(place), min: 0 };
+  const fastest = (): number => Math.max(...[0, 1].flatMap((contacts) => whirls.modes(contacts).flatMap(({ places }) => places.map((place) => whirls.frequencyAt(place)))), 0);
   const diagrams: Diagram[] = [
     { title: 'Campbell diagram', across: speed, upwards: frequency, guides: () => multiplesOf(whirls), onsetAt: (onset) => [revolutionsOf(onset), frequencyOf(onset)], legend: [] },
     {
       title: 'Growth over speed',
       across: speed,
-      upwards: { title: 'Growth rate / speed of rotation', value: (place) => whirls.growthAt(place) },
+      upwards: { title: () => 'Growth rate / speed of rotation', value: (of, place) => of.growthAt(place) },
       guides: (contacts) => [
-        { points: [[first, 0], [last, 0]] },
-        { points: whirls.places(contacts).map((place): Point => [whirls.revolutionsAt(place), whirls.growthByCoefficientsAt(place)]), dotted: true },
+        { points: speedRange(whirls).map((end): Point => [end, 0]) },
+        { points: whirls.places(contacts).map((place): Point => [whirls.revolutionsAt(place), whirls.growthByCoefficientsAt(place)]), line: 'dotted' },
       ],
       onsetAt: (onset) => [revolutionsOf(onset), 0],
       legend: [dottedEntry],
     },
     {
       title: 'Root locus',
-      across: { title: 'Growth rate (1/s)', value: (place) => whirls.growthRateAt(place) },
+      across: { title: () => 'Growth rate (1/s)', value: (of, place) => of.growthRateAt(place) },
       upwards: frequency,
-      guides: () => [{ points: [[0, 0], [0, fastest]] }],
+      guides: () => [{ points: [[0, 0], [0, fastest()]] }],
       onsetAt: (onset) => [0, frequencyOf(onset)],
       legend: [],
       note: 'The mark of the highest speed of each motion is larger.',
     },
   ];
-  return diagrams.map((diagram) => new MotionPanel(whirls, selection, diagram).root);
+  const chosen = diagrams.filter(({ title }) => titles?.includes(title) ?? true);
+  return chosen.map((diagram) => new MotionPanel(whirls, selection, diagram, baseline).root);
 }

@@ -32,14 +32,23 @@ export function onsetText({ speed_rad_per_s: speed, whirl_ratio: ratio, begins, 
 /** Free motions of a rotor on its bearings, over speed, with contacts sliding and stuck. */
 export class Whirls extends Grid {
   /** rad/s */
-  readonly speeds: number[];
+  speeds: number[] = [];
   /** Indices of the speeds, the slowest first. */
-  private readonly order: number[];
+  private order: number[] = [];
   /** Indices of the motions shown: those that oscillate or grow at some speed. */
-  private readonly shown: number[];
+  private shown: number[] = [];
 
   constructor(data: GridData) {
     super(data);
+    this.read();
+  }
+
+  override replace(data: GridData): void {
+    super.replace(data);
+    this.read();
+  }
+
+  private read(): void {
     this.speeds = numbersOf(this, 'speed');
     const size = (speed: number): number => Math.abs(this.speeds[speed] ?? NaN);
     this.order = [...this.speeds.keys()].sort((a, b) => size(a) - size(b));
@@ -127,6 +136,13 @@ export class Whirls extends Grid {
   fastest(place: Place): number {
     const rates = this.shown.map((_, motion) => this.growthRateAt({ ...place, motion }));
     return Math.max(0, rates.indexOf(Math.max(...rates.filter(Number.isFinite))));
+  }
+
+  /** The motion of the rotor, or of the foils alone, that is damped least at a speed; nothing where there is none. */
+  leastDamped(place: Place, ofFoils: boolean): Place | undefined {
+    const own = this.shown.map((_, motion): Place => ({ ...place, motion })).filter((one) => this.numberAt('of_foils', one) === Number(ofFoils));
+    const rates = own.map((one) => this.growthRateAt(one));
+    return own[rates.indexOf(Math.max(...rates))];
   }
 
   /** What is looked at first: the fastest motion at the highest speed that has one. */

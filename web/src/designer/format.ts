@@ -62,6 +62,10 @@ export interface EquilibriumAnswer {
   state: Record<string, string | number | null>;
 }
 
+export interface StabilityAnswer {
+  run: Omit<GridData, 'name'>;
+}
+
 export interface SamplesAnswer {
   quantities: Quantity[];
   /** By number, direction and quantity. */

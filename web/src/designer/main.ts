@@ -12,6 +12,7 @@ import type { CyclesAnswer, Fault, KeysAnswer } from './format';
 import { askLoops } from './loops';
 import { reportOf } from './report';
 import { layoutOf, results, type Results } from './results';
+import { RotorView } from './rotor';
 import { RunningView } from './running';
 import { caseIn, fragmentOf } from './share';
 import { isFaulty, makeSolvers, type Request, type Solver } from './solver';
@@ -52,6 +53,7 @@ class Page {
   private readonly fields;
   private readonly vibration;
   private readonly running;
+  private readonly rotor;
   private readonly ensemble;
   private readonly editor = el('textarea', { class: 'editor', spellcheck: 'false', 'aria-label': 'Case file', rows: 28 });
   private readonly undo = button('Undo', 'Undo (Ctrl+Z)', () => this.design.undo());
@@ -66,6 +68,7 @@ class Page {
     this.design = new Design(text);
     this.vibration = new VibrationView(slow);
     this.running = new RunningView(slow);
+    this.rotor = new RotorView(slow, (text) => withTable(text, 'rotor', keys.keys), (text) => this.design.change(text, false));
     this.ensemble = new EnsembleView(slow, () => this.design.change(withTable(this.design.text, 'montecarlo', keys.keys), false));
     this.fields = form(keys.keys, { design: this.design, units: keys.units, understood: (path) => this.understood.get(path) });
     document.getElementById('designer')?.append(
@@ -218,6 +221,7 @@ class Page {
     else this.layOut(runs, layout);
     this.vibration.show(this.now.text, this.before.text);
     this.running.show(this.now, this.before);
+    this.rotor.show(this.now, this.before);
     this.ensemble.show(this.now);
   }
 
@@ -233,6 +237,7 @@ class Page {
         { name: 'table', title: 'Table', body: this.results.table },
         { name: 'vibration', title: 'Vibration', body: this.vibration.root, shown: () => this.vibration.refresh() },
         { name: 'running', title: 'Running', body: this.running.root, shown: () => this.running.refresh() },
+        { name: 'rotor', title: 'Rotor', body: this.rotor.root, shown: () => this.rotor.refresh() },
         { name: 'ensemble', title: 'Ensemble', body: this.ensemble.root, shown: () => this.ensemble.refresh() },
         { name: 'case', title: 'Case file', body: el('div', { class: 'panel' }, this.editor) },
       ]),

@@ -23,6 +23,8 @@ export const groups: Group[] = [
   { path: 'bump_foil.truss', optional: true, open: false },
   { path: 'gas', optional: false, open: false },
   { path: 'film', optional: false, open: false },
+  { path: 'rotor', optional: true, open: false },
+  { path: 'stability', optional: true, open: false },
   { path: 'solver', optional: false, open: false },
   { path: 'montecarlo', optional: true, open: false },
 ];
@@ -34,8 +36,8 @@ export const alternatives = [
   ['gas.preset', 'gas.viscosity'],
 ];
 
-/** Keys of the tables above that nothing here answers to: of films over walls in place of foils, of limits. */
-export const without = ['film.wall', 'film.wall_stiffness', 'film.closed', 'film.h_lift_off'];
+/** Keys of the tables above that nothing here answers to, or that come from files: of films over walls in place of foils, of limits, matrices. */
+export const without = ['film.wall', 'film.wall_stiffness', 'film.closed', 'film.h_lift_off', ...['M', 'C', 'G', 'K'].map((name) => `rotor.matrix.${name}`)];
 
 /** One key that stands for several: whoever sets one of these gives the others what it was, and takes it out. */
 export const commons = [{ once: 'friction.coefficient', each: ['friction.top_bump', 'friction.bump_sleeve'] }];
@@ -77,6 +79,7 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'gas.temperature': [200, 900, 1],
   'gas.ambient_pressure': [1e4, 1e6],
   'gas.mean_free_path': [0, 0.5 * um],
+  'rotor.mass': [0.1, 20],
   'film.columns_per_pitch': [4, 12, 2],
   'film.rows': [4, 24, 1],
   'film.h_floor': [0, 2 * um],

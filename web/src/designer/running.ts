@@ -12,12 +12,11 @@ import { dropDown, el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { Selection } from '../ui/selection';
 import type { CyclesAnswer, EquilibriumAnswer, Faults } from './format';
-import { isFaulty, type Solver } from './solver';
+import { NumberControl } from './number_control';
+import { notesOf, remarks } from './remarks';
+import { isFaulty, settled, type Solver } from './solver';
 import { isSeen } from './tabs';
-import { withPoint } from './typed';
 
-/** A change is taken for settled when no other follows for so long, ms. */
-const settled = 300;
 const rpm = Math.PI / 30;
 
 /** What holds the journal, with its unit as people write it. */
@@ -37,49 +36,6 @@ interface Point {
 interface Design {
   text: string;
   answer: CyclesAnswer;
-}
-
-/** A number with a slider. */
-class NumberControl {
-  readonly root: HTMLElement;
-  private readonly name: Text;
-  private readonly unit: Text;
-  private readonly box = el('input', { type: 'text', inputmode: 'decimal', class: 'number' });
-  private readonly slider = el('input', { type: 'range' });
-
-  constructor(change: () => void) {
-    this.slider.addEventListener('input', () => {
-      this.box.value = this.slider.value;
-      change();
-    });
-    this.box.addEventListener('change', () => {
-      this.box.value = withPoint(this.box.value);
-      this.slider.value = this.box.value;
-      change();
-    });
-    this.name = document.createTextNode('');
-    this.unit = document.createTextNode('');
-    this.root = el('label', { class: 'control' }, this.name, this.slider, this.box, this.unit);
-  }
-
-  /** @param range  ends of the slider, and its step */
-  call(name: string, unit: string, [least, most, step]: [number, number, number]): void {
-    this.name.data = name;
-    this.unit.data = unit;
-    this.box.setAttribute('aria-label', `${name}, ${unit}`);
-    this.slider.setAttribute('aria-label', `${name}, slider`);
-    Object.assign(this.slider, { min: String(least), max: String(most), step: String(step) });
-  }
-
-  /** NaN where no number is typed. */
-  get value(): number {
-    return this.box.value.trim() === '' ? NaN : Number(this.box.value);
-  }
-
-  set value(value: number) {
-    this.box.value = String(Number(value.toPrecision(6)));
-    this.slider.value = this.box.value;
-  }
 }
 
 /** Whatever the case says of running: the first speed with the first load or position. */
@@ -256,7 +212,7 @@ export class RunningView {
     const found = state['status'] === 'converged';
     this.tell(
       `${textOf(point)}: ${found ? `the journal runs at x = ${x ?? ''}, y = ${y ?? ''}; minimum film thickness ${film ?? ''}.` : 'no state was found.'}`,
-      [run.attributes['status_message'] ?? '', ...(run.attributes['warnings'] ?? '').split('\n')].filter((text) => text !== ''),
+      notesOf(run),
     );
     if (!this.views) {
       this.views = new StateViews(now, textOf(point));
@@ -267,7 +223,7 @@ export class RunningView {
 
   private tell(text: string, notes: string[]): void {
     this.told.textContent = text;
-    this.notes.replaceChildren(...(notes.length > 0 ? [el('ul', { class: 'remarks' }, ...notes.map((note) => el('li', {}, `${note}.`)))] : []));
+    this.notes.replaceChildren(...remarks(notes));
   }
 
   /** Nothing where it is not given in numbers. */

@@ -14,8 +14,11 @@ interface Job {
   resolve: (answers: unknown[] | undefined) => void;
 }
 
-/** A request that is overtaken while it is computed for longer than this is given up, ms. */
+/** A request that is overtaken is given up once it has been computed for this long, ms. */
 const patience = 1500;
+
+/** A change is taken for settled when no other follows for so long, ms. */
+export const settled = 300;
 
 function subject(job: Job): string | undefined {
   return job.requests[0]?.what;
@@ -26,6 +29,8 @@ export class Solver {
   private workers: Worker[] = [];
   private running: Job | undefined;
   private waiting: Job[] = [];
+  /** When the one that is running began. */
+  private began = 0;
   private overdue = 0;
 
   /**
@@ -50,12 +55,13 @@ export class Solver {
       for (const one of this.waiting.filter(overtaken)) one.resolve(undefined);
       this.waiting = [...this.waiting.filter((one) => !overtaken(one)), job];
       if (!this.running) this.next();
-      else if (overtaken(this.running) && this.overdue === 0) this.overdue = window.setTimeout(() => this.restart(), patience);
+      else if (overtaken(this.running) && this.overdue === 0) this.overdue = window.setTimeout(() => this.restart(), Math.max(0, this.began + patience - performance.now()));
     });
   }
 
   private next(): void {
     this.running = this.waiting.shift();
+    this.began = performance.now();
     this.running?.requests.forEach((request, place) => {
       const worker = (this.workers[place] ??= this.start(place));
       worker.postMessage(JSON.stringify(request));

@@ -36,5 +36,5 @@ export function valueOf(typed: string): string {
 
 /** The same for a key that takes lists alone. */
 export function listOf(typed: string): string {
-  return typed.startsWith('[') && isValue(typed) ? typed : list(partsOf(typed));
+  return /^[[{]/.test(typed) && isValue(typed) ? typed : list(partsOf(typed));
 }

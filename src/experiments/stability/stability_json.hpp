@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/experiments/stability/stability.hpp"
+
+namespace bumpfoil {
+
+/// What summary.json lists: `onsets`, `speeds` with the motions at each, and quantities of the whole.
+nlohmann::ordered_json stability_lists(const StabilityResult& result);
+
+}  // namespace bumpfoil
