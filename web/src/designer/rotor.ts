@@ -109,7 +109,7 @@ class RotorViews {
   private fill(): void {
     const { whirls, before } = this;
     const speed = at(whirls.speeds, this.selection.place['speed'] ?? 0);
-    this.told.textContent = `At ${speedText(speed)}, of the motion of the rotor that is damped least; click a point for another speed.`;
+    this.told.textContent = `At ${speedText(speed)}; decrement, frequency and whirl are those of the motion of the rotor that is damped least. Click a point for another speed.`;
     const now = factsOf(whirls, speed, this.contacts);
     const old = before && factsOf(before, speed, this.contacts);
     const change = (value: (facts: Facts) => number): string => (old ? compared(value(now), value(old)) : '');
