@@ -197,7 +197,8 @@ test('of radius and diameter one is given, and the taper has a slider, too', () 
 
 /** What a tab shows is judged when it is there. */
 async function settled(page, tab) {
-  if ((await tab.textContent()) === 'Running') await page.waitForFunction(() => document.querySelector('.running').dataset.answered);
+  const title = await tab.textContent();
+  if (title === 'Running' || title === 'Rotor') await page.waitForFunction((view) => document.querySelector(view).dataset.answered, `.${title.toLowerCase()}`);
 }
 
 test('the page fits from 768 px up and has no fault for those who cannot see it', async () => {
