@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+
+namespace bumpfoil {
+
+/// How displacements of a foil vary over its width: zeta in [-1, 1] from side to side, P_k the polynomials of Legendre,
+///
+///     u(zeta) = sum_k P_k(zeta) u_k = sum_s N_s(zeta) u_s
+///
+/// by modes k, or by the values u_s on as many lines. A plain value.
+///
+/// The lines stand at the points of Gauss's rule, which integrates the product of two modes exactly. Therefore the N_s
+/// are orthogonal like the P_k, and a foil that bends in slices is one beam under each line, `weight` times as stiff as
+/// the whole width. In a contact at its line each displaces nothing but itself.
+struct WidthLines {
+  std::vector<int> orders;  ///< k of each mode: 0, 2, ..., even over the width
+  Vector zeta;              ///< of each line, on half the width
+  Vector weight;            ///< part of the width that each line stands for; together 1
+  Matrix to_modes;          ///< u_k = sum_s to_modes(k, s) u_s: a row for each mode
+
+  [[nodiscard]] Eigen::Index count() const { return weight.size(); }
+  /// N_s at a place over the width, of all lines.
+  [[nodiscard]] Vector shapes(double at) const;
+  /// The rows of to_modes whose modes are not uniform over the width.
+  [[nodiscard]] Matrix to_varying_modes() const { return to_modes.bottomRows(to_modes.rows() - 1); }
+};
+
+/// @param modes  1: uniform over the width; 2: {P_0, P_2}; ...
+WidthLines make_width_lines(int modes);
+
+/// P_k(x).
+double legendre(int k, double x);
+
+}  // namespace bumpfoil

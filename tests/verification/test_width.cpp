@@ -1,0 +1,155 @@
+// docs/theory/width.md: foils whose displacement varies over the width, against an independent program.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/structure/held_crests.hpp"
+#include "bumpfoil/structure/membrane.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr int columns_per_pitch = 6;
+constexpr double over_the_width = 1.0 / 5.0;  // integral of P_2^2, whole width 1
+
+/// A lobe of pressure, p0 cos(pi (theta - 180 deg) / extent) (1 - zeta^2) with p0 = 1 bar.
+struct Lobe {
+  double extent{};  ///< rad
+
+  [[nodiscard]] double at(double theta) const {
+    const double x = (theta - std::numbers::pi) / extent;
+    return std::abs(x) < 0.5 ? 1e5 * std::cos(std::numbers::pi * x) : 0.0;
+  }
+};
+
+struct Displaced {
+  Vector w;  ///< of P_2, of all columns, m
+  Vector f;  ///< hoop tension of P_2, N/m
+};
+
+/// The part of P_2 of a top foil that is bonded to the crests of the reference bearing, with a frame for its bump foil.
+/// @param stretching  E t of the membrane over that of the foil
+Displaced pressed(const Lobe& lobe, double stretching = 1.0) {
+  Case input = reference_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  const FoilDesign foils = make_bearing_design(PadDesign(input));
+  const double R = input.bearing.radius;
+  const double a = 0.5 * input.bearing.axial_length;
+  const int n = columns_per_pitch * static_cast<int>(foils.bumps.size());
+  const double dx = foils.bumps.front().pitch / columns_per_pitch;
+  const Vector theta = Vector::LinSpaced(n, dx, n * dx) / R;
+  const TopFoilMoments form = make_top_foil_moments(
+      TopFoilBeam{.radius = R, .bending_stiffness = make_top_foil_section(foils).bending_stiffness, .theta = theta});
+  const Membrane membrane = make_membrane(
+      {2}, a, R, stretching * input.top_foil.youngs_modulus * input.top_foil.thickness, input.top_foil.poisson_ratio);
+  const std::vector<MembraneRows> rows = membrane_rows(membrane, Vector::Constant(n, dx));
+  const Matrix crests = over_the_width * held_crest_stiffness(make_foil_structure(foils), 0);
+
+  // w of columns 1 to n, M and F and g of 0 to n - 1. Numbers of one size: w over 1 um, M, F and g times what is.
+  const Eigen::Index size = n;
+  Matrix A = Matrix::Zero(4 * size, 4 * size);
+  Vector right = Vector::Zero(4 * size);
+  const auto w = [](Eigen::Index k) { return k - 1; };
+  const auto M = [size](Eigen::Index k) { return size + k; };
+  const auto F = [size](Eigen::Index k) { return 2 * size + k; };
+  const auto g = [size](Eigen::Index k) { return 3 * size + k; };
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto span_to = [&](Eigen::Index span, Eigen::Index other) {  // of D and D'
+      const double kink = form.inverse_sine[span];
+      const double own = form.half_tangent[span] - kink;
+      if (k > 0) {
+        A(w(k), M(k)) += own;
+        if (other < n) A(w(k), M(other)) += kink;
+        A(M(k), w(k)) += own;
+      }
+      if (other > 0) A(M(k), w(other)) += kink;
+    };
+    if (k > 0) span_to(k - 1, k - 1);
+    span_to(k, k + 1);
+    A(M(k), M(k)) -= form.compliance_diagonal[k] / over_the_width;
+    if (k > 0) A(M(k), M(k - 1)) -= form.compliance_off[k - 1] / over_the_width;
+    if (k + 1 < n) A(M(k), M(k + 1)) -= form.compliance_off[k] / over_the_width;
+
+    const MembraneRows& row = rows[static_cast<std::size_t>(k)];
+    const auto add = [&](const Matrix& block, Eigen::Index from) {
+      A(F(k), F(from)) += block(0, 0);
+      A(F(k), g(from)) += block(0, 1);
+      A(g(k), F(from)) += block(1, 0);
+      A(g(k), g(from)) += block(1, 1);
+    };
+    if (k > 0) add(row.before, k - 1);
+    add(row.own, k);
+    if (k + 1 < n) add(row.after, k + 1);
+    if (k == 0) continue;
+    A(F(k), w(k)) -= row.length;
+    A(w(k), F(k)) += row.length;
+    right[w(k)] = dx * -4.0 / 15.0 * a * lobe.at(theta[k - 1]);
+  }
+  A(w(n), M(n - 1)) += form.inverse_sine[n - 1];
+  const auto crest = [&](Eigen::Index bump) { return w(columns_per_pitch / 2 + columns_per_pitch * bump); };
+  for (Eigen::Index i = 0; i < crests.rows(); ++i) {
+    for (Eigen::Index j = 0; j < crests.cols(); ++j) A(crest(i), crest(j)) += crests(i, j);
+  }
+  const Vector scale = (Vector(4) << 1e-6, 1e-3, 1.0, 1e5).finished().replicate(1, size).transpose().reshaped();
+  const Matrix scaled = A * scale.asDiagonal();
+  const Vector rows_by = scaled.cwiseAbs().rowwise().maxCoeff().cwiseInverse();
+  const Vector solution =
+      scale.cwiseProduct((rows_by.asDiagonal() * scaled).fullPivLu().solve(rows_by.cwiseProduct(right)));
+  Displaced found{Vector::Zero(n + 1), Vector::Zero(n + 1)};
+  found.w.tail(n) = solution.head(n);
+  found.f.head(n) = solution.segment(2 * size, n) * R / (0.4 * a);
+  return found;
+}
+
+/// Over bumps 11 to 16 and at the middle of the spans behind them.
+struct Reference {
+  double extent{};               ///< deg
+  double crest_w[6], span_w[6];  ///< um
+  double crest_f[6], span_f[6];  ///< N/mm
+};
+constexpr Reference references[]{{.extent = 60.0,
+                                  .crest_w = {0.08103327, -0.05469906, -0.2567395, -0.2736776, -0.09818396, 0.07814216},
+                                  .span_w = {1.474002, -2.092776, -2.782697, -2.393159, 0.9423902, 0.5879696},
+                                  .crest_f = {-0.2049767, -0.3537812, -0.4775409, -0.4899412, -0.3828752, -0.2330158},
+                                  .span_f = {-0.2758269, -0.4258387, -0.500584, -0.448538, -0.3066481, -0.1684536}},
+                                 {.extent = 100.0,
+                                  .crest_w = {-0.05799582, -0.1605528, -0.2136373, -0.2183547, -0.1733044, -0.08121581},
+                                  .span_w = {-1.14793, -1.75428, -2.035196, -1.845645, -1.252083, -0.207386},
+                                  .crest_f = {-0.3934305, -0.5574208, -0.6614626, -0.6706104, -0.5816954, -0.4244185},
+                                  .span_f = {-0.4798056, -0.6199441, -0.6790897, -0.6374383, -0.5087462, -0.3365818}}};
+
+TEST(WidthOfTheTopFoil, BendsUnderALobeAsTheIndependentProgramSays) {
+  for (const Reference& reference : references) {
+    SCOPED_TRACE(reference.extent);
+    const Displaced found = pressed({reference.extent * std::numbers::pi / 180.0});
+    for (int i = 0; i < 6; ++i) {
+      const int crest = columns_per_pitch / 2 + columns_per_pitch * (10 + i);
+      const int middle = crest + columns_per_pitch / 2;
+      EXPECT_NEAR(1e6 * found.w[crest], reference.crest_w[i], 1e-5 * 2.8);
+      EXPECT_NEAR(1e6 * found.w[middle], reference.span_w[i], 1e-5 * 2.8);
+      EXPECT_NEAR(1e-3 * found.f[crest], reference.crest_f[i], 1e-5 * 0.67);
+      EXPECT_NEAR(1e-3 * found.f[middle], reference.span_f[i], 1e-5 * 0.67);
+    }
+  }
+}
+
+/// A membrane that gives way to any load is none: slices. One that does not stretch holds all of the foil but its last
+/// column, which no stretch is asked of.
+TEST(WidthOfTheTopFoil, IsSlicesWithoutAMembraneAndUniformWithAStiffOne) {
+  const Lobe lobe{std::numbers::pi / 3.0};
+  const Displaced whole = pressed(lobe);
+  const Displaced slices = pressed(lobe, 1e-12);
+  const Displaced stiff = pressed(lobe, 1e12);
+  EXPECT_LT(slices.f.cwiseAbs().maxCoeff(), 1e-6 * whole.f.cwiseAbs().maxCoeff());
+  EXPECT_GT(slices.w.cwiseAbs().maxCoeff(), 1.2 * whole.w.cwiseAbs().maxCoeff());
+  const Eigen::Index n = stiff.w.size() - 1;
+  EXPECT_LT(stiff.w.head(n).cwiseAbs().maxCoeff(), 1e-6 * whole.w.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+}  // namespace bumpfoil
