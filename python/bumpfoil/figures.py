@@ -403,7 +403,7 @@ def revolutions(result: Result, *, width: str = "double", station: int = 1) -> F
     sheet = Sheet(width, *arranged(width, 4), panel_height=50)
     way, film, speed, friction = sheet.panels
     for number, (name, label) in enumerate(
-        (("half_peak_to_peak", "half way"), ("amplitude", "1x"), ("amplitude_half", "1/2x"))
+        (("half_peak_to_peak", "half p-p"), ("amplitude", "1x"), ("amplitude_half", "1/2x"))
     ):
         for axis, dashes in (("x", "-"), ("y", "--")):
             key = f"amplitude_{axis}_half" if name == "amplitude_half" else f"{name}_{axis}"

@@ -18,6 +18,7 @@
 #include "bumpfoil/results/result_folder.hpp"
 #include "case/case_json.hpp"
 #include "experiments/stability/stability_quantities.hpp"
+#include "experiments/transient/transient_quantities.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
 #include "pages/ensemble_reader.hpp"
 #include "pages/measured_run.hpp"
@@ -58,8 +59,11 @@ Json quantity_json(VariableMeaning meaning, const Json& result) {
   return shown_quantity(meaning);
 }
 
-/// What tables tell of the results of an experiment; of a rotor, of the whole run, of each speed, and of each motion or
-/// orbit.
+/// Rubs that a report lists; a rotor that rubs in every revolution has many.
+constexpr std::size_t most_shown_rubs = 1000;
+
+/// What tables tell of the results of an experiment; of a rotor, of the whole run, of each speed or revolution, and of
+/// each motion or orbit.
 std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment) {
   if (has_onsets(experiment.name)) return stability_meanings();
   std::vector<VariableMeaning> meanings = experiment.quantities;
@@ -72,6 +76,10 @@ std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment
     add(response_quantities());
     add(point_quantities());
     add(orbit_quantities());
+  }
+  if (has_revolutions(experiment.name)) {
+    add(whole_turn_quantities());
+    add(turn_quantities());
   }
   return meanings;
 }
@@ -145,6 +153,13 @@ Json summary_shown(const Json& summary, const std::string& kind) {
   if (has_onsets(kind)) shown["onsets"] = summary["onsets"];
   if (has_peaks(kind)) {
     for (const char* key : {"stations", "peaks"}) shown[key] = summary[key];
+  }
+  if (has_revolutions(kind)) {
+    for (const char* key : {"stations", "revolutions", "energy"}) shown[key] = summary[key];
+    const Json& rubs = summary["rubs"];
+    shown["rub_count"] = rubs.size();
+    shown["rubs"] = Json::array();
+    for (std::size_t i = 0; i < std::min(rubs.size(), most_shown_rubs); ++i) shown["rubs"].push_back(rubs[i]);
   }
   if (!has_distributions(kind)) return shown;
   for (const char* key : ensemble_summary_parts) {

@@ -16,6 +16,7 @@
 #include "core/base64.hpp"
 #include "pages/ensemble_reader.hpp"
 #include "pages/grid_reader.hpp"
+#include "pages/revolution_reader.hpp"
 #include "pages/shown_run.hpp"
 #include "results/netcdf_image.hpp"
 
@@ -229,8 +230,12 @@ Json read_result(std::string bytes, const std::string& name, std::size_t most_va
     result.update(read_cycles(file, kind, most_values));
   } else if (has_distributions(kind)) {
     result.update(read_distributions(file));
+  } else if (has_revolutions(kind)) {
+    result.update(read_revolutions(file, most_values));
   } else {
-    result.update(read_grid(file, most_values, has_states(kind) ? Nodes::read : Nodes::left_out));
+    result.update(read_grid(file, most_values, {[all = has_states(kind)](const StoredVariable& variable) {
+                              return all || !is_of_nodes(variable);
+                            }}));
   }
   return result;
 }

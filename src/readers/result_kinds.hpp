@@ -20,6 +20,9 @@ bool has_states(std::string_view command);
 /// Whether these are free motions of a rotor over speed, with the onsets of its whirl in the summary.
 bool has_onsets(std::string_view command);
 
+/// Whether these are revolutions of a rotor in time, with its rubs and the balance of its energy in the summary.
+bool has_revolutions(std::string_view command);
+
 /// Whether these are responses of a rotor to unbalance over speed, with their peaks in the summary.
 bool has_peaks(std::string_view command);
 

@@ -140,18 +140,39 @@ class SummaryChecker {
     }
   }
 
-  /// Stations of a rotor, and where its response to unbalance is largest.
-  void check_peaks(const Json& summary) const {
+  /// Names of the stations of a rotor.
+  void check_stations(const Json& summary) const {
     const auto is_text = [](const Json& one) { return one.is_string(); };
     const Json& stations = at(summary, "stations");
     if (!stations.is_array() || !std::all_of(stations.begin(), stations.end(), is_text)) {
       refuse("stations", "is not a list of names");
     }
+  }
+
+  /// Where the response of a rotor to unbalance is largest.
+  void check_peaks(const Json& summary) const {
     if (!at(summary, "peaks").is_array()) refuse("peaks", "is not a list");
     for (const Json& peak : summary["peaks"]) {
       for (const char* key : {"kind", "station"}) static_cast<void>(text(peak, key));
       for (const char* key : {"speed_rad_per_s", "semi_major_m"}) {
         if (!at(peak, key).is_number()) refuse(key, "is not a number");
+      }
+    }
+  }
+
+  /// The balance of energy of a run in time, and where its journals rub.
+  void check_revolutions(const Json& summary) const {
+    if (!at(summary, "revolutions").is_number_unsigned()) refuse("revolutions", "is not an integer");
+    const Json& energy = at(summary, "energy");
+    if (!energy.is_object()) refuse("energy", "is not a table");
+    for (const auto& [key, value] : energy.items()) {
+      if (!value.is_number()) refuse(key, "is not a number");
+    }
+    if (!at(summary, "rubs").is_array()) refuse("rubs", "is not a list");
+    for (const Json& rub : summary["rubs"]) {
+      if (!at(rub, "bearing").is_number_unsigned()) refuse("bearing", "is not an integer");
+      for (const char* key : {"begin_s", "end_s", "asperity_load_N"}) {
+        if (!at(rub, key).is_number()) refuse(key, "is not a number");
       }
     }
   }
@@ -214,7 +235,9 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   if (has_distributions(command)) checker.check_ensemble(json);
   if (has_states(command) && json.contains("limits")) checker.check_running_limits(json["limits"]);
   if (has_onsets(command)) checker.check_onsets(checker.at(json, "onsets"));
+  if (has_peaks(command) || has_revolutions(command)) checker.check_stations(json);
   if (has_peaks(command)) checker.check_peaks(json);
+  if (has_revolutions(command)) checker.check_revolutions(json);
   summary.xxh3_128 = checker.text(json, "xxh3_128");
   summary.run_id = checker.text(json, "run_id");
   if (summary.run_id.empty()) checker.refuse("run_id", "is empty");

@@ -10,6 +10,7 @@ import { loopView } from './views/loops';
 import { pathView } from './views/paths';
 import { stabilityView } from './views/stability';
 import { sweepView } from './views/sweeps';
+import { transientView } from './views/transient';
 import { unbalanceView } from './views/unbalance';
 import { vibrationView } from './views/vibrations';
 import { part, type MakeView } from './views/view';
@@ -31,6 +32,7 @@ const views: Record<string, MakeView> = {
   path: pathView,
   stability: stabilityView,
   sweep: sweepView,
+  transient: transientView,
   unbalance: unbalanceView,
   vibration: vibrationView,
 };

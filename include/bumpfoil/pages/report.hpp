@@ -58,10 +58,16 @@ struct ReadingOptions {
 /// `series` has the largest at every increment. Measured loops have `measured`: true, series of displacement, force and
 /// work, and no fields.
 ///
-/// Grids (`equilibrium`, `film`, `path`, `stability`, `sweep`, `unbalance`, `vibration`): `summary` is what
-/// summary.json begins with, up to the status, and its `limits`, `onsets`, or `stations` and `peaks`; `dimensions`
+/// Grids (`equilibrium`, `film`, `path`, `stability`, `sweep`, `transient`, `unbalance`, `vibration`): `summary` is
+/// what summary.json begins with, up to the status, and its `limits`, `onsets`, or `stations` and `peaks`; `dimensions`
 /// (sizes by name), `variables` (by name: `key` in tables, `dims`, the last running fastest, `unit`, `text`, `words` of
 /// flags, `values`, all binary32) and `left_out` (names of those that were too large).
+///
+/// Runs in time (`transient`) are grids as well: the summary has `stations`, `revolutions`, `energy`, the first `rubs`
+/// and `rub_count` of all. Of many revolutions and spectra every n-th is there, and of the steps those of some
+/// revolutions: `stored` has the sizes of these dimensions in the file, and `orbits` tells which steps lead through
+/// which of them (`revolution`, from 1; `first`, `steps` among those that are there). The last revolution is there, be
+/// it whole or not.
 ///
 /// Ensembles (`montecarlo`): `summary` has the statistics of summary.json as well; `directions` in degrees,
 /// `sample_count`, and `distributions` by the names of quantities: `unit`, `text`, `from` and `to` (the least and the

@@ -50,7 +50,9 @@ RunRecord record_of(const Case& input, const TransientReading& reading, const Pr
 }
 
 Json all_lists(const Case& input, const TransientReading& reading) {
-  Json json{{"failures", failure_lines(reading)}, {"warnings", warning_lines(input, reading)}};
+  Json json{{"failures", failure_lines(reading)},
+            {"warnings", warning_lines(input, reading)},
+            {"stations", each(reading.result.machine.places(), [](const RotorStation& place) { return place.name; })}};
   json.update(transient_lists(reading));
   return json;
 }

@@ -54,7 +54,7 @@ std::string turn_line(const TransientTurn& revolution) {
 std::string transient_table(const TransientReading& reading) {
   const std::vector<TransientTurn>& turns = reading.turns;
   std::string out = "Journal that moves most, along X or Y\n";
-  out += heading({"revolution", "time", "speed", "1x", "1/2x", "half way", "min. film", "asperities", "friction"});
+  out += heading({"revolution", "time", "speed", "1x", "1/2x", "half p-p", "min. film", "asperities", "friction"});
   out += heading({"", "ms", "rpm", "um", "um", "um", "um", "N", "uJ"});
   const std::size_t shown_turns = std::min(turns.size(), most_turns_shown);
   for (std::size_t i = 0; i < shown_turns; ++i) {

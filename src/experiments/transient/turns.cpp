@@ -10,6 +10,7 @@
 
 #include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "experiments/transient/ends_of_turns.hpp"
 #include "experiments/transient/step_row.hpp"
 
 // What is read off the steps of a run, revolution by revolution: as much of them is in memory at a time.
@@ -18,7 +19,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Steps that are looked through at a time for the ends of turns.
+/// Steps that are looked through at a time.
 constexpr std::size_t steps_at_once = 10'000;
 /// Part of the weight on a bearing that asperities carry where it rubs.
 constexpr double rubbing_part = 0.01;
@@ -27,17 +28,10 @@ constexpr double highest_order = 8.0;
 /// Angles that are the same.
 constexpr double rounded_angle = 1e-6;
 
-/// Rows at which turns end, the start first.
-std::vector<std::size_t> ends_of_turns(const StepTable& steps) {
-  std::vector<std::size_t> ends;
-  for (std::size_t first = 0; first < steps.rows(); first += steps_at_once) {
-    const std::size_t count = std::min(steps_at_once, steps.rows() - first);
-    const std::vector<double> angles = steps.column(column_of(StepColumn::angle), first, count);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (whole_turns(angles[i]) >= std::ssize(ends)) ends.push_back(first + i);
-    }
-  }
-  return ends;
+std::vector<std::size_t> turn_ends_of(const StepTable& steps) {
+  return ends_of_turns(steps.rows(), [&](std::size_t first, std::size_t count) {
+    return steps.column(column_of(StepColumn::angle), first, count);
+  });
 }
 
 /// Places over angles, between two rows.
@@ -150,7 +144,7 @@ BearingRecord bearing_in_turn(const TransientResult& result, std::size_t bearing
 std::vector<TransientTurn> turns_of(const TransientResult& result) {
   std::vector<TransientTurn> turns;
   if (!result.steps) return turns;
-  const std::vector<std::size_t> ends = ends_of_turns(*result.steps);
+  const std::vector<std::size_t> ends = turn_ends_of(*result.steps);
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const std::size_t first = ends[k - 1];
     const std::size_t count = ends[k] - first;  // without the first row, which ends the revolution before
@@ -216,7 +210,7 @@ Waterfall waterfall_of(const TransientResult& result) {
     waterfall.orders.push_back(static_cast<double>(i) / static_cast<double>(per_spectrum));
   }
   if (!result.steps) return waterfall;
-  const std::vector<std::size_t> ends = ends_of_turns(*result.steps);
+  const std::vector<std::size_t> ends = turn_ends_of(*result.steps);
   Eigen::FFT<double> transform;
   for (std::size_t k = per_spectrum; k < ends.size(); k += per_spectrum) {
     const std::size_t first = ends[k - per_spectrum];

@@ -76,8 +76,20 @@ export class OverPanel {
       this.chart.root,
     );
     this.root = this.panel.root;
-    selection.onChange(() => this.refresh());
+    let drawn = this.drawnPlace();
+    selection.onChange(() => {
+      const now = this.drawnPlace();
+      if (now === drawn) return this.follow();
+      drawn = now;
+      this.refresh();
+    });
     this.follow();
+  }
+
+  /** What all that is drawn depends on; where on its axis the reader is, the cursor shows. */
+  private drawnPlace(): string {
+    const { along, by, place } = this.selection;
+    return JSON.stringify([along.title, along.name, by?.name, { ...place, [along.name]: 0 }]);
   }
 
   private chooser(): HTMLElement {

@@ -198,6 +198,44 @@ export interface UnbalanceSummary extends SummaryHead {
   peaks: PeakData[];
 }
 
+/** Asperities of a bearing that carry load, without a break. */
+export interface RubData {
+  /** From 1. */
+  bearing: number;
+  begin_s: number;
+  end_s: number;
+  /** The largest. */
+  asperity_load_N: number;
+}
+
+export interface TransientSummary extends SummaryHead {
+  /** Names of the places on the rotor, its bearings first. */
+  stations: string[];
+  /** Whole ones. */
+  revolutions: number;
+  /** Terms of the balance of all whole revolutions, by their keys. */
+  energy: Record<string, number>;
+  /** The first of them. */
+  rubs: RubData[];
+  rub_count: number;
+}
+
+/** The steps that lead through a revolution, among those that are there. */
+export interface OrbitData {
+  /** From 1. */
+  revolution: number;
+  first: number;
+  steps: number;
+}
+
+/** A run in time. */
+export interface TransientData extends GridData {
+  summary: TransientSummary;
+  /** Sizes in result.nc of the dimensions of which some may be left out. */
+  stored: { revolution?: number; spectrum?: number; step?: number };
+  orbits: OrbitData[];
+}
+
 export interface Summary extends SummaryHead {
   cycles: CycleSummary[];
 }

@@ -26,6 +26,12 @@ export interface RotorOrbit {
   y: Motion;
 }
 
+/** Of the bearings of a rotor, m; not a number where the case has none for all of them. */
+export function clearanceOf({ summary }: GridData): number {
+  const value = flatten(summary.case).get('bearing.radial_clearance');
+  return typeof value === 'number' ? value : NaN;
+}
+
 /** Where it is at a part of a turn. */
 export function orbitPoint({ x, y }: RotorOrbit, turns: number): { x: number; y: number } {
   const along = ({ mean, harmonics }: Motion): number => harmonics.reduce((sum, [amplitude, phase], n) => sum + amplitude * Math.cos(2 * Math.PI * (n + 1) * turns + phase), mean);
@@ -134,10 +140,8 @@ export class Responses extends Grid {
     return Number.isFinite(point.x) && Number.isFinite(point.y) ? orbit : undefined;
   }
 
-  /** Of the bearings, m; not a number where the case has none for all of them. */
   get clearance(): number {
-    const value = flatten(this.data.summary.case).get('bearing.radial_clearance');
-    return typeof value === 'number' ? value : NaN;
+    return clearanceOf(this.data);
   }
 
   /** Why there is nothing at a speed; empty where an equilibrium was found. */

@@ -10,7 +10,7 @@ export class GridSelection {
 
   /**
    * @param coordinates  all, in their order
-   * @param axes         those that charts may go along, at least one
+   * @param axes         those that charts may go along, at least one; several of one name are one in other units
    */
   constructor(
     readonly coordinates: Coordinate[],
@@ -25,7 +25,7 @@ export class GridSelection {
 
   /** What can tell lines apart: keys before directions. */
   get bys(): Coordinate[] {
-    const others = this.coordinates.filter((one) => one !== this.along && one.texts.length > 1);
+    const others = this.coordinates.filter((one) => one.name !== this.along.name && one.texts.length > 1);
     return [...others.filter((one) => this.axes.includes(one)), ...others.filter((one) => !this.axes.includes(one))];
   }
 
@@ -47,7 +47,7 @@ export class GridSelection {
   /** Of the coordinates that have a choice, but for those named: "+X, friction 0.1". */
   textAt(place: Place, ...without: (Coordinate | undefined)[]): string {
     return this.coordinates
-      .filter((one) => one.texts.length > 1 && !without.includes(one))
+      .filter((one) => one.texts.length > 1 && !without.some((other) => other?.name === one.name))
       .map((one) => named(one, place[one.name] ?? 0))
       .join(', ');
   }

@@ -77,9 +77,18 @@ export function isPrinting(): boolean {
 
 /** Colour of a family at a fraction of its range. */
 export function rampColour(current: Look, fraction: number): string {
-  const place = Math.min(Math.max(0, fraction), 1) * (current.ramp.length - 1);
-  const lower = Math.min(Math.floor(place), current.ramp.length - 2);
-  const channels = [lower, lower + 1].map((i) => [1, 3, 5].map((k) => parseInt(current.ramp[i]?.slice(k, k + 2) ?? '0', 16)));
+  return mixedColour(current.ramp, fraction);
+}
+
+/** Colour of an intensity: none of it is that of the background. */
+export function intensityColour(current: Look, fraction: number): string {
+  return mixedColour([current.background, ...current.ramp], fraction);
+}
+
+function mixedColour(stops: string[], fraction: number): string {
+  const place = Math.min(Math.max(0, fraction), 1) * (stops.length - 1);
+  const lower = Math.min(Math.floor(place), stops.length - 2);
+  const channels = [lower, lower + 1].map((i) => [1, 3, 5].map((k) => parseInt(stops[i]?.slice(k, k + 2) ?? '0', 16)));
   const mixed = [0, 1, 2].map((k) => {
     const [from, to] = [channels[0]?.[k] ?? 0, channels[1]?.[k] ?? 0];
     return Math.round(from + (place - lower) * (to - from));

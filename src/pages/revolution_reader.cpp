@@ -1,0 +1,137 @@
+#include "pages/revolution_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/transient/ends_of_turns.hpp"
+#include "pages/grid_reader.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Revolutions, spectra and steps have this part of all numbers each: a page of some megabytes.
+constexpr std::size_t part_of_rows = 8;
+/// Steps of a revolution that draw an orbit.
+constexpr std::size_t most_steps_of_orbit = 200;
+/// Where orbits are left out, so many stay together: whirl at half of the speed takes two revolutions.
+constexpr std::size_t orbits_together = 4;
+/// What is read of the steps: energies are those of revolutions.
+constexpr std::array<std::string_view, 6> read_of_steps{"time", "speed", "x", "y", "h_min", "asperity_load"};
+/// Angles in radians beyond this are none.
+constexpr double largest_angle = 1e12;
+
+bool is_over(const StoredVariable& variable, std::string_view dimension) {
+  return !variable.dims.empty() && variable.dims.front() == dimension;
+}
+
+bool is_read(const StoredVariable& variable) {
+  return !is_over(variable, "step") ||
+         std::find(read_of_steps.begin(), read_of_steps.end(), variable.name) != read_of_steps.end();
+}
+
+/// Entries of a dimension, and numbers of each.
+struct RowSize {
+  std::size_t rows{};
+  double width{};  ///< not as a whole number: damaged files declare any
+};
+
+RowSize row_size(const NetcdfImage& file, std::string_view dimension) {
+  RowSize size;
+  for (const auto& [name, variable] : file.variables()) {
+    if (!is_over(variable, dimension) || !is_read(variable)) continue;
+    size.rows = variable.extents.front();
+    size.width += std::accumulate(variable.extents.begin() + 1, variable.extents.end(), 1.0, std::multiplies<>());
+  }
+  return size;
+}
+
+/// Every how many of some rows are read where they are too many.
+std::size_t stride_of(std::size_t rows, double width, std::size_t most_values) {
+  const double values = static_cast<double>(rows) * width;
+  return values <= static_cast<double>(most_values)
+             ? 1
+             : static_cast<std::size_t>(std::ceil(values / static_cast<double>(most_values)));
+}
+
+/// Of `first` to `last` every so many-th and the last one.
+void add_every(std::size_t first, std::size_t last, std::size_t stride, std::vector<std::size_t>& rows) {
+  for (std::size_t row = first; row < last; row += stride) rows.push_back(row);
+  rows.push_back(last);
+}
+
+/// Steps of some revolutions, and where each of these begins among them.
+struct OrbitSteps {
+  std::vector<std::size_t> rows;
+  Json orbits = Json::array();
+};
+
+/// All steps that led through some of the revolutions, the last one with them, be it whole or not.
+OrbitSteps orbit_steps(const NetcdfImage& file, const RowSize& size, std::size_t most_values) {
+  const StoredVariable& stored = file.variable("angle", {"step"});
+  const std::vector<std::size_t> ends = ends_of_turns(size.rows, [&](std::size_t first, std::size_t count) {
+    std::vector<double> angles = file.numbers(stored, {first}, {count});
+    if (!std::all_of(angles.begin(), angles.end(), [](double angle) { return std::abs(angle) < largest_angle; })) {
+      file.refuse("angle", "has a value that is no angle");
+    }
+    return angles;
+  });
+  std::vector<std::pair<std::size_t, std::size_t>> all;  // first and last step
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const std::size_t last = i + 1 < ends.size() ? ends[i + 1] : size.rows - 1;
+    if (last > ends[i]) all.emplace_back(ends[i], last);
+  }
+  const auto stride_in = [](const auto& orbit) {
+    return (orbit.second - orbit.first + most_steps_of_orbit - 1) / most_steps_of_orbit;
+  };
+  const std::size_t steps = std::accumulate(
+      all.begin(), all.end(), std::size_t{1},
+      [&](std::size_t sum, const auto& orbit) { return sum + (orbit.second - orbit.first) / stride_in(orbit) + 1; });
+  const std::size_t stride = stride_of(steps, size.width, most_values);
+  OrbitSteps found;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if ((all.size() - 1 - i) / orbits_together % stride != 0) continue;
+    const auto& [first, last] = all[i];
+    // Where the one before was read, too, it ended with the step with which this one begins.
+    if (!found.rows.empty() && found.rows.back() == first) found.rows.pop_back();
+    const std::size_t begin = found.rows.size();
+    add_every(first, last, stride_in(all[i]), found.rows);
+    found.orbits.push_back({{"revolution", i + 1}, {"first", begin}, {"steps", found.rows.size() - begin}});
+  }
+  return found;
+}
+
+}  // namespace
+
+Json read_revolutions(const NetcdfImage& file, std::size_t most_values) {
+  const std::size_t most = std::max<std::size_t>(1, most_values / part_of_rows);
+  GridParts parts{is_read};
+  Json stored = Json::object();
+  for (const char* dimension : {"revolution", "spectrum"}) {
+    const RowSize size = row_size(file, dimension);
+    if (size.rows == 0) continue;
+    stored[dimension] = size.rows;
+    add_every(0, size.rows - 1, stride_of(size.rows, size.width, most), parts.rows[dimension]);
+  }
+  Json orbits = Json::array();
+  if (const RowSize size = row_size(file, "step"); size.rows > 0) {
+    stored["step"] = size.rows;
+    OrbitSteps steps = orbit_steps(file, size, most);
+    parts.rows["step"] = std::move(steps.rows);
+    orbits = std::move(steps.orbits);
+  }
+  Json json = read_grid(file, most_values, parts);
+  json["stored"] = std::move(stored);
+  json["orbits"] = std::move(orbits);
+  return json;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,154 @@
+// Reports of runs in time: of many steps those that the page draws are there, with words for what they are, and lists
+// that are none are refused.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/transient/transient.hpp"
+#include "bumpfoil/pages/report.hpp"
+#include "bumpfoil/results/checksum.hpp"
+#include "bumpfoil/results/result_set.hpp"
+#include "support/film_bearing_cases.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+/// The folder of a rotor that turns a little more than 12 times, 20 steps each.
+class ReportOfRunsInTime : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    Case input = film_rotor_case({4, 4});
+    input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
+    input.settings.set(TransientSettings{.speed = {{.to = speed_of_rpm(-9000.0), .time = 12.5 * 60.0 / 9000.0}},
+                                         .steps_per_revolution = 20,
+                                         .revolutions_per_spectrum = 2});
+    files_ = experiment_named("transient").run(input, {}).files({});
+  }
+  static void TearDownTestSuite() { files_.clear(); }
+
+  void SetUp() override {
+    for (const ResultFile& file : files_) folder_.write(file.name, file.contents);
+  }
+
+  [[nodiscard]] json shown(std::size_t most_values = most_report_values) const {
+    return json::parse(report_json({folder_.path()}, {.most_values = most_values})).at("runs").at(0);
+  }
+
+  /// What a report says of the folder with another value in its summary; null removes it.
+  [[nodiscard]] std::string fault_of(const std::string& key, const json& value) const {
+    json summary = json::parse(folder_.read("summary.json"));
+    summary[key] = value;
+    if (value.is_null()) summary.erase(key);
+    summary["xxh3_128"] = blank_checksum;
+    folder_.write("summary.json", sealed(summary.dump()));
+    try {
+      report_json({folder_.path()});
+      return "";
+    } catch (const Error& error) {
+      return std::string(error.what()).substr(folder_.path().string().size());
+    }
+  }
+
+  test_support::TemporaryFolder folder_;
+  static inline std::vector<ResultFile> files_;
+};
+
+TEST_F(ReportOfRunsInTime, HasAllOfAShortRunAndTheWordsForIt) {
+  const json run = shown();
+  EXPECT_EQ(run.at("kind"), "transient");
+  EXPECT_EQ(run.at("left_out"), json::array());
+  EXPECT_EQ(run.at("stored"), (json{{"revolution", 12}, {"spectrum", 6}, {"step", 251}}));
+  EXPECT_EQ(run.at("dimensions").at("revolution"), 12);
+  EXPECT_EQ(run.at("dimensions").at("spectrum"), 6);
+  EXPECT_EQ(run.at("dimensions").at("step"), 251);
+  // Revolutions share the step between them; the last one is not whole.
+  const json& orbits = run.at("orbits");
+  ASSERT_EQ(orbits.size(), 13U);
+  EXPECT_EQ(orbits[0], (json{{"revolution", 1}, {"first", 0}, {"steps", 21}}));
+  EXPECT_EQ(orbits[1], (json{{"revolution", 2}, {"first", 20}, {"steps", 21}}));
+  EXPECT_EQ(orbits[12], (json{{"revolution", 13}, {"first", 240}, {"steps", 11}}));
+  EXPECT_EQ(run.at("variables").at("x").at("dims"), (json{"step", "station"}));
+  EXPECT_EQ(run.at("variables").at("spectrum_amplitude").at("dims"), (json{"spectrum", "station", "axis", "order"}));
+  // Energies are those of revolutions.
+  EXPECT_FALSE(run.at("variables").contains("entrained_work"));
+  const json& summary = run.at("summary");
+  const json stored = json::parse(folder_.read("summary.json"));
+  for (const char* key : {"stations", "revolutions", "energy", "rubs"})
+    EXPECT_EQ(summary.at(key), stored.at(key)) << key;
+  EXPECT_EQ(summary.at("rub_count"), 0);
+  const auto label_of = [&](const std::string& name) -> std::string {
+    const json& all = run.at("quantities");
+    const auto found = std::find_if(all.begin(), all.end(), [&](const json& one) { return one.at("name") == name; });
+    return found == all.end() ? "" : found->at("label").get<std::string>();
+  };
+  EXPECT_EQ(label_of("largest_half_peak_to_peak"), "largest half peak-to-peak");
+  EXPECT_EQ(label_of("amplitude_x_half"), "amplitude at half the speed, X");
+  EXPECT_EQ(label_of("revolution_film_dissipation"), "dissipation of films");
+  for (const json& quantity : run.at("quantities")) {
+    EXPECT_TRUE(run.at("variables").contains(quantity.at("name"))) << quantity;
+    EXPECT_FALSE(quantity.at("meaning").get<std::string>().empty()) << quantity;
+  }
+}
+
+/// An eighth of the numbers are for each of revolutions, spectra and steps.
+TEST_F(ReportOfRunsInTime, HasAPartOfALongRun) {
+  const json whole = shown();
+  const json run = shown(1600);
+  EXPECT_EQ(run.at("stored"), whole.at("stored"));
+  // 28 numbers of a revolution, 37 of a spectrum: every second one and the last.
+  EXPECT_EQ(run.at("dimensions").at("revolution"), 7);
+  EXPECT_EQ(run.at("dimensions").at("spectrum"), 4);
+  // Orbits that follow each other, up to the last one.
+  const json& orbits = run.at("orbits");
+  EXPECT_LT(orbits.size(), whole.at("orbits").size());
+  EXPECT_EQ(orbits.back().at("revolution"), 13);
+  EXPECT_EQ(orbits.at(orbits.size() - 2).at("revolution"), 12);
+  EXPECT_EQ(orbits.back().at("first").get<int>() + orbits.back().at("steps").get<int>(),
+            run.at("dimensions").at("step"));
+  // Of what is read, nothing is longer than what it says; all of it is of the rows that were chosen.
+  const auto bytes_of = [](const json& of, const char* name) {
+    return of.at("variables").at(name).at("values").get<std::string>();
+  };
+  EXPECT_EQ(bytes_of(run, "revolution_time").size(), 4U * ((7U * 4U + 2U) / 3U));
+  EXPECT_NE(bytes_of(run, "x"), bytes_of(whole, "x").substr(0, bytes_of(run, "x").size()));
+  const std::string first = bytes_of(run, "revolution");
+  EXPECT_EQ(first.substr(0, 5), bytes_of(whole, "revolution").substr(0, 5));
+  EXPECT_LT(run.dump().size(), whole.dump().size());
+}
+
+TEST_F(ReportOfRunsInTime, RefusesListsThatAreNone) {
+  const json rub{{"bearing", 1}, {"begin_s", 0.01}, {"end_s", 0.02}, {"asperity_load_N", 3.0}};
+  EXPECT_EQ(fault_of("rubs", json::array({rub})), "");
+  EXPECT_EQ(shown().at("summary").at("rubs"), json::array({rub}));
+  EXPECT_EQ(fault_of("rubs", json(std::vector<json>(1200, rub))), "");
+  EXPECT_EQ(shown().at("summary").at("rubs").size(), 1000U);
+  EXPECT_EQ(shown().at("summary").at("rub_count"), 1200);
+  for (const auto& [key, value] : rub.items()) {
+    json spoilt = rub;
+    spoilt.erase(key);
+    EXPECT_EQ(fault_of("rubs", json::array({rub, spoilt})), "/summary.json: " + key + ": is missing");
+    spoilt[key] = "none";
+    EXPECT_EQ(fault_of("rubs", json::array({spoilt})).find("/summary.json: " + key + ": is not a"), 0U) << key;
+  }
+  EXPECT_EQ(fault_of("rubs", nullptr), "/summary.json: rubs: is missing");
+  EXPECT_EQ(fault_of("rubs", "none"), "/summary.json: rubs: is not a list");
+  EXPECT_EQ(fault_of("rubs", json::array()), "");
+  EXPECT_EQ(fault_of("energy", {{"forces_J", "much"}}), "/summary.json: forces_J: is not a number");
+  EXPECT_EQ(fault_of("energy", 1), "/summary.json: energy: is not a table");
+  EXPECT_EQ(fault_of("energy", json::object()), "");
+  EXPECT_EQ(fault_of("revolutions", -1), "/summary.json: revolutions: is not an integer");
+  EXPECT_EQ(fault_of("revolutions", 12), "");
+  EXPECT_EQ(fault_of("stations", nullptr), "/summary.json: stations: is missing");
+}
+
+}  // namespace
+}  // namespace bumpfoil
