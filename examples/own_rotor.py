@@ -42,7 +42,7 @@ for step in range(1, 751):
 
 x, y = 1e6 * np.array(orbit).T
 for name, part in (("without", x[200:376]), ("with", x[575:])):
-    print(f"half of the way along X {name} the damper: {np.ptp(part) / 2:.2f} um")
+    print(f"half peak-to-peak along X {name} the damper: {np.ptp(part) / 2:.2f} um")
 
 axes = plt.subplots(layout="constrained", figsize=(7, 4))[1]
 axes.plot(np.arange(len(x)) / 25, x, linewidth=0.7)

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/held_crests.hpp"
 #include "bumpfoil/structure/membrane.hpp"
 #include "bumpfoil/structure/top_foil.hpp"

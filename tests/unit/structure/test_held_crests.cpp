@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
