@@ -1,6 +1,7 @@
 #include "bumpfoil/bearing/fields.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "bumpfoil/contact/residual.hpp"
@@ -12,16 +13,18 @@ namespace {
 /// the largest is one itself.
 constexpr double open_load = 1e-9;
 
-/// Contacts of one interface: those from `first` on of every block, `count` of each, from block `first_block` on.
+/// Contacts of one interface: those from `first` on of every block, `count` of each, from block `first_block` on. Each
+/// is one over the width, or `points` of them side by side.
 struct InterfacePlace {
   int first_block{};
   int first{};
   int count{};
+  int points{1};
 
   [[nodiscard]] Eigen::Index columns(const Foils& foils) const {
     return Eigen::Index{foils.structure.K.blocks() - first_block} * count;
   }
-  /// Each of its contacts. @param visit  (column, contact)
+  /// Each of its contacts. @param visit  (column, the first of its points)
   template <typename Visit>
   void each(const Foils& foils, const Visit& visit) const {
     if (count == 0) return;
@@ -29,7 +32,7 @@ struct InterfacePlace {
     Eigen::Index column = 0;
     for (int block = first_block; block < foils.structure.K.blocks(); ++block) {
       const Eigen::Index begin = foils.block(block) * per_block + first;
-      for (int k = 0; k < count; ++k) visit(column++, begin + k);
+      for (int k = 0; k < count; ++k) visit(column++, begin + k * points);
     }
   }
 };
@@ -39,7 +42,10 @@ InterfacePlace place_of(const Foils& foils, Interface interface) {
     case Interface::journal_top:
       return {.first_block = foils.structure.first_bump, .first = 0, .count = foils.top_bump()};
     case Interface::top_bump:
-      return {.first_block = foils.structure.first_bump, .first = foils.top_bump(), .count = 1};
+      return {.first_block = foils.structure.first_bump,
+              .first = foils.top_bump(),
+              .count = 1,
+              .points = foils.crest_contacts()};
     case Interface::bump_sleeve:
       break;
   }
@@ -73,12 +79,21 @@ void record_interface(const Foils& foils, const BearingState& state, Interface i
   auto normal_force = fields.normal_force.row(increment);
   auto friction_force = fields.friction_force.row(increment);
   auto mode = fields.mode.row(increment);
-  place_of(foils, interface).each(foils, [&](Eigen::Index i, Eigen::Index c) {
-    mode[i] = reported_mode(foils, c, state, threshold);
-    const bool open = mode[i] == ContactMode::open;
-    gap[i] = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;
-    normal_force[i] = open ? 0.0 : state.contacts.normal_force[c];
-    friction_force[i] = open ? 0.0 : state.contacts.friction_force[c];
+  const InterfacePlace place = place_of(foils, interface);
+  place.each(foils, [&](Eigen::Index i, Eigen::Index first) {
+    // Over the width: the least gap, all forces, and the mode of a point that touches.
+    mode[i] = ContactMode::open;
+    gap[i] = std::numeric_limits<double>::infinity();
+    normal_force[i] = friction_force[i] = 0.0;
+    for (Eigen::Index c = first; c < first + place.points; ++c) {
+      const ContactMode of_point = reported_mode(foils, c, state, threshold);
+      const bool open = of_point == ContactMode::open;
+      gap[i] = std::min(gap[i], open ? std::max(0.0, state.contacts.gap[c]) : 0.0);
+      if (open) continue;
+      mode[i] = of_point;
+      normal_force[i] += state.contacts.normal_force[c];
+      friction_force[i] += state.contacts.friction_force[c];
+    }
   });
 }
 
@@ -154,8 +169,8 @@ Vector interface_loads(const Foils& foils, const ContactState& state, Interface 
   const InterfacePlace place = place_of(foils, interface);
   const double threshold = open_threshold(foils, state);
   Vector loads(place.columns(foils));
-  place.each(foils, [&](Eigen::Index i, Eigen::Index c) {
-    const double load = state.normal_force[c];
+  place.each(foils, [&](Eigen::Index i, Eigen::Index first) {
+    const double load = state.normal_force.segment(first, place.points).sum();
     loads[i] = load <= threshold ? 0.0 : load;
   });
   return loads;

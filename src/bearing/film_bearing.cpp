@@ -9,6 +9,7 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/structure/held_crests.hpp"
 #include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {
@@ -20,33 +21,100 @@ constexpr double creep_speed = 1e-3;
 /// c of a bearing whose clearance or interference is less, m.
 constexpr double least_scale = 10e-6;
 
-/// Takes the bump foils out of K of all foils: the top foils have nodes at all columns instead.
-BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vector<FilmPad>& pads) {
-  const BumpDofs& dofs = structure.dofs;
-  const int rows = pads.front().foil.mesh.rows;
-  BlockTridiagonal K(structure.K.blocks() + static_cast<int>(pads.size()), dofs.size + rows);
-  const auto is_bump = [&](int i) { return i != dofs.top_u && i != dofs.top_moment; };
-  double largest = 0.0;
-  for (std::size_t k = 0; k < pads.size(); ++k) {
-    const auto [first, count] = structure.blocks_of(static_cast<int>(k));
-    auto from = static_cast<std::size_t>(first);
-    auto to = static_cast<std::size_t>(pads[k].first_block);
-    for (int b = 0; b < count; ++b, ++from, ++to) {
-      for (int i = 0; i < dofs.size; ++i) {
-        for (int j = 0; j < dofs.size; ++j) {
-          if (!is_bump(i) || !is_bump(j)) continue;
-          K.diagonal[to](i, j) = structure.K.diagonal[from](i, j);
-          if (b + 1 < count) K.upper[to](i, j) = structure.K.upper[from](i, j);
-          largest = std::max(largest, K.diagonal[to](i, j));
+/// Springs that keep a crest from sliding differently on its lines, over the stiffest of the bump foils: what such a
+/// sheet is against shear and stretch in its own surface counts as rigid.
+constexpr double rigidity_of_sheet = 1e2;
+
+/// Places in the block of a bump, line after line. @param further  where those of the second begin
+std::vector<CrestLine> crest_lines_of(const WidthLines& lines, const BumpDofs& dofs, int further) {
+  std::vector<CrestLine> crest_lines{{.weight = lines.weight[0],
+                                      .top_u = dofs.top_u,
+                                      .top_moment = dofs.top_moment,
+                                      .crest_u = dofs.crest_u,
+                                      .crest_v = dofs.crest_v}};
+  for (Eigen::Index s = 1; s < lines.count(); ++s, further += 4) {
+    crest_lines.push_back({.weight = lines.weight[s],
+                           .top_u = further,
+                           .top_moment = further + 1,
+                           .crest_u = further + 2,
+                           .crest_v = further + 3});
+  }
+  return crest_lines;
+}
+
+/// Unknowns of a block.
+int block_size_of(const BumpDofs& dofs, const FoilFilm& foil) {
+  const auto lines = static_cast<int>(foil.lines.count());
+  const auto of_membrane = 2 * static_cast<int>(foil.varying.rows());
+  return dofs.size + foil.mesh.rows + 4 * (lines - 1) + of_membrane;
+}
+
+/// Adds what a crest has against displacements that vary over the width.
+/// @param rigid  of springs against sliding that varies, N/m
+void add_varying_modes(const FilmBearing& bearing, double rigid, BlockTridiagonal& K) {
+  const WidthLines& lines = bearing.pads.front().foil.lines;
+  for (Eigen::Index mode = 1; mode < lines.to_modes.rows(); ++mode) {
+    const double square = 1.0 / (2 * lines.orders[static_cast<std::size_t>(mode)] + 1);  // of P_k over the width
+    for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+      const Matrix held = held_crest_stiffness(bearing.structure, static_cast<int>(k));
+      for (int i = 0; i < held.rows(); ++i) {
+        const int block = bearing.pads[k].first_block + i;
+        for (std::size_t s = 0; s < bearing.crest_lines.size(); ++s) {
+          for (std::size_t r = 0; r < bearing.crest_lines.size(); ++r) {
+            const CrestLine& row = bearing.crest_lines[s];
+            const CrestLine& column = bearing.crest_lines[r];
+            const double part = square * lines.to_modes(mode, static_cast<Eigen::Index>(s)) *
+                                lines.to_modes(mode, static_cast<Eigen::Index>(r));
+            const auto at = static_cast<std::size_t>(block);
+            K.diagonal[at](row.crest_v, column.crest_v) += part * held(i, i);
+            K.diagonal[at](row.crest_u, column.crest_u) += part * rigid;
+            if (i + 1 < held.rows()) K.upper[at](row.crest_v, column.crest_v) += part * held(i, i + 1);
+          }
         }
       }
     }
   }
+}
+
+/// Takes the bump foils out of K of all foils: the top foils have nodes at all columns instead.
+BlockTridiagonal bump_foils_alone(const FilmBearing& bearing) {
+  const FoilStructure& structure = bearing.structure;
+  const FoilFilm& first_foil = bearing.pads.front().foil;
+  const BumpDofs& dofs = structure.dofs;
+  BlockTridiagonal K(structure.K.blocks() + bearing.pad_count(), block_size_of(dofs, first_foil));
+  // Where an unknown of the structure is among those of the problem: it is the mean of those of all lines.
+  const auto for_places = [&](int i, const auto& visit) {
+    if (i == dofs.top_u || i == dofs.top_moment) return;
+    if (i != dofs.crest_u && i != dofs.crest_v) return visit(i, 1.0);
+    for (const CrestLine& line : bearing.crest_lines)
+      visit(i == dofs.crest_u ? line.crest_u : line.crest_v, line.weight);
+  };
+  double largest = 0.0;
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const auto [first, count] = structure.blocks_of(static_cast<int>(k));
+    auto from = static_cast<std::size_t>(first);
+    auto to = static_cast<std::size_t>(bearing.pads[k].first_block);
+    for (int b = 0; b < count; ++b, ++from, ++to) {
+      for (int i = 0; i < dofs.size; ++i) {
+        for (int j = 0; j < dofs.size; ++j) {
+          for_places(i, [&](int row, double part_of_row) {
+            for_places(j, [&](int column, double part_of_column) {
+              const double part = part_of_row * part_of_column;
+              K.diagonal[to](row, column) = part * structure.K.diagonal[from](i, j);
+              if (b + 1 < count) K.upper[to](row, column) = part * structure.K.upper[from](i, j);
+              largest = std::max(largest, structure.K.diagonal[from](i, j));
+            });
+          });
+        }
+      }
+    }
+  }
+  add_varying_modes(bearing, rigidity_of_sheet * largest, K);
   // What means nothing at the free ends is held, the displacement there is not.
-  for (const FilmPad& pad : pads) {
+  for (const FilmPad& pad : bearing.pads) {
     Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block) + pad.foil.supports.size()];
     last.diagonal().setConstant(largest);
-    last(dofs.size, dofs.size) = 0.0;
+    last.diagonal().segment(bearing.first_pressure(), pad.foil.lines.count()).setZero();
   }
   return K;
 }
@@ -89,7 +157,10 @@ FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const Film
   const FilmMesh mesh = make_slotted_mesh(film_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m),
                                           resolution.rows, 0.5 * design.bearing.axial_length / R);
   return make_foil_film(mesh, scales, make_top_foil_section(foils).bending_stiffness, pitch, std::move(crests),
-                        make_forming(foils));
+                        make_forming(foils),
+                        {.modes = resolution.width_modes,
+                         .stretching = foils.top_foil->youngs_modulus * foils.top_foil->thickness,
+                         .poisson_ratio = foils.top_foil->poisson_ratio});
 }
 
 }  // namespace
@@ -145,15 +216,17 @@ Matrix part_of(const FilmPad& pad, const Matrix& field) {
 void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part) {
   part.pressure = all.pressure(Eigen::all, pad.columns());
   part.thickness = all.thickness(Eigen::all, pad.columns());
-  part.lift = all.lift(pad.columns());
-  part.moment = all.moment(pad.columns());
+  part.lift = all.lift(Eigen::all, pad.columns());
+  part.moment = all.moment(Eigen::all, pad.columns());
+  part.membrane = all.membrane(Eigen::all, pad.columns());
 }
 
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all) {
   all.pressure(Eigen::all, pad.columns()) = part.pressure;
   all.thickness(Eigen::all, pad.columns()) = part.thickness;
-  all.lift(pad.columns()) = part.lift;
-  all.moment(pad.columns()) = part.moment;
+  all.lift(Eigen::all, pad.columns()) = part.lift;
+  all.moment(Eigen::all, pad.columns()) = part.moment;
+  all.membrane(Eigen::all, pad.columns()) = part.membrane;
 }
 
 namespace {
@@ -197,18 +270,31 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   bearing.scales = {gas, foils.placed.front().alone.bearing.radius, film_thickness_scale(foils.clearance)};
   for (const PlacedPad& placed : foils.placed) append(placed, resolution, bearing);
   bearing.room = room_of(bearing);
-  BlockTridiagonal K = bump_foils_alone(foils.structure, bearing.pads);
+  const FoilFilm& foil = bearing.pads.front().foil;
+  bearing.crest_lines = crest_lines_of(foil.lines, bearing.dofs(), bearing.first_pressure() + foil.mesh.rows);
+  BlockTridiagonal K = bump_foils_alone(bearing);
   const auto own = foils.problem.sites.begin();  // of a block, without the journal's
-  std::vector<ContactSite> sites =
-      in_every_block({own + foils.top_bump(), own + foils.contacts_per_block()}, K.blocks());
+  std::vector<ContactSite> pattern;
+  for (const CrestLine& line : bearing.crest_lines) {
+    ContactSite site = own[foils.top_bump()];
+    site.plus = line.crest_v;
+    site.minus = line.top_u;
+    site.tangential = line.crest_u;
+    pattern.push_back(site);
+  }
+  pattern.insert(pattern.end(), own + foils.first_foot(), own + foils.contacts_per_block());
+  std::vector<ContactSite> sites = in_every_block(pattern, K.blocks());
   bearing.problem = {.K = std::move(K), .sites = std::move(sites), .force_scale = foils.problem.force_scale};
 
   // Gaps of the last blocks stay open.
   bearing.assembled_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
   const Eigen::Index per_block = bearing.contacts_per_block();
   for (int b = 0; b < foils.structure.K.blocks(); ++b) {
-    bearing.assembled_gap.segment(bearing.block(b) * per_block, per_block) = foils.assembled_gap.segment(
-        Eigen::Index{foils.block(b)} * foils.contacts_per_block() + foils.top_bump(), per_block);
+    const auto from = foils.assembled_gap.segment(Eigen::Index{foils.block(b)} * foils.contacts_per_block(),
+                                                  foils.contacts_per_block());
+    auto to = bearing.assembled_gap.segment(bearing.block(b) * per_block, per_block);
+    to.head(bearing.crest_contacts()).setConstant(from[foils.top_bump()]);
+    to.tail(bearing.feet_per_block()) = from.tail(foils.feet_per_block());
   }
   return bearing;
 }
@@ -233,9 +319,12 @@ BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position
   state.speed = speed;
   state.opening = opening;
   state.contacts = ContactState::unstressed(bearing.problem);
+  const FoilFilm& foil = bearing.pads.front().foil;
+  const Matrix of_lines = Matrix::Zero(foil.lines.count(), bearing.columns());
   state.film = {{bearing.resting_pressure(), bearing.undeformed_thickness(position, opening)},
-                Vector::Zero(bearing.columns()),
-                Vector::Zero(bearing.columns())};
+                of_lines,
+                of_lines,
+                Matrix::Zero(2 * foil.varying.rows(), bearing.columns())};
   state.contacts.gap = bearing.assembled_gap;
   state.begin_increment();
   return state;
@@ -333,9 +422,10 @@ Vector bump_loads(const FilmBearing& bearing, const BearingState& state) {
   Vector loads(bearing.bumps());
   Eigen::Index bump = 0;
   for (const FilmPad& pad : bearing.pads) {
-    loads.segment(bump, pad.bumps()) =
-        state.contacts.normal_force(Eigen::seqN(pad.first_block * per_block, Eigen::Index{pad.bumps()}, per_block));
-    bump += pad.bumps();
+    for (int b = 0; b < pad.bumps(); ++b) {
+      loads[bump++] =
+          state.contacts.normal_force.segment((pad.first_block + b) * per_block, bearing.crest_contacts()).sum();
+    }
   }
   return loads;
 }

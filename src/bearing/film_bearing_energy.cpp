@@ -3,14 +3,29 @@
 namespace bumpfoil {
 namespace {
 
-/// 1/2 M^T T M of the top foil of a pad, J.
-double bending_energy(const FilmBearing& bearing, const FilmPad& pad, const Vector& moments) {
-  const FoilFilm& foil = pad.foil;
+/// 1/2 M^T T M of the top foil of a pad on each of its lines, J.
+double bending_energy(const FilmBearing& bearing, const FoilFilm& foil, const Matrix& moments) {
   const TopFoilMoments& form = foil.top_foil;
   const Eigen::Index n = form.size();
-  const Vector M = foil.stiffness * foil.pitch * bearing.scales.thickness * moments(pad.columns()).head(n);
-  return 0.5 * form.compliance_diagonal.dot(M.cwiseAbs2()) +
-         form.compliance_off.dot(M.head(n - 1).cwiseProduct(M.tail(n - 1)));
+  double energy = 0.0;
+  for (Eigen::Index line = 0; line < moments.rows(); ++line) {
+    const Vector M = foil.stiffness * foil.pitch * bearing.scales.thickness * moments.row(line).head(n).transpose();
+    energy += (0.5 * form.compliance_diagonal.dot(M.cwiseAbs2()) +
+               form.compliance_off.dot(M.head(n - 1).cwiseProduct(M.tail(n - 1)))) /
+              foil.lines.weight[line];
+  }
+  return energy;
+}
+
+/// Half of what the membrane of a top foil bears, times the displacements that it does so against, J.
+double membrane_energy(const FilmBearing& bearing, const FoilFilm& foil, const FoilFilmState& part) {
+  const Matrix varying = foil.varying * part.lift;
+  double twice = 0.0;
+  for (std::size_t k = 0; k < foil.membrane.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    twice += foil.membrane[k].length * part.membrane.col(column).head(varying.rows()).dot(varying.col(column));
+  }
+  return 0.5 * foil.stiffness * bearing.scales.thickness * bearing.scales.thickness * twice;
 }
 
 /// Of the asperities of a pad, J.
@@ -33,7 +48,7 @@ BearingEnergy bearing_energy(const FilmBearing& bearing, const BearingState& sta
     FoilFilmState part;
     read_part(pad, state.film, part);
     energy.gas += unit * free_energy(pad.foil.mesh, part);
-    energy.foils += bending_energy(bearing, pad, state.film.moment);
+    energy.foils += bending_energy(bearing, pad.foil, part.moment) + membrane_energy(bearing, pad.foil, part);
     energy.asperities += unit * asperity_energy(pad, state.film.thickness);
   }
   return energy;

@@ -32,6 +32,13 @@ double film_square(const FilmMesh& mesh, const Matrix& residual) {
          (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
 }
 
+/// Residuals of a foil that is in balance.
+void set_zero(const FoilFilm& foil, FoilFilmResidual& residual) {
+  residual.balance.setZero(foil.lines.count(), foil.mesh.nodes());
+  residual.compatibility.setZero(foil.lines.count(), foil.mesh.nodes());
+  residual.membrane.setZero(2 * foil.varying.rows(), foil.mesh.nodes());
+}
+
 Eigen::Index unknown_pressures_of(const FilmMesh& mesh) {
   return Eigen::Index{mesh.unknown_rows()} * mesh.unknown_columns();
 }
@@ -39,7 +46,7 @@ Eigen::Index unknown_pressures_of(const FilmMesh& mesh) {
 }  // namespace
 
 FilmNewton::Part::Part(const FilmPad& of_pad)
-    : pad(of_pad), system(of_pad.foil), support_step(of_pad.foil.mesh.rows + 2, system.blocks()) {}
+    : pad(of_pad), system(of_pad.foil), support_step(system.block_size(), system.blocks()) {}
 
 FilmNewton::FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options)
     : shared_(std::move(bearing)),
@@ -57,14 +64,20 @@ FilmNewton::FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& optio
 template <typename Visitor>
 void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) const {
   const int n = pad.foil.mesh.rows;
-  const int first_pressure = bearing_.dofs().size;
+  const int first_pressure = bearing_.first_pressure();
+  const int lines = bearing_.crest_contacts();
   if (b == pad.bumps()) {
-    visit(first_pressure, n);  // the free end
+    for (int s = 0; s < lines; ++s) visit(first_pressure + s, n + s);  // the free end
     return;
   }
   for (int j = 0; j < n; ++j) visit(first_pressure + j, j);
-  visit(bearing_.dofs().top_u, n);
-  visit(bearing_.dofs().top_moment, n + 1);
+  for (int s = 0; s < lines; ++s) {
+    const CrestLine& line = bearing_.crest_lines[static_cast<std::size_t>(s)];
+    visit(line.top_u, n + s);
+    visit(line.top_moment, n + lines + s);
+  }
+  const int of_membrane = 2 * static_cast<int>(pad.foil.varying.rows());
+  for (int i = 0; i < of_membrane; ++i) visit(bump_K_.block_size() - of_membrane + i, n + 2 * lines + i);
 }
 
 /// Forces that the bump foils take at their displacements, N; what is held in the last blocks takes none.
@@ -75,6 +88,19 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
     bump_forces_.segment((pad.first_block + pad.bumps()) * size, size).setZero();
   }
   return bump_forces_;
+}
+
+/// Moves the forces at the top foil over the crests, N, to the balances of its columns.
+void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balance) const {
+  const double unit = pad.foil.stiffness * bearing_.scales.thickness;
+  for (int i = 0; i < pad.bumps(); ++i) {
+    const Eigen::Index block = Eigen::Index{pad.first_block + i} * bump_K_.block_size();
+    for (Eigen::Index s = 0; s < balance.rows(); ++s) {
+      double& support = forces[block + bearing_.crest_lines[static_cast<std::size_t>(s)].top_u];
+      balance(s, pad.foil.supports[static_cast<std::size_t>(i)]) += support / unit;
+      support = 0.0;
+    }
+  }
 }
 
 /// Residuals of film and foil without contact forces; the norm is that of all residuals, with them: the film per area
@@ -95,13 +121,9 @@ double FilmNewton::find_residual() {
     foil_film_residual(pad.foil, equations_[k], part.state, residual);
     square += film_square(mesh, residual.film);
     const double unit = pad.foil.stiffness * bearing_.scales.thickness;
-    Vector balance = residual.balance;
-    for (int i = 0; i < pad.bumps(); ++i) {
-      double& support = forces[(pad.first_block + i) * size + bearing_.dofs().top_u];
-      balance[pad.foil.supports[static_cast<std::size_t>(i)]] += support / unit;
-      support = 0.0;
-    }
-    square += balance.squaredNorm() + residual.compatibility.squaredNorm() +
+    Matrix balance = residual.balance;
+    add_supports(pad, forces, balance);
+    square += balance.squaredNorm() + residual.compatibility.squaredNorm() + residual.membrane.squaredNorm() +
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
   force_ = journal_force(bearing_, state.film, state.speed);
@@ -155,8 +177,10 @@ void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
   const int rows = bearing_.pads.front().foil.mesh.rows + 1;
   change.pressure.resize(rows, bearing_.columns());
   change.thickness.resize(rows, bearing_.columns());
-  change.lift.resize(bearing_.columns());
-  change.moment.resize(bearing_.columns());
+  const FoilFilm& foil = bearing_.pads.front().foil;
+  change.lift.resize(foil.lines.count(), bearing_.columns());
+  change.moment.resize(foil.lines.count(), bearing_.columns());
+  change.membrane.resize(2 * foil.varying.rows(), bearing_.columns());
   for (Part& part : parts_) {
     part.support_step.setZero();
     for (int b = 0; b < part.system.blocks(); ++b) {
@@ -209,8 +233,8 @@ Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
     const FoilFilm& foil = part.pad.foil;
     const Matrix change = part_of(part.pad, rigid);
     part.residual.film = stencil_product(foil.mesh, part.system.film_jacobian().by_thickness, change);
-    part.residual.balance = asperity_change(part, change);
-    part.residual.compatibility.setZero(foil.mesh.nodes());
+    set_zero(foil, part.residual);
+    part.residual.balance.row(0) = asperity_change(part, change).transpose();
   }
   answer(rate);
   rate.film.thickness += rigid;
@@ -303,8 +327,7 @@ void FilmNewton::store(const Vector& rates) {
     const FilmMesh& mesh = part.pad.foil.mesh;
     const Eigen::Index size = unknown_pressures_of(mesh);
     part.residual.film = storage_residual(mesh, rates.segment(first, size));
-    part.residual.balance.setZero(mesh.nodes());
-    part.residual.compatibility.setZero(mesh.nodes());
+    set_zero(part.pad.foil, part.residual);
     first += size;
   }
 }
@@ -364,14 +387,12 @@ double FilmNewton::equation_square(const Step& change) {
                           stencil_product(mesh, jacobian.by_thickness, part.change.thickness);
     part.change.pressure.array() += 1.0;  // foils are loaded by P - 1
     foil_residual(part.pad.foil, part.change, part.residual);
-    part.residual.balance += asperity_change(part, part.change.thickness);
+    part.residual.balance.row(0) += asperity_change(part, part.change.thickness).transpose();
+    add_supports(part.pad, forces, part.residual.balance);
     const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
-    auto own = forces.segment(part.pad.first_block * size, part.pad.bumps() * size);
-    auto supports = own(Eigen::seqN(Eigen::Index{bearing_.dofs().top_u}, part.pad.bumps(), size));
-    part.residual.balance(part.pad.foil.supports) += supports / unit;
-    supports.setZero();
     square += film_square(mesh, part.residual.film) + part.residual.balance.squaredNorm() +
-              part.residual.compatibility.squaredNorm() + own.squaredNorm() / (unit * unit);
+              part.residual.compatibility.squaredNorm() + part.residual.membrane.squaredNorm() +
+              forces.segment(part.pad.first_block * size, part.pad.bumps() * size).squaredNorm() / (unit * unit);
   }
   return square;
 }
@@ -410,7 +431,7 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   }
   HeldMotion found{.rate = (shift + pole->excess) / T0, .residual = std::sqrt(square / whole)};
   if (!(found.residual <= largest_residual)) return std::nullopt;
-  (motion[0].film.lift.cwiseAbs2() + motion[1].film.lift.cwiseAbs2()).maxCoeff(&found.column);
+  (motion[0].film.lift.cwiseAbs2() + motion[1].film.lift.cwiseAbs2()).colwise().sum().maxCoeff(&found.column);
   return found;
 }
 
@@ -477,6 +498,7 @@ void FilmNewton::add_to_step(double way, const Step& rate) {
   step_.film.thickness += way * rate.film.thickness;
   step_.film.lift += way * rate.film.lift;
   step_.film.moment += way * rate.film.moment;
+  step_.film.membrane += way * rate.film.membrane;
   step_.contact.x += way * rate.contact.x;
   step_.contact.gap += way * rate.contact.gap;
   step_.contact.normal_force += way * rate.contact.normal_force;
@@ -492,6 +514,7 @@ void FilmNewton::take_step(double fraction, const BearingState& from, BearingSta
   to.film.thickness = from.film.thickness + fraction * step.thickness;
   to.film.lift = from.film.lift + fraction * step.lift;
   to.film.moment = from.film.moment + fraction * step.moment;
+  to.film.membrane = from.film.membrane + fraction * step.membrane;
   to.contacts.x = from.contacts.x + fraction * step_.contact.x;
   const auto mix = [fraction](const Vector& a, const Vector& b) -> Vector { return a + fraction * (b - a); };
   to.contacts.gap = mix(from.contacts.gap, step_.contact.gap);
@@ -527,7 +550,7 @@ bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const Be
   iterate_.slip_origin = from.slip_origin;
   iterate_.speed = to.speed;
   iterate_.film.thickness = bearing_.undeformed_thickness(iterate_.position, iterate_.opening);
-  iterate_.film.thickness.rowwise() += iterate_.film.lift.transpose();
+  iterate_.film.thickness += bearing_.over_the_width(iterate_.film.lift);
   trial_ = instead_ = iterate_;
   return iterate_.film.thickness.minCoeff() > 0.0;
 }

@@ -94,6 +94,7 @@ class FilmNewton {
   };
 
   Vector& find_bump_forces(const ContactState& state);
+  void add_supports(const FilmPad& pad, Vector& forces, Matrix& balance) const;
   void assemble();
   void load_condensed();
   void expand(const Vector& x, FoilFilmState& change);

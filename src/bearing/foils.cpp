@@ -119,7 +119,17 @@ Vector Foils::foil_unknowns(const Vector& x) const {
   const Eigen::Index size = structure.dofs.size;
   Vector known(structure.K.rows());
   for (int b = 0; b < structure.K.blocks(); ++b) {
-    known.segment(b * size, size) = x.segment(Eigen::Index{block(b)} * problem.K.block_size(), size);
+    const auto all = x.segment(Eigen::Index{block(b)} * problem.K.block_size(), problem.K.block_size());
+    auto own = known.segment(b * size, size);
+    own = all.head(size);
+    const BumpDofs& dofs = structure.dofs;
+    for (const int place : {dofs.top_u, dofs.top_moment, dofs.crest_u, dofs.crest_v}) own[place] = 0.0;
+    for (const CrestLine& line : crest_lines) {
+      own[dofs.top_u] += line.weight * all[line.top_u];
+      own[dofs.top_moment] += all[line.top_moment];
+      own[dofs.crest_u] += line.weight * all[line.crest_u];
+      own[dofs.crest_v] += line.weight * all[line.crest_v];
+    }
   }
   return known;
 }

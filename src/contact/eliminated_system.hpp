@@ -230,6 +230,8 @@ std::unique_ptr<Interface> make_for_block_size(const ContactProblem& problem) {
       return std::make_unique<System<14>>(problem);
     case 22:  // of sixteen
       return std::make_unique<System<22>>(problem);
+    case 28:  // with a parabola over the width
+      return std::make_unique<System<28>>(problem);
     default:
       return std::make_unique<System<Eigen::Dynamic>>(problem);
   }

@@ -63,9 +63,12 @@ double thickness_floor(const Case& input) {
   return input.asperity ? 0.0 : input.film.h_floor;
 }
 
+FilmResolution resolution_of(const Case& input) {
+  return {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows, .width_modes = input.width.modes};
+}
+
 FilmBearing make_film_bearing(const Case& input) {
-  return make_film_bearing(input, gas_of(input.gas),
-                           {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows});
+  return make_film_bearing(input, gas_of(input.gas), resolution_of(input));
 }
 
 }  // namespace bumpfoil

@@ -68,6 +68,7 @@ ThinnestPlace thinnest_place(const FilmMesh& mesh, const Matrix& thickness) {
   ThinnestPlace place;
   place.thickness = thickness.minCoeff(&row, &column);
   place.column = static_cast<int>(column);
+  place.row = static_cast<int>(row);
   place.vertex_thickness = place.thickness;
   const double theta = mesh.angles()[column];
   place.theta = place.vertex_theta = theta;

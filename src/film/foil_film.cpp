@@ -9,7 +9,7 @@
 namespace bumpfoil {
 
 FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double bending_stiffness, double pitch,
-                        std::vector<int> supports, const Forming& forming) {
+                        std::vector<int> supports, const Forming& forming, const FoilSheet& sheet) {
   BUMPFOIL_ASSERT(!mesh.closed && !supports.empty());
   FoilFilm foil;
   foil.mesh = mesh;
@@ -21,6 +21,17 @@ FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double b
   foil.stiffness = bending_stiffness / (pitch * pitch * pitch);
   foil.load_scale = 2.0 * scales.force() * mesh.dtheta * mesh.dzeta / (scales.thickness * foil.stiffness);
   foil.supports = std::move(supports);
+  foil.lines = make_width_lines(sheet.modes);
+  foil.varying = foil.lines.to_varying_modes();
+  foil.shapes.resize(mesh.rows + 1, foil.lines.count());
+  for (int j = 0; j <= mesh.rows; ++j) foil.shapes.row(j) = foil.lines.shapes(static_cast<double>(j) / mesh.rows);
+  if (sheet.modes > 1) {
+    const std::vector<int> stretching(foil.lines.orders.begin() + 1, foil.lines.orders.end());
+    const double R = scales.radius / pitch;
+    const Membrane membrane = make_membrane(stretching, mesh.rows * mesh.dzeta * R, R,
+                                            sheet.stretching / foil.stiffness, sheet.poisson_ratio);
+    foil.membrane = membrane_rows(membrane, R * mesh.dtheta * mesh.intervals);
+  }
   return foil;
 }
 
@@ -49,39 +60,73 @@ Vector asperity_balance(const FoilFilm& foil, Vector pressures) {
 }
 
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness) {
-  return {{foil.mesh.field(1.0), thickness}, Vector::Zero(foil.mesh.nodes()), Vector::Zero(foil.mesh.nodes())};
+  const Matrix of_lines = Matrix::Zero(foil.lines.count(), foil.mesh.nodes());
+  return {
+      {foil.mesh.field(1.0), thickness}, of_lines, of_lines, Matrix::Zero(2 * foil.varying.rows(), foil.mesh.nodes())};
 }
 
-void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual) {
+namespace {
+
+/// Balance and compatibility of one line, `flexibility` times as soft as the whole width.
+void line_residual(const FoilFilm& foil, Eigen::Index line, const FoilFilmState& state, FoilFilmResidual& residual) {
   const FilmMesh& mesh = foil.mesh;
-  residual.balance.setZero(mesh.nodes());
-  residual.compatibility.setZero(mesh.nodes());
-  const Vector& U = state.lift;
-  const Vector& M = state.moment;
+  const auto U = state.lift.row(line);
+  const auto M = state.moment.row(line);
+  const auto N = foil.shapes.col(line);
+  const double flexibility = 1.0 / foil.lines.weight[line];
   for (int k = 0; k < mesh.nodes(); ++k) {
     const FoilColumn column(foil, k);
     const double U_before = k > 0 ? U[k - 1] : 0.0;
     const double M_before = k > 0 ? M[k - 1] : 0.0;
+    double& balance = residual.balance(line, k);
     if (k > 0) {
       double excess = 0.0;
-      for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (state.pressure(j, k) - 1.0);
-      residual.balance[k] = column.kink_before * (M_before - M[k]) + column.arc * M[k] - column.load * excess;
+      for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * N[j] * (state.pressure(j, k) - 1.0);
+      balance = column.kink_before * (M_before - M[k]) + column.arc * M[k] - column.load * excess;
     }
     if (k == mesh.columns) continue;
     // Differences first: U is smooth where the foil is soft, and its curvature is all that counts.
-    if (k > 0) residual.balance[k] += column.kink_after * (M[k + 1] - M[k]);
-    residual.compatibility[k] = column.kink_before * (U_before - U[k]) + column.kink_after * (U[k + 1] - U[k]) +
-                                column.arc * U[k] - column.bend_before * M_before - column.bend * M[k] -
-                                column.bend_after * M[k + 1];
+    if (k > 0) balance += column.kink_after * (M[k + 1] - M[k]);
+    residual.compatibility(line, k) = column.kink_before * (U_before - U[k]) + column.kink_after * (U[k + 1] - U[k]) +
+                                      column.arc * U[k] - flexibility * column.bend_before * M_before -
+                                      flexibility * column.bend * M[k] - flexibility * column.bend_after * M[k + 1];
   }
+}
+
+/// What the membrane adds to the balances, and its own rows.
+void membrane_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual) {
+  const Eigen::Index modes = foil.varying.rows();
+  const Matrix& unknowns = state.membrane;
+  for (int k = 0; k < std::ssize(foil.membrane); ++k) {
+    const MembraneRows& rows = foil.membrane[static_cast<std::size_t>(k)];
+    auto own = residual.membrane.col(k);
+    own = rows.own * unknowns.col(k) + rows.after * unknowns.col(k + 1);
+    if (k == 0) continue;
+    own += rows.before * unknowns.col(k - 1);
+    own.head(modes) -= rows.length * foil.varying * state.lift.col(k);
+    residual.balance.col(k) += rows.length * foil.varying.transpose() * unknowns.col(k).head(modes);
+  }
+}
+
+}  // namespace
+
+void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual) {
+  const int nodes = foil.mesh.nodes();
+  residual.balance.setZero(foil.lines.count(), nodes);
+  residual.compatibility.setZero(foil.lines.count(), nodes);
+  residual.membrane.setZero(2 * foil.varying.rows(), nodes);
+  for (Eigen::Index line = 0; line < foil.lines.count(); ++line) line_residual(foil, line, state, residual);
+  membrane_residual(foil, state, residual);
 }
 
 void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, const FoilFilmState& state,
                         FoilFilmResidual& residual) {
   reynolds_residual(equation, state, residual.film);
   foil_residual(foil, state, residual);
-  residual.compatibility.head(foil.mesh.columns) -= foil.forming;
-  if (foil.asperities) residual.balance += asperity_balance(foil, asperity_pressures(foil, state.thickness));
+  residual.compatibility.leftCols(foil.mesh.columns).rowwise() -= foil.forming.transpose();
+  if (foil.asperities) {
+    residual.balance.row(0) += asperity_balance(foil, asperity_pressures(foil, state.thickness)).transpose();
+  }
 }
 
 struct FoilFilmSystem::Workspace {
@@ -89,6 +134,12 @@ struct FoilFilmSystem::Workspace {
 
   template <typename Own>
   void assemble(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
+  template <typename Own>
+  void assemble_film(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
+  template <typename Own>
+  void assemble_line(int k, int line, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
+  template <typename Own>
+  void assemble_membrane(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
   void read_column(int k, const FoilFilmResidual& residual, Eigen::Ref<Vector> values) const;
 
   /// Columns between two blocks, or between the weld and the first.
@@ -102,7 +153,8 @@ struct FoilFilmSystem::Workspace {
   };
 
   FoilFilm foil;
-  int rows;  ///< unknowns of a column
+  int of_foil;  ///< unknowns of the foil in a column
+  int rows;     ///< unknowns of a column
   std::vector<Span> spans;
   std::vector<int> columns;                   ///< of the blocks
   std::vector<Block> lower, diagonal, upper;  ///< condensed
@@ -114,7 +166,10 @@ struct FoilFilmSystem::Workspace {
 };
 
 FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
-    : foil(foil_film), rows(foil_film.mesh.unknown_rows() + 2), columns(foil_film.supports) {
+    : foil(foil_film),
+      of_foil(static_cast<int>(foil_film.unknowns())),
+      rows(foil_film.mesh.unknown_rows() + of_foil),
+      columns(foil_film.supports) {
   columns.push_back(foil.mesh.columns);
   int first = 0;
   for (const int column : columns) {
@@ -122,7 +177,7 @@ FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
     BUMPFOIL_ASSERT(length >= 1);
     Span span;
     span.first = first;
-    span.columns = make_foil_span(length, rows, first > 0);
+    span.columns = make_foil_span(length, rows, of_foil, first > 0);
     span.right.resize(rows, length);
     span.before.resize(rows);
     span.after.resize(rows);
@@ -132,62 +187,107 @@ FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
   const Block zero = Block::Zero(rows, rows);
   lower.assign(columns.size(), zero);
   diagonal = upper = lower;
-  nothing.resize(rows);
+  nothing.resize(rows, of_foil);
   condensed.resize(rows, static_cast<Eigen::Index>(columns.size()));
 }
 
-/// Rows of column k: the film per area of a cell, balance, compatibility. Where an unknown is given, its own row says
-/// that it does not move. Entries of couplings that are always zero are left so.
+/// Rows of column k: the film per area of a cell, balances, compatibilities, the membrane. Where an unknown is given,
+/// its own row says that it does not move. Entries of couplings that are always zero are left so.
 template <typename Own>
 void FoilFilmSystem::Workspace::assemble(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const {
+  own.setZero();
+  const int lines = static_cast<int>(foil.lines.count());
+  if (k == 0 || k == foil.mesh.columns) {
+    const int n = foil.mesh.unknown_rows();
+    own.topLeftCorner(n, n).setIdentity();
+    own.block(n, n, lines, lines).diagonal().setConstant(k == 0 ? 1.0 : 0.0);
+    if (k > 0) own.bottomRightCorner(of_foil - lines, of_foil - lines).setIdentity();
+  } else {
+    assemble_film(k, before, own, after);
+  }
+  for (int line = 0; line < lines; ++line) assemble_line(k, line, before, own, after);
+  if (k < std::ssize(foil.membrane)) assemble_membrane(k, before, own, after);
+}
+
+template <typename Own>
+void FoilFilmSystem::Workspace::assemble_film(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const {
   const FilmMesh& mesh = foil.mesh;
   const int n = mesh.unknown_rows();
-  const int u = n;
-  const int m = n + 1;
-  own.setZero();
-  const bool weld = k == 0;
-  const bool free_end = k == mesh.columns;
-  if (weld || free_end) {
-    for (int j = 0; j < n; ++j) own(j, j) = 1.0;
-    own(weld ? u : m, weld ? u : m) = 1.0;
-  } else {
-    const double per_area = 1.0 / (mesh.dtheta * mesh.dzeta);
-    const FilmStencil& P = jacobian.by_pressure;
-    const FilmStencil& H = jacobian.by_thickness;
-    const auto scale = [&](const Matrix& derivatives, LineVector& entries) {
-      for (int j = 0; j < n; ++j) entries[static_cast<std::size_t>(j)] = derivatives(j, k) * per_area;
-    };
-    scale(P.before, before.own);
-    scale(H.before, before.by_lift);
-    scale(P.after, after.own);
-    scale(H.after, after.by_lift);
+  const double per_area = 1.0 / (mesh.dtheta * mesh.dzeta);
+  const FilmStencil& P = jacobian.by_pressure;
+  const FilmStencil& H = jacobian.by_thickness;
+  for (int j = 0; j < n; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    before.own[at] = P.before(j, k) * per_area;
+    after.own[at] = P.after(j, k) * per_area;
+    own(j, j) = P.own(j, k) * per_area;
+    if (j > 0) own(j, j - 1) = P.inside(j, k) * per_area;
+    if (j + 1 < n) own(j, j + 1) = P.outside(j, k) * per_area;
+  }
+  for (Eigen::Index line = 0; line < foil.lines.count(); ++line) {
+    const auto N = foil.shapes.col(line);
     for (int j = 0; j < n; ++j) {
-      own(j, j) = P.own(j, k) * per_area;
-      if (j > 0) own(j, j - 1) = P.inside(j, k) * per_area;
-      if (j + 1 < n) own(j, j + 1) = P.outside(j, k) * per_area;
-      own(j, u) = (H.own(j, k) + H.inside(j, k) + H.outside(j, k)) * per_area;
+      before.by(line)[j] = H.before(j, k) * N[j] * per_area;
+      after.by(line)[j] = H.after(j, k) * N[j] * per_area;
+      const double inside = j > 0 ? H.inside(j, k) * N[j - 1] : 0.0;
+      own(j, n + line) = (H.own(j, k) * N[j] + inside + H.outside(j, k) * N[j + 1]) * per_area;
     }
   }
+}
+
+/// Balance and compatibility of a line.
+template <typename Own>
+void FoilFilmSystem::Workspace::assemble_line(int k, int line, ColumnCoupling& before, Own&& own,
+                                              ColumnCoupling& after) const {
+  const FilmMesh& mesh = foil.mesh;
   const FoilColumn column(foil, k);
-  const auto U = static_cast<std::size_t>(u);
-  const auto M = static_cast<std::size_t>(m);
+  const int lines = static_cast<int>(foil.lines.count());
+  const int n = mesh.unknown_rows();
+  const int by_U = line;
+  const int by_M = lines + line;
+  const int u = n + by_U;
+  const int m = n + by_M;
+  const bool weld = k == 0;
+  const bool free_end = k == mesh.columns;
   if (!weld) {
-    before.by_moment[U] = column.kink_before;
+    before.by(by_M)[u] = column.kink_before;
     own(u, u) = asperity_stiffness[k];
     if (!free_end) {
-      for (int j = 0; j < n; ++j) own(u, j) = -column.load * mesh.row_weight(j);
+      for (int j = 0; j < n; ++j) own(u, j) = -column.load * mesh.row_weight(j) * foil.shapes(j, line);
       own(u, m) = column.own();
-      after.by_moment[U] = column.kink_after;
+      after.by(by_M)[u] = column.kink_after;
     }
   }
   if (!free_end) {
-    before.by_lift[M] = column.kink_before;
-    before.by_moment[M] = -column.bend_before;
+    const double flexibility = 1.0 / foil.lines.weight[line];
+    before.by(by_U)[m] = column.kink_before;
+    before.by(by_M)[m] = -flexibility * column.bend_before;
     if (!weld) own(m, u) = column.own();
-    own(m, m) = -column.bend;
-    after.by_lift[M] = column.kink_after;
-    after.by_moment[M] = -column.bend_after;
+    own(m, m) = -flexibility * column.bend;
+    after.by(by_U)[m] = column.kink_after;
+    after.by(by_M)[m] = -flexibility * column.bend_after;
   }
+}
+
+/// The rows of the membrane, and its part of the balances.
+template <typename Own>
+void FoilFilmSystem::Workspace::assemble_membrane(int k, ColumnCoupling& before, Own&& own,
+                                                  ColumnCoupling& after) const {
+  const MembraneRows& membrane = foil.membrane[static_cast<std::size_t>(k)];
+  const Eigen::Index n = foil.mesh.unknown_rows();
+  const Eigen::Index lines = foil.lines.count();
+  const Eigen::Index modes = foil.varying.rows();
+  const Eigen::Index first = n + 2 * lines;
+  own.block(first, first, 2 * modes, 2 * modes) = membrane.own;
+  for (Eigen::Index j = 0; j < 2 * modes; ++j) {
+    for (Eigen::Index i = 0; i < 2 * modes; ++i) {
+      before.by(2 * lines + j)[first + i] = membrane.before(i, j);
+      after.by(2 * lines + j)[first + i] = membrane.after(i, j);
+    }
+  }
+  if (k == 0) return;  // U = 0, and the weld bears what F presses on it
+  own.block(n, first, lines, modes) = membrane.length * foil.varying.transpose();
+  own.block(first, n, modes, lines) = -membrane.length * foil.varying;
 }
 
 FoilFilmSystem::FoilFilmSystem(const FoilFilm& foil) : workspace_(std::make_unique<Workspace>(foil)) {}
@@ -251,8 +351,10 @@ void FoilFilmSystem::Workspace::read_column(int k, const FoilFilmResidual& resid
   } else {
     values.head(n).setZero();
   }
-  values[n] = residual.balance[k];
-  values[n + 1] = residual.compatibility[k];
+  const Eigen::Index lines = foil.lines.count();
+  values.segment(n, lines) = residual.balance.col(k);
+  values.segment(n + lines, lines) = residual.compatibility.col(k);
+  values.tail(residual.membrane.rows()) = residual.membrane.col(k);
 }
 
 const Matrix& FoilFilmSystem::condense(const FoilFilmResidual& residual) {
@@ -275,12 +377,16 @@ void FoilFilmSystem::expand(const Matrix& support_step, FoilFilmState& step) {
   const FilmMesh& mesh = w.foil.mesh;
   const int n = mesh.unknown_rows();
   step.pressure.setZero(mesh.rows + 1, mesh.nodes());
-  step.lift.setZero(mesh.nodes());
-  step.moment.setZero(mesh.nodes());
+  const Eigen::Index lines = w.foil.lines.count();
+  const Eigen::Index of_membrane = 2 * w.foil.varying.rows();
+  step.lift.setZero(lines, mesh.nodes());
+  step.moment.setZero(lines, mesh.nodes());
+  step.membrane.setZero(of_membrane, mesh.nodes());
   const auto set_column = [&](int k, const auto& values) {
     step.pressure.col(k).head(n) = values.head(n);
-    step.lift[k] = values[n];
-    step.moment[k] = values[n + 1];
+    step.lift.col(k) = values.segment(n, lines);
+    step.moment.col(k) = values.segment(n + lines, lines);
+    step.membrane.col(k) = values.tail(of_membrane);
   };
   for (std::size_t i = 0; i < w.columns.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -291,7 +397,7 @@ void FoilFilmSystem::expand(const Matrix& support_step, FoilFilmState& step) {
     span.columns->expand(span.before, span.after, span.solution);
     for (int c = 0; c < span.columns->columns(); ++c) set_column(span.first + c, span.solution.col(c));
   }
-  step.thickness = step.lift.transpose().replicate(mesh.rows + 1, 1);
+  step.thickness = w.foil.shapes * step.lift;
 }
 
 }  // namespace bumpfoil

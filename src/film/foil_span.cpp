@@ -5,26 +5,28 @@
 namespace bumpfoil {
 namespace {
 
-template <int B>
+/// @tparam T  how many of the B unknowns of a column are the foil's; both or none may be Eigen::Dynamic
+template <int B, int T>
 class FoilSpanOf final : public FoilSpan {
  public:
-  FoilSpanOf(int columns, int block_size, bool has_before, VectorInstructions instructions)
+  FoilSpanOf(int columns, int block_size, int of_foil, bool has_before, VectorInstructions instructions)
       : n_(block_size),
+        of_foil_(of_foil),
         stride_(row_stride<B>(block_size)),
         has_before_(has_before),
         instructions_(instructions),
         columns_(static_cast<std::size_t>(columns)),
         pivots_(static_cast<std::size_t>(block_size)) {
     for (Column& column : columns_) {
-      column.to_before.resize(stride_);
-      column.to_after.resize(stride_);
+      column.to_before.resize(stride_, of_foil);
+      column.to_after.resize(stride_, of_foil);
       for (LineVector* block : {&column.G, &column.X, &column.Y, &column.W}) {
         block->resize(static_cast<std::size_t>(block_size * stride_));
       }
       for (LineVector* row : {&column.g, &column.x}) row->resize(static_cast<std::size_t>(stride_));
     }
-    of_before_.resize(stride_);
-    of_after_.resize(stride_);
+    of_before_.resize(stride_, of_foil);
+    of_after_.resize(stride_, of_foil);
     for (LineVector* block : {&carried_, &added_}) block->resize(columns_.front().G.size());
     for (LineVector* row : {&left_, &right_, &scratch_}) row->resize(static_cast<std::size_t>(stride_));
   }
@@ -90,6 +92,7 @@ class FoilSpanOf final : public FoilSpan {
     LineVector g, x;
   };
 
+  [[nodiscard]] BUMPFOIL_ALWAYS_INLINE Eigen::Index of_foil() const { return T == Eigen::Dynamic ? of_foil_ : T; }
   Block map(LineVector& block) { return {block.data(), n_, n_, Eigen::OuterStride<>(stride_)}; }
   static void fill(LineVector& numbers) { std::fill(numbers.begin(), numbers.end(), 0.0); }
 
@@ -97,8 +100,7 @@ class FoilSpanOf final : public FoilSpan {
   template <Products Use = Products::subtract, typename Kernels>
   BUMPFOIL_ALWAYS_INLINE void couple(const Kernels& kernels, const ColumnCoupling& S, const double* x,
                                      double* y) const {
-    kernels.template products_of_row<Use>(S.own.data(), x, x[n_ - 2], S.by_lift.data(), x[n_ - 1], S.by_moment.data(),
-                                          y);
+    kernels.template products_of_row<Use, T>(S.own.data(), x, x + n_ - of_foil(), S.by_foil.data(), of_foil(), y);
   }
 
   /// result -= S A
@@ -115,11 +117,12 @@ class FoilSpanOf final : public FoilSpan {
   BUMPFOIL_ALWAYS_INLINE void couple_right(const Kernels& kernels, const LineVector& A, const ColumnCoupling& S,
                                            LineVector& result) const {
     double* to = result.data();
-    for (Eigen::Index c = 0; c < n_ - 2; ++c, to += stride_) {
+    for (Eigen::Index c = 0; c < n_ - of_foil(); ++c, to += stride_) {
       kernels.template products<Use>(S.own.data() + c, 0, A.data() + c * stride_, 1, to, 1);
     }
-    kernels.template products<Use>(S.by_lift.data(), 0, A.data(), n_, to, 1);
-    kernels.template products<Use>(S.by_moment.data(), 0, A.data(), n_, to + stride_, 1);
+    for (Eigen::Index t = 0; t < of_foil(); ++t, to += stride_) {
+      kernels.template products<Use>(S.by_foil.data() + t * stride_, 0, A.data(), n_, to, 1);
+    }
   }
 
   /// result -= A C
@@ -163,7 +166,7 @@ class FoilSpanOf final : public FoilSpan {
     return true;
   }
 
-  Eigen::Index n_, stride_;
+  Eigen::Index n_, of_foil_, stride_;
   bool has_before_;
   VectorInstructions instructions_;
   std::vector<Column> columns_;
@@ -176,21 +179,24 @@ class FoilSpanOf final : public FoilSpan {
 
 }  // namespace
 
-void ColumnCoupling::resize(Eigen::Index length) {
-  for (LineVector* part : {&own, &by_lift, &by_moment}) part->assign(static_cast<std::size_t>(length), 0.0);
+void ColumnCoupling::resize(Eigen::Index length, Eigen::Index of_foil) {
+  own.assign(static_cast<std::size_t>(length), 0.0);
+  by_foil.assign(static_cast<std::size_t>(length * of_foil), 0.0);
 }
 
-std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, bool has_before,
+std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, int of_foil, bool has_before,
                                          VectorInstructions instructions) {
-  BUMPFOIL_ASSERT(columns >= 1 && block_size >= 2);
-  switch (block_size) {
-    case 10:
-      return std::make_unique<FoilSpanOf<10>>(columns, block_size, has_before, instructions);
-    case 18:
-      return std::make_unique<FoilSpanOf<18>>(columns, block_size, has_before, instructions);
-    default:
-      return std::make_unique<FoilSpanOf<Eigen::Dynamic>>(columns, block_size, has_before, instructions);
-  }
+  BUMPFOIL_ASSERT(columns >= 1 && block_size >= of_foil);
+  const auto make = [&]<int B, int T>() -> std::unique_ptr<FoilSpan> {
+    return std::make_unique<FoilSpanOf<B, T>>(columns, block_size, of_foil, has_before, instructions);
+  };
+  // Eight or sixteen pressures with U and M of a foil that is uniform over the width, or of one with a second mode.
+  const int pressures = block_size - of_foil;
+  if (of_foil == 2 && pressures == 8) return make.operator()<10, 2>();
+  if (of_foil == 2 && pressures == 16) return make.operator()<18, 2>();
+  if (of_foil == 6 && pressures == 8) return make.operator()<14, 6>();
+  if (of_foil == 6 && pressures == 16) return make.operator()<22, 6>();
+  return make.operator()<Eigen::Dynamic, Eigen::Dynamic>();
 }
 
 }  // namespace bumpfoil

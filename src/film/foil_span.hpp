@@ -9,15 +9,18 @@
 namespace bumpfoil {
 
 /// How the equations of a column depend on a neighbouring one: on each unknown by its own alone, and all on its last
-/// two, U and M,
+/// ones, those of the foil,
 ///
-///     diag(own) + by_lift e_U^T + by_moment e_M^T
+///     diag(own) + sum_t by_foil_t e_t^T
 ///
-/// with the entries of U and M counted once, in `by_lift` and `by_moment`.
+/// with the entries of the foil's unknowns counted once, in `by_foil`.
 struct ColumnCoupling {
-  LineVector own, by_lift, by_moment;
+  LineVector own;
+  LineVector by_foil;  ///< one behind the other, each as long as `own`
 
-  void resize(Eigen::Index length);  ///< to zeros
+  void resize(Eigen::Index length, Eigen::Index of_foil);  ///< to zeros
+  /// How the equations depend on unknown t of the foil.
+  [[nodiscard]] double* by(Eigen::Index t) { return by_foil.data() + t * static_cast<Eigen::Index>(own.size()); }
 };
 
 /// Columns of film and foil between two others, the neighbours: eliminated from their equations, in one sweep that
@@ -61,9 +64,11 @@ class FoilSpan {
   virtual void expand(const Vector& before, const Vector& after, Matrix& solution) = 0;
 };
 
+/// Some block sizes, those of usual meshes, are faster than others.
+/// @param of_foil       how many of the unknowns of a column are the foil's: the last ones
 /// @param has_before    false: the first column has none before it
 /// @param instructions  that this processor has
-std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, bool has_before,
+std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, int of_foil, bool has_before,
                                          VectorInstructions instructions = widest_vector_instructions());
 
 }  // namespace bumpfoil

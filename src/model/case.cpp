@@ -30,6 +30,7 @@ Case bearing_at(const Case& input, std::size_t place) {
   alone.solver = input.solver;
   alone.gas = input.gas;
   alone.film = input.film;
+  alone.width = input.width;
   alone.asperity = input.asperity;
   if (input.rotor_bearings.empty()) return alone;
   const RotorBearing& own = input.rotor_bearings.at(place);

@@ -33,6 +33,7 @@ bool go_on(double w, const BearingState& before, const BearingState& now, Bearin
   if (!keeps_enough(now.film.thickness, predicted.film.thickness)) return false;
   along(before.film.lift, now.film.lift, predicted.film.lift);
   along(before.film.moment, now.film.moment, predicted.film.moment);
+  along(before.film.membrane, now.film.membrane, predicted.film.membrane);
   along(before.contacts.x, now.contacts.x, predicted.contacts.x);
   along(before.contacts.gap, now.contacts.gap, predicted.contacts.gap);
   along(before.contacts.normal_force, now.contacts.normal_force, predicted.contacts.normal_force);

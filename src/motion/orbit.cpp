@@ -118,6 +118,7 @@ void for_parts_of_bearings(const Add& add) {
   add([](auto& b) -> auto& { return b.film.thickness; });
   add([](auto& b) -> auto& { return b.film.lift; });
   add([](auto& b) -> auto& { return b.film.moment; });
+  add([](auto& b) -> auto& { return b.film.membrane; });
   add([](auto& b) -> auto& { return b.slip_origin; });
   add([](auto& b) -> auto& { return b.contacts.x; });
   add([](auto& b) -> auto& { return b.contacts.gap; });
@@ -216,8 +217,7 @@ void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, M
     const BearingState& there = state.bearings[i];
     const Eigen::VectorXd y = state.rotor.y + part * motion.real();
     Matrix thickness = bearing.undeformed_thickness(bearings[i].motion * y, there.opening);
-    thickness.rowwise() += there.film.lift.transpose();
-    return thickness;
+    return Matrix(thickness + bearing.over_the_width(there.film.lift));
   };
   double part = 1.0;
   for (std::size_t i = 0; i < bearings.size(); ++i) {

@@ -129,7 +129,8 @@ BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, do
   foils.contacts = std::move(state.contacts);
   foils.film.lift = std::move(state.film.lift);
   foils.film.moment = std::move(state.film.moment);
-  foils.film.thickness.rowwise() += foils.film.lift.transpose();
+  foils.film.membrane = std::move(state.film.membrane);
+  foils.film.thickness += bearing.over_the_width(foils.film.lift);
   foils.begin_increment();
   return foils;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/model/validation.hpp"
 
@@ -16,7 +17,9 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
     // Of commands whose table is there.
     if (command == "film" || command == "limits" || (command == "equilibrium" && !input.equilibrium) ||
         (command == "stability" && input.settings.find<StabilitySettings>() == nullptr) ||
-        (command == "unbalance" && input.settings.find<UnbalanceSettings>() == nullptr)) {
+        (command == "unbalance" && input.settings.find<UnbalanceSettings>() == nullptr) ||
+        (command == "transient" && input.settings.find<TransientSettings>() == nullptr) ||
+        (command == "montecarlo" && !input.montecarlo)) {
       continue;
     }
     EXPECT_TRUE(fault.file.empty());

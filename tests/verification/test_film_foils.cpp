@@ -155,7 +155,7 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
     for (int k = 0; k < mesh.columns; ++k) {
       for (int j = 0; j < mesh.rows; ++j) {
         const double excess = 0.5 * (state.film.pressure(j, k) + state.film.pressure(j, k + 1)) - 1.0;
-        turning += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.film.lift[k + 1] - state.film.lift[k]);
+        turning += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.film.lift(k + 1) - state.film.lift(k));
       }
     }
     turning *= bearing.scales.force() * bearing.scales.thickness;

@@ -134,20 +134,20 @@ class DensePencil {
 
   /// Balance of columns 1 to the last, compatibility of 0 to the last but one, by unit changes.
   void add_foil() {
-    FoilFilmState unit{{mesh_.field(1.0), {}}, Vector::Zero(mesh_.nodes()), Vector::Zero(mesh_.nodes())};
+    FoilFilmState unit = undeformed(pad_.foil, {});
     FoilFilmResidual residual;
     const auto add = [&](double& value, Eigen::Index unknown) {
       value += 1.0;
       foil_residual(pad_.foil, unit, residual);
       value -= 1.0;
-      for (int k = 1; k <= mesh_.columns; ++k) J_(lift(k), unknown) += residual.balance[k];
-      for (int k = 0; k < mesh_.columns; ++k) J_(moment(k), unknown) += residual.compatibility[k];
+      for (int k = 1; k <= mesh_.columns; ++k) J_(lift(k), unknown) += residual.balance(k);
+      for (int k = 0; k < mesh_.columns; ++k) J_(moment(k), unknown) += residual.compatibility(k);
     };
     for (int k = 1; k < mesh_.columns; ++k) {
       for (int j = 0; j < mesh_.rows; ++j) add(unit.pressure(j, k), pressure(j, k));
     }
-    for (int k = 1; k <= mesh_.columns; ++k) add(unit.lift[k], lift(k));
-    for (int k = 0; k < mesh_.columns; ++k) add(unit.moment[k], moment(k));
+    for (int k = 1; k <= mesh_.columns; ++k) add(unit.lift(k), lift(k));
+    for (int k = 0; k < mesh_.columns; ++k) add(unit.moment(k), moment(k));
   }
 
   void add_bumps() {

@@ -30,6 +30,7 @@ struct FilmSurroundings {
 struct FilmResolution {
   int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
   int rows{16};              ///< intervals on half the width
+  int width_modes{1};        ///< of the displacement of the foils over the width, see WidthLines
 };
 
 /// The film of a pad, and the top foil under it.
@@ -56,6 +57,11 @@ struct FilmPad {
 /// the places of its foils' unknowns, with the top foil over the crest among them, and after them the pressures of the
 /// column over the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the
 /// place of its first pressure; all else there stays zero.
+///
+/// Where displacements vary over the width, top foil and crest have theirs on each line (CrestLine): those of the first
+/// line in the places of the foils' unknowns, the others, and what is unknown of the membrane, behind the pressures.
+/// The feet, and the rest of a bump foil, stay uniform over the width; the crest has springs of held_crest_stiffness()
+/// against what varies, and all but rigid ones against sliding otherwise on one line than on another.
 ///
 /// K of the contact problem is that of the bump foils alone, which holds what means nothing in the last blocks.
 struct FilmBearing : Foils {
@@ -85,6 +91,11 @@ struct FilmBearing : Foils {
   [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position, double opening = 0.0) const;
   /// Places in the block of a bump. Only where there are foils.
   [[nodiscard]] const BumpDofs& dofs() const { return structure.dofs; }
+  /// Place of the first pressure in it.
+  [[nodiscard]] int first_pressure() const { return dofs().size; }
+  [[nodiscard]] bool varies_over_the_width() const { return pads.front().foil.lines.count() > 1; }
+  /// How far out the foils lie in all rows where they do on all lines (FoilFilmState::lift).
+  [[nodiscard]] Matrix over_the_width(const Matrix& lift) const { return pads.front().foil.shapes * lift; }
 };
 
 using SharedFilmBearing = std::shared_ptr<const FilmBearing>;

@@ -8,7 +8,8 @@ namespace bumpfoil {
 /// What a running bearing holds, J.
 struct BearingEnergy {
   double gas{};         ///< free energy over that at ambient pressure, free_energy()
-  double foils{};       ///< 1/2 b^T K b of the bump foils and 1/2 M^T T M of the top foils, forming included
+  double foils{};       ///< 1/2 b^T K b of the bump foils and 1/2 M^T T M of the top foils, forming included, and of
+                        ///< their membranes
   double asperities{};  ///< int p_c dh from the thickness to infinity, where they touch
 
   [[nodiscard]] double total() const { return gas + foils + asperities; }

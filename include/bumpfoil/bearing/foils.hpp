@@ -39,6 +39,14 @@ struct PadAssembly {
   double bulge_theta{};  ///< of that crest from the weld, rad
 };
 
+/// One of the lines over the width on which the displacement of foils under a film is given (WidthLines): the part of
+/// the width that it stands for, and the places of its unknowns in the block of a bump.
+struct CrestLine {
+  double weight{1.0};
+  int top_u{}, top_moment{};
+  int crest_u{}, crest_v{};
+};
+
 /// Foils ready to be loaded: elastic foils and the contacts between the body that presses on them (the journal of a
 /// bearing, the plate of a strip), the foils, and what carries them (sleeve, base). Never changed once they are made,
 /// so that any number of runs and threads may share them.
@@ -49,6 +57,7 @@ struct PadAssembly {
 /// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
 ///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
+/// Under a film that foils answer to differently over the width there is one between top foil and crest on every line.
 /// Without a top foil the first is missing, and the second is that of the plate with the crest. Under a film the first
 /// is missing, and the blocks of the problem are those of FilmBearing.
 struct Foils {
@@ -64,13 +73,16 @@ struct Foils {
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
-  bool under_film{};  ///< a film presses, and nothing else
+  bool under_film{};                     ///< a film presses, and nothing else
+  std::vector<CrestLine> crest_lines{};  ///< under a film; none otherwise: all is uniform over the width
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {
     return has_top_foil() && !under_film ? 1 : 0;
   }  ///< place of the contact in the block of a bump
-  [[nodiscard]] int first_foot() const { return top_bump() + 1; }
+  /// Contacts of a crest with the top foil, side by side over the width.
+  [[nodiscard]] int crest_contacts() const { return crest_lines.empty() ? 1 : static_cast<int>(crest_lines.size()); }
+  [[nodiscard]] int first_foot() const { return top_bump() + crest_contacts(); }
   /// None of a wall in place of the foils.
   [[nodiscard]] int contacts_per_block() const {
     return problem.K.blocks() == 0 ? 0 : problem.contacts() / problem.K.blocks();
@@ -85,7 +97,7 @@ struct Foils {
   }
   /// Block of the problem that holds a block of the structure.
   [[nodiscard]] int block(int of_structure) const;
-  /// The unknowns that the structure knows among those of the problem.
+  /// The unknowns that the structure knows among those of the problem, in the mean over the width.
   [[nodiscard]] Vector foil_unknowns(const Vector& x) const;
   /// Contacts of the pressing body, the first of each bump: entries of a vector of all contacts.
   [[nodiscard]] auto pressed() const {

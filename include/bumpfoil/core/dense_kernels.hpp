@@ -177,20 +177,24 @@ class DenseKernels {
     });
   }
 
-  /// The same of one row, number by number, and of multiples of two more: target -= a * row + u * b + v * c.
-  template <Products Use = Products::subtract>
-  BUMPFOIL_ALWAYS_INLINE void products_of_row(const double* a, const double* row, double u, const double* b, double v,
-                                              const double* c, double* target) const {
+  /// The same of one row, number by number, and of multiples of some more: target -= a * row + sum factors[i] *
+  /// more[i].
+  /// @tparam Count  of those, or Eigen::Dynamic
+  /// @param more    each a stride() behind the one before
+  template <Products Use = Products::subtract, int Count = Eigen::Dynamic>
+  BUMPFOIL_ALWAYS_INLINE void products_of_row(const double* a, const double* row, const double* factors,
+                                              const double* more, Eigen::Index count, double* target) const {
     for_each_part([&](auto length, Eigen::Index first) BUMPFOIL_ALWAYS_INLINE {
       Row<decltype(length)::value> sum, one, other;
       sum.template begin<Use>(target + first);
       one.load(a + first);
       other.load(row + first);
       sum.template use_each<Use>(one, other);
-      other.load(b + first);
-      sum.template use<Use>(u, other);
-      other.load(c + first);
-      sum.template use<Use>(v, other);
+      const Eigen::Index rows = Count == Eigen::Dynamic ? count : Count;
+      for (Eigen::Index i = 0; i < rows; ++i) {
+        other.load(more + i * stride() + first);
+        sum.template use<Use>(factors[i], other);
+      }
       sum.store(target + first);
     });
   }

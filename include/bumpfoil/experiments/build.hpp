@@ -35,6 +35,9 @@ FoilStepper make_stepper(SharedFoils foils, const SolverSettings& settings = {},
 /// @throws Error (input) if the case cannot be built
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
 
+/// The mesh of the case.
+FilmResolution resolution_of(const Case& input);
+
 /// h below which surfaces count as touching, m: film.h_floor; 0 where asperities carry what a film does not.
 double thickness_floor(const Case& input);
 

@@ -35,6 +35,7 @@ FilmFlows film_flows(const FilmMesh& mesh, const Matrix& residual);
 struct ThinnestPlace {
   double thickness{};         ///< H of the thinnest node
   int column{};               ///< of that node
+  int row{};                  ///< of it: 0 where all rows are alike
   double theta{};             ///< of it, rad
   double vertex_thickness{};  ///< H at the vertex; the node itself at an open edge
   double vertex_theta{};      ///< rad

@@ -8,6 +8,8 @@
 #include "bumpfoil/film/gas.hpp"
 #include "bumpfoil/film/reynolds.hpp"
 #include "bumpfoil/structure/forming.hpp"
+#include "bumpfoil/structure/membrane.hpp"
+#include "bumpfoil/structure/width_lines.hpp"
 
 namespace bumpfoil {
 
@@ -23,6 +25,13 @@ namespace bumpfoil {
 ///
 /// with D, T of TopFoilMoments, r of forming_rotations(), M = 0 at the free end and U = 0 at the weld; omega_k and
 /// omega_j are the weights of column and row; P_c is the pressure of asperities, where they touch.
+///
+/// A foil whose displacement varies over the width has such U and M on each of the lines that give it (WidthLines), by
+/// shapes N_s(zeta): its beam there is `weight` times as stiff as the whole width, and is loaded by
+/// sum_j omega_j N_s(zeta_j) (P_jk - 1). What varies over the width stretches the foil, which the unknowns F and g of
+/// its membrane (MembraneRows, F in units of EI' c / p^4, lengths in units of p) add to the balances:
+///
+///     + w_k sum_k F_k to_modes(k, s)
 struct FoilFilm {
   FilmMesh mesh;                         ///< slotted
   TopFoilMoments top_foil;               ///< its node k is column k + 1
@@ -30,24 +39,40 @@ struct FoilFilm {
   double pitch{};                        ///< p, m
   double load_scale{};                   ///< 2 pa R^2 dtheta dzeta / (c stiffness)
   Vector forming;                        ///< p r / c of all columns but the last
-  std::optional<Asperities> asperities;  ///< of journal and foil, in units of pa and c; none: smooth surfaces
+  std::optional<Asperities> asperities;  ///< of journal and foil, in units of pa and c; none: smooth surfaces. Only on
+                                         ///< foils that are uniform over the width
   std::vector<int> supports;  ///< columns where something may support the foil: increasing, none at or next to the
                               ///< ends, no two neighbours
+  WidthLines lines{make_width_lines(1)};
+  Matrix shapes;                       ///< N_s of each line, in every row of nodes
+  Matrix varying;                      ///< of the displacements of the lines: the modes that stretch the foil
+  std::vector<MembraneRows> membrane;  ///< of all columns but the last; none where the foil is uniform over the width
+
+  /// Unknowns of the foil in a column: U, then M of all lines, F, then g of all modes that stretch it.
+  [[nodiscard]] Eigen::Index unknowns() const { return 2 * (lines.count() + varying.rows()); }
+};
+
+/// How the displacement of a foil varies over the width, and what the foil is as a membrane.
+struct FoilSheet {
+  int modes{1};         ///< 1: not at all
+  double stretching{};  ///< E t, N/m
+  double poisson_ratio{};
 };
 
 /// @param mesh               slotted, from the weld on
 /// @param bending_stiffness  EI' of the top foil, N m^2
 /// @param pitch              p, m: any length sets the scale, the distance of supports is the natural one
 FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double bending_stiffness, double pitch,
-                        std::vector<int> supports, const Forming& forming = {});
+                        std::vector<int> supports, const Forming& forming = {}, const FoilSheet& sheet = {});
 
 /// State of a film and the foil under it: a plain value.
 struct FoilFilmState : FilmState {
-  Vector lift;    ///< U of all columns, outward; part of H
-  Vector moment;  ///< M of all columns
+  Matrix lift;      ///< U of all columns, outward, a row for each line; part of H
+  Matrix moment;    ///< M of all columns, of each line
+  Matrix membrane;  ///< F of all columns and of each mode that stretches the foil, then g
 };
 
-/// P_c at all columns; zero on smooth surfaces. H is that of row 0: foils are the same over the width.
+/// P_c at all columns; zero on smooth surfaces. H is that of row 0: such foils are the same over the width.
 Vector asperity_pressures(const FoilFilm& foil, const Matrix& thickness);
 
 /// What such pressures, or their changes, add to the balances of all columns.
@@ -59,8 +84,9 @@ FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness);
 /// Residuals of the equations, without the forces of supports.
 struct FoilFilmResidual {
   Matrix film;           ///< of reynolds_residual
-  Vector balance;        ///< of every column; zero at the weld
-  Vector compatibility;  ///< of every column; zero at the free end
+  Matrix balance;        ///< of every column, a row for each line; zero at the weld
+  Matrix compatibility;  ///< the same; zero at the free end
+  Matrix membrane;       ///< of the rows of the membrane; zero at the free end
 };
 
 void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, const FoilFilmState& state,
@@ -70,9 +96,9 @@ void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, 
 void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual);
 
 /// Newton's method for film and foil, condensed to the columns over supports and the free end: their unknowns are the
-/// pressures of rows 0 to rows - 1, U and M, in this order; block i is support i, the last one the free end. The
-/// columns between two of them are eliminated one by one, with both held. At the free end, U alone is unknown: the
-/// other unknowns must be given as zero, and their rows mean nothing.
+/// pressures of rows 0 to rows - 1, then those of the foil (FoilFilm::unknowns()); block i is support i, the last one
+/// the free end. The columns between two of them are eliminated one by one, with both held. At the free end, U alone is
+/// unknown: the other unknowns must be given as zero, and their rows mean nothing.
 class FoilFilmSystem {
  public:
   using Block = Matrix;
@@ -100,7 +126,7 @@ class FoilFilmSystem {
 
   /// The step that takes the residuals that were condensed last to zero wherever nothing supports the foil.
   /// @param support_step  steps of the blocks, a column for each
-  /// @param step          result: P, U (also as that of H) and M of all columns
+  /// @param step          result: P, U (also as that of H), M and the membrane's unknowns of all columns
   void expand(const Matrix& support_step, FoilFilmState& step);
 
  private:

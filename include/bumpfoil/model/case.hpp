@@ -162,6 +162,13 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
+/// How the foils of a running bearing vary over its width.
+struct WidthSettings {
+  int modes{1};  ///< of their displacement, see WidthLines: 1, uniform; 2, with a parabola
+
+  bool operator==(const WidthSettings&) const = default;
+};
+
 /// Rough surfaces of journal and top foil that touch where the film is thin. The pressure of their peaks is that of
 /// Asperities in film/, by its factor or by what that is made of.
 struct AsperitySettings {
@@ -231,6 +238,7 @@ struct Case : BearingDesign {
   std::optional<VibrationSettings> vibration{};
   GasSettings gas{};
   FilmSettings film{};
+  WidthSettings width{};
   std::optional<AsperitySettings> asperity{};
   std::optional<EquilibriumSettings> equilibrium{};
   SettingsByType settings{};                   ///< of other experiments

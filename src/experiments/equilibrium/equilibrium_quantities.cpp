@@ -155,6 +155,11 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"h_min_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
      [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.theta); },
      csv | sampled, "  at, from the weld", shown::degrees},
+    {"h_min_z", "m", "distance of the minimum film thickness from the mid-plane",
+     [](const B& bearing, const S& state) {
+       return state.outcome->thinnest.row * bearing.pads.front().foil.mesh.dzeta * bearing.scales.radius;
+     },
+     csv | of_width},
     {"h_min_pad", "1", "pad with the minimum film thickness",
      [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, csv | of_pads | sampled, "  of pad",
      shown::unitless, whole_number},
@@ -394,7 +399,8 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
     {"film_thickness", "m", "film thickness, the same over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        return bearing.scales.thickness * state.film.thickness.row(0).transpose();
-     }},
+     },
+     of_uniform_foils},
     {"line_load", "N/m", "gauge pressure, integrated over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // its rows are those of all
@@ -409,13 +415,18 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
        return bearing.scales.gas.ambient_pressure * asperity_pressures(bearing, state.film.thickness);
      },
      of_asperities},
-    {"film_top_displacement", "m", "deflection of the top foil, positive outward",
+    {"film_top_displacement", "m", "deflection of the top foil in the mean over the width, positive outward",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       return bearing.scales.thickness * state.film.lift;
+       return bearing.scales.thickness * state.film.lift.transpose() * bearing.pads.front().foil.lines.weight;
      }},
+    {"film_top_parabola", "m", "deflection of the top foil at its sides beyond the mean, as a parabola over the width",
+     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
+       return bearing.scales.thickness * (bearing.pads.front().foil.varying * state.film.lift).row(0).transpose();
+     },
+     of_width},
     {"film_top_moment", "N m", "bending moment of the top foil",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       Vector moment = bearing.scales.thickness * state.film.moment;
+       Vector moment = bearing.scales.thickness * state.film.moment.colwise().sum().transpose();
        for (const FilmPad& pad : bearing.pads) moment(pad.columns()) *= pad.foil.stiffness * pad.foil.pitch;
        return moment;
      }},
@@ -448,7 +459,8 @@ std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool
   std::vector<RunningQuantity> quantities(running_quantity_table.begin(), running_quantity_table.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
     return (quantity.is(of_limits) && !limits) || (quantity.is(of_asperities) && !bearing.surroundings.asperities) ||
-           (quantity.is(of_foils) && bearing.bumps() == 0) || (quantity.is(of_pads) && bearing.pads.size() == 1);
+           (quantity.is(of_foils) && bearing.bumps() == 0) || (quantity.is(of_pads) && bearing.pads.size() == 1) ||
+           (quantity.is(of_width) && !bearing.varies_over_the_width());
   });
   return quantities;
 }

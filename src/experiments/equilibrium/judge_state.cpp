@@ -79,7 +79,8 @@ void find_stresses(const FilmBearing& bearing, RunningState& found) {
     const FilmPad& pad = bearing.pads[k];
     const StressModel& model = bearing.stress[k];
     const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
-    const double top = moment * state.film.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
+    const Vector of_lines = state.film.moment(Eigen::all, pad.columns()).cwiseAbs().rowwise().maxCoeff();
+    const double top = moment * of_lines.cwiseQuotient(pad.foil.lines.weight).maxCoeff() / model.top_section_modulus;
     found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
     const auto [first, count] = bearing.structure.blocks_of(static_cast<int>(k));
     const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));

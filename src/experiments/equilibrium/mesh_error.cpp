@@ -23,7 +23,9 @@ FilmResolution other_resolution(const FilmResolution& own) {
   const bool coarser = own.columns_per_pitch > least_columns_per_pitch && own.rows >= least_rows_to_coarsen;
   const int columns = even(coarser ? own.columns_per_pitch / refinement : own.columns_per_pitch * refinement);
   const double ratio = static_cast<double>(columns) / own.columns_per_pitch;
-  return {.columns_per_pitch = columns, .rows = static_cast<int>(std::lround(ratio * own.rows))};
+  return {.columns_per_pitch = columns,
+          .rows = static_cast<int>(std::lround(ratio * own.rows)),
+          .width_modes = own.width_modes};
 }
 
 /// Values at nodes, read at `count` nodes between the same ends, as if both were at equal distances: linear in between.
@@ -39,9 +41,15 @@ Vector resampled(const Vector& values, Eigen::Index count) {
   return found;
 }
 
-Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
+/// Every row of a field.
+Matrix resampled(const Matrix& field, Eigen::Index columns) {
   Matrix along(field.rows(), columns);
   for (Eigen::Index j = 0; j < field.rows(); ++j) along.row(j) = resampled(Vector(field.row(j)), columns);
+  return along;
+}
+
+Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
+  const Matrix along = resampled(field, columns);
   Matrix found(rows, columns);
   for (Eigen::Index k = 0; k < columns; ++k) found.col(k) = resampled(Vector(along.col(k)), rows);
   return found;
@@ -56,7 +64,9 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
   found.contacts.mode = state.contacts.mode;
   const Eigen::Index from_size = from.problem.K.block_size();
   const Eigen::Index to_size = to.problem.K.block_size();
-  const Eigen::Index shared = from.dofs().size;
+  const Eigen::Index shared = from.first_pressure();
+  const Eigen::Index lines = from.crest_contacts();
+  const Eigen::Index behind = from_size - shared - from.pads.front().foil.mesh.rows;  // behind the pressures
   for (std::size_t k = 0; k < from.pads.size(); ++k) {
     const FilmPad& pad = from.pads[k];
     const FilmPad& other = to.pads[k];
@@ -66,20 +76,24 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
     found.film.pressure(Eigen::all, other.columns()) =
         resampled(part_of(pad, state.film.pressure), other.foil.mesh.rows + 1, columns);
     found.film.pressure.col(free_end) = fed;
-    found.film.lift(other.columns()) = resampled(Vector(state.film.lift(pad.columns())), columns);
-    found.film.moment(other.columns()) = resampled(Vector(state.film.moment(pad.columns())), columns);
-    // The last block has one unknown more than those of a bump foil, the displacement of the free end.
+    found.film.lift(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.lift), columns);
+    found.film.moment(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.moment), columns);
+    found.film.membrane(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.membrane), columns);
+    // The last block has more unknowns than those of a bump foil, the displacements of the free end.
     for (Eigen::Index b = 0; b <= pad.bumps(); ++b) {
       const Eigen::Index block = pad.first_block + b;
-      found.contacts.x.segment(block * to_size, shared + 1) = state.contacts.x.segment(block * from_size, shared + 1);
+      auto to_block = found.contacts.x.segment(block * to_size, to_size);
+      const auto from_block = state.contacts.x.segment(block * from_size, from_size);
+      to_block.head(shared + lines) = from_block.head(shared + lines);
+      to_block.tail(behind) = from_block.tail(behind);
       if (b == pad.bumps()) continue;
       const int crest = other.first_column + other.foil.supports[static_cast<std::size_t>(b)];
       for (int j = 0; j < other.foil.mesh.rows; ++j) {
-        found.contacts.x[block * to_size + shared + j] = to.scales.thickness * (found.film.pressure(j, crest) - 1.0);
+        to_block[shared + j] = to.scales.thickness * (found.film.pressure(j, crest) - 1.0);
       }
     }
   }
-  found.film.thickness.rowwise() += found.film.lift.transpose();
+  found.film.thickness += to.over_the_width(found.film.lift);
   return found;
 }
 
@@ -94,7 +108,7 @@ double part_of_difference(const FilmResolution& own, const FilmResolution& other
 
 MeshComparison::MeshComparison(const Case& input, SharedFilmBearing bearing)
     : bearing_(std::move(bearing)), thickness_floor_(thickness_floor(input) / bearing_->scales.thickness) {
-  const FilmResolution own{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows};
+  const FilmResolution own = resolution_of(input);
   const FilmResolution other = other_resolution(own);
   other_ = std::make_shared<const FilmBearing>(
       make_film_bearing(*bearing_, bearing_->scales.gas, other, bearing_->surroundings));

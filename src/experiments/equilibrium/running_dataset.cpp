@@ -150,18 +150,20 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
       .add({"pressure", "Pa", "pressure of the film"}, {"row", "column"},
            [&bearing](const RunningState& state) { return film_pressure(bearing, *state.last); })
       .compressed = true;
-  if (!bearing.has_foils()) {
-    // Over an elastic surface it varies over the width.
+  const bool uniform = bearing.has_foils() && !bearing.varies_over_the_width();
+  if (!uniform) {
     states
         .add({"film_thickness", "m", "film thickness"}, {"row", "column"},
              [&bearing](const RunningState& state) -> Matrix {
                return bearing.scales.thickness * state.last->film.thickness;
              })
         .compressed = true;
-    return;
   }
+  if (!bearing.has_foils()) return;
   for (const ColumnQuantity& quantity : column_quantities()) {
     if (quantity.is(tag::of_asperities) && !bearing.surroundings.asperities) continue;
+    if (quantity.is(tag::of_width) && uniform) continue;
+    if (quantity.is(tag::of_uniform_foils) && !uniform) continue;
     Variable& added = states.add(quantity.meaning(), {"column"}, [&bearing, quantity](const RunningState& state) {
       return quantity.value(bearing, *state.last);
     });

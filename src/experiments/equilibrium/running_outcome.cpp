@@ -70,6 +70,8 @@ ExperimentInfo equilibrium_experiment() {
   std::vector<std::string> on_peaks = one_state;
   on_peaks.insert(on_peaks.end(),
                   {"asperity.sigma=0.3 um", "asperity.friction=0.2", "asperity.pressure_factor=250 MPa"});
+  std::vector<std::string> across = one_state;
+  across.emplace_back("width.modes=2");
   return {
       .name = "equilibrium",
       .summary = "Compute equilibria of the running bearing, with gas film, foils and friction",
@@ -101,7 +103,7 @@ ExperimentInfo equilibrium_experiment() {
           Sweeping{.run = run_swept,
                    .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); }},
       .quantities = meanings_of(all_running_quantities()),
-      .small_runs = {one_state, with_limits, of_pads, on_peaks}};
+      .small_runs = {one_state, with_limits, of_pads, on_peaks, across}};
 }
 
 }  // namespace bumpfoil

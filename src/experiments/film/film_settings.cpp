@@ -62,6 +62,12 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
   keys.value({"closed", defaulted, "Closed surface", "true: no slot at the weld"}, &film.closed);
 }
 
+void describe(CaseVisitor& keys, WidthSettings& width) {
+  keys.value({"modes", Presence::defaulted, "Modes over the width",
+              "of the foils: 1, uniform; 2, with a parabola, for the command equilibrium"},
+             &width.modes);
+}
+
 void describe(CaseVisitor& keys, AsperitySettings& asperity) {
   using enum Presence;
   using enum Dimension;
@@ -94,6 +100,8 @@ void describe_film(CaseVisitor& keys, Case& input) {
                   input.gas, [](CaseVisitor& inner, GasSettings& gas) { describe(inner, gas); });
   defaulted_table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film,
                   [](CaseVisitor& inner, FilmSettings& film) { describe(inner, film); });
+  defaulted_table(keys, {"width", defaulted, "Width", "how the foils deflect over the width under a film"}, input.width,
+                  [](CaseVisitor& inner, WidthSettings& width) { describe(inner, width); });
   optional_table(keys,
                  {"asperity", optional, "Mixed contact",
                   "rough surfaces of journal and top foil that touch where the film is thin, for all commands with "
@@ -185,7 +193,25 @@ void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
                 "give the radius of the peaks such as \"10 um\", or pressure_factor such as \"250 MPa\"");
 }
 
+/// What is not computed yet with foils that vary over the width.
+void judge_width(Judge& judge, const Case& input) {
+  const std::string modes = std::to_string(input.width.modes);
+  if (!judge.require(input.width.modes == 1 || input.width.modes == 2, "width.modes", modes,
+                     "is not a number of modes over the width", "give 1, uniform, or 2, with a parabola") ||
+      input.width.modes == 1) {
+    return;
+  }
+  const std::string advice = "set width.modes = 1, which computes foils that are uniform over the width";
+  for (const char* const command : {"film", "stability", "unbalance", "transient", "montecarlo"}) {
+    judge.require_for(command, false, "width.modes", modes, "is supported by the command equilibrium alone", advice);
+  }
+  judge.require_for("equilibrium", input.pads.empty(), "width.modes", modes, "is not supported with pads", advice);
+  judge.require_for("equilibrium", !input.asperity, "width.modes", modes, "is not supported with mixed contact",
+                    advice + ", or remove [asperity]");
+}
+
 void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+  judge_width(judge, input);
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);
   judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0);

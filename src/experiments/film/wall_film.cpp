@@ -119,8 +119,11 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       BearingState state;
       state.position = found.asked.journal;
       state.speed = speed;
-      const Vector undeformed = Vector::Zero(bearing.columns());
-      state.film = {{input.film.closed ? bearing.field(1.0) : bearing.resting_pressure(), {}}, undeformed, undeformed};
+      const Matrix undeformed = Matrix::Zero(1, bearing.columns());
+      state.film = {{input.film.closed ? bearing.field(1.0) : bearing.resting_pressure(), {}},
+                    undeformed,
+                    undeformed,
+                    Matrix::Zero(0, bearing.columns())};
       found.report = find_film(solver, film_equation(bearing, bearing.pads.front(), speed), bearing, state);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (!found.found()) continue;

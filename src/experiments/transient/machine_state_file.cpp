@@ -113,6 +113,7 @@ void visit_bearing(Bytes& bytes, Bearing& bearing) {
   bytes.array(bearing.film.thickness);
   bytes.array(bearing.film.lift);
   bytes.array(bearing.film.moment);
+  bytes.array(bearing.film.membrane);
   bytes.plain(bearing.last_step.dt);
   bytes.array(bearing.last_step.content);
   bytes.plain(bearing.work);

@@ -112,10 +112,10 @@ TEST(FieldsUnderAFilm, AreThoseOfFoilsUnderTheirLoads) {
     EXPECT_EQ((fields.top_bump.normal_force.array() > 0.0).count(), film_bearing_outcome(bearing, state).loaded_bumps);
     for (Eigen::Index b = 0; b < bearing.bumps(); ++b) {
       const int crest = bearing.pads.front().foil.supports[static_cast<std::size_t>(b)];
-      EXPECT_NEAR(fields.top_displacement(0, b), state.film.lift[crest] * bearing.scales.thickness, 1e-15);
+      EXPECT_NEAR(fields.top_displacement(0, b), state.film.lift(crest) * bearing.scales.thickness, 1e-15);
       // The moment over a crest, of the film and of the stress.
       const double moment = bearing.pads.front().foil.stiffness * bearing.pads.front().foil.pitch *
-                            bearing.scales.thickness * std::abs(state.film.moment[crest]);
+                            bearing.scales.thickness * std::abs(state.film.moment(crest));
       EXPECT_NEAR(fields.stress.top_crest(0, b), moment / bearing.stress.front().top_section_modulus,
                   1e-9 * fields.stress.top_crest.maxCoeff());
     }

@@ -47,7 +47,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
       const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
       ASSERT_EQ(stepper.advance(OperatingPoint::held_at(there, speed), moved).status, Status::converged);
       force[side] = film_bearing_outcome(bearing, moved).force;
-      lift[side] = bearing.scales.thickness * moved.film.lift;
+      lift[side] = bearing.scales.thickness * moved.film.lift.row(0).transpose();
     }
     response = std::max(response, (lift[1] - lift[0]).cwiseAbs().maxCoeff() / (2.0 * h));
     // Forces of tens of newtons are good to 1e-9 N: 1e-6 of a few MN/m.

@@ -80,12 +80,19 @@ void expect_products(int n) {
                                                         C.data(), n);
     expect_near(read<B>(C, n), c - sparse * b);
 
-    C = before;
-    kernels.products_of_row(A.data(), rows.data(), 2.0, A.data() + kernels.stride(), -3.0,
-                            rows.data() + kernels.stride(), C.data());
-    const RowMajor row = c.row(0) - a.row(0).cwiseProduct(b.row(0)) - 2.0 * a.row(1) + 3.0 * b.row(1);
-    expect_near(read<B>(C, n).row(0), row);
-    expect_near(read<B>(C, n).bottomRows(n - 1), c.bottomRows(n - 1));
+    const double factors[]{2.0, -3.0};
+    const RowMajor row = c.row(0) - a.row(0).cwiseProduct(b.row(0)) - 2.0 * a.row(0) + 3.0 * a.row(1);
+    const auto expect_row = [&](const auto& call) {
+      C = before;
+      call();
+      expect_near(read<B>(C, n).row(0), row);
+      expect_near(read<B>(C, n).bottomRows(n - 1), c.bottomRows(n - 1));
+    };
+    const double* const more = A.data();
+    expect_row([&] { kernels.products_of_row(A.data(), rows.data(), factors, more, 2, C.data()); });
+    expect_row([&] {
+      kernels.template products_of_row<Products::subtract, 2>(A.data(), rows.data(), factors, more, 2, C.data());
+    });
   });
 }
 

@@ -8,22 +8,23 @@
 namespace bumpfoil {
 namespace {
 
-void fill(ColumnCoupling& coupling, int n, double seed) {
-  for (int j = 0; j < n; ++j) {
-    const auto i = static_cast<std::size_t>(j);
-    coupling.own[i] = j < n - 2 ? std::sin(seed + 3.0 * j) : 0.0;
-    coupling.by_lift[i] = std::cos(2.0 * seed + j);
-    coupling.by_moment[i] = std::sin(5.0 * seed - j);
+/// Unknowns of a column, and how many of them are the foil's.
+struct Sizes {
+  int n{}, of_foil{};
+};
+
+void fill(ColumnCoupling& coupling, const Sizes& sizes, double seed) {
+  for (int j = 0; j < sizes.n; ++j) {
+    coupling.own[static_cast<std::size_t>(j)] = j < sizes.n - sizes.of_foil ? std::sin(seed + 3.0 * j) : 0.0;
+    for (int t = 0; t < sizes.of_foil; ++t) coupling.by(t)[j] = std::cos((2.0 + 3.0 * t) * seed + j);
   }
 }
 
-Matrix dense_coupling(const ColumnCoupling& coupling, int n) {
-  Matrix S = Matrix::Zero(n, n);
-  for (int j = 0; j < n; ++j) {
-    const auto i = static_cast<std::size_t>(j);
-    S(j, j) = coupling.own[i];
-    S(j, n - 2) += coupling.by_lift[i];
-    S(j, n - 1) += coupling.by_moment[i];
+Matrix dense_coupling(ColumnCoupling& coupling, const Sizes& sizes) {
+  Matrix S = Matrix::Zero(sizes.n, sizes.n);
+  for (int j = 0; j < sizes.n; ++j) {
+    S(j, j) = coupling.own[static_cast<std::size_t>(j)];
+    for (int t = 0; t < sizes.of_foil; ++t) S(j, sizes.n - sizes.of_foil + t) += coupling.by(t)[j];
   }
   return S;
 }
@@ -35,31 +36,34 @@ struct Example {
   Matrix A;
 };
 
-Example example(int columns, int n, bool has_before, VectorInstructions instructions) {
-  Example it{make_foil_span(columns, n, has_before, instructions), Matrix::Zero(n * (columns + 2), n * (columns + 2))};
+Example example(int columns, const Sizes& sizes, bool has_before, VectorInstructions instructions) {
+  const int n = sizes.n;
+  Example it{make_foil_span(columns, n, sizes.of_foil, has_before, instructions),
+             Matrix::Zero(n * (columns + 2), n * (columns + 2))};
   FoilSpan& span = *it.span;
-  fill(span.of_before(), n, 0.3);
-  fill(span.of_after(), n, 0.4);
+  fill(span.of_before(), sizes, 0.3);
+  fill(span.of_after(), sizes, 0.4);
   for (int c = 0; c < columns; ++c) {
-    fill(span.to_before(c), n, 1.0 + c);
-    fill(span.to_after(c), n, 2.0 - c);
+    fill(span.to_before(c), sizes, 1.0 + c);
+    fill(span.to_after(c), sizes, 2.0 - c);
     for (int i = 0; i < n; ++i) {
       // Heavy one place off the diagonal: without row exchanges the pivots would be poor.
       for (int j = 0; j < n; ++j) span.own(c)(i, j) = std::sin(3.0 * c + i * j) + (j == (i + 1) % n ? 5.0 * n : 0.0);
     }
     const Eigen::Index row = Eigen::Index{n} * (c + 1);
     it.A.block(row, row, n, n) = span.own(c);
-    if (c > 0 || has_before) it.A.block(row, row - n, n, n) = dense_coupling(span.to_before(c), n);
-    it.A.block(row, row + n, n, n) = dense_coupling(span.to_after(c), n);
+    if (c > 0 || has_before) it.A.block(row, row - n, n, n) = dense_coupling(span.to_before(c), sizes);
+    it.A.block(row, row + n, n, n) = dense_coupling(span.to_after(c), sizes);
   }
-  if (has_before) it.A.block(0, n, n, n) = dense_coupling(span.of_before(), n);
-  it.A.block(Eigen::Index{n} * (columns + 1), Eigen::Index{n} * columns, n, n) = dense_coupling(span.of_after(), n);
+  if (has_before) it.A.block(0, n, n, n) = dense_coupling(span.of_before(), sizes);
+  it.A.block(Eigen::Index{n} * (columns + 1), Eigen::Index{n} * columns, n, n) = dense_coupling(span.of_after(), sizes);
   return it;
 }
 
-void expect_like_dense(int columns, int n, bool has_before, VectorInstructions instructions) {
+void expect_like_dense(int columns, const Sizes& sizes, bool has_before, VectorInstructions instructions) {
+  const int n = sizes.n;
   SCOPED_TRACE(testing::Message() << columns << " columns of " << n << ", " << name_of(instructions));
-  const Example it = example(columns, n, has_before, instructions);
+  const Example it = example(columns, sizes, has_before, instructions);
   const auto& span = it.span;
   const Matrix& A = it.A;
   const Eigen::Index inside = Eigen::Index{n} * columns;
@@ -100,10 +104,11 @@ void expect_like_dense(int columns, int n, bool has_before, VectorInstructions i
 
 TEST(FoilSpan, LeavesItsNeighboursWhatDenseEliminationLeaves) {
   for (const VectorInstructions instructions : vector_instructions()) {
-    for (const int n : {3, 10, 18, 21}) {  // of code of their own, and of none
+    // Of code of their own, and of none.
+    for (const Sizes& sizes : {Sizes{3, 2}, {10, 2}, {18, 2}, {21, 2}, {14, 6}, {22, 6}, {9, 6}, {18, 6}}) {
       for (const int columns : {1, 2, 5}) {
-        expect_like_dense(columns, n, true, instructions);
-        expect_like_dense(columns, n, false, instructions);
+        expect_like_dense(columns, sizes, true, instructions);
+        expect_like_dense(columns, sizes, false, instructions);
       }
     }
   }
@@ -111,9 +116,9 @@ TEST(FoilSpan, LeavesItsNeighboursWhatDenseEliminationLeaves) {
 
 TEST(FoilSpan, ReportsSingularColumns) {
   for (const int n : {4, 18}) {
-    auto [span, A] = example(3, n, true, VectorInstructions::baseline);
+    auto [span, A] = example(3, {n, 2}, true, VectorInstructions::baseline);
     ColumnCoupling& coupling = span->to_before(1);
-    coupling.own[1] = coupling.by_lift[1] = coupling.by_moment[1] = 0.0;
+    coupling.own[1] = coupling.by(0)[1] = coupling.by(1)[1] = 0.0;
     span->own(1).row(1).setZero();
     FoilSpan::Condensed condensed;
     EXPECT_FALSE(span->eliminate(condensed));

@@ -30,8 +30,10 @@ inline constexpr Tags of_limits = 2 * of_pads;         ///< known where limits w
 inline constexpr Tags is_bump = 2 * of_limits;         ///< the number of one, through all pads
 /// Known of states that were not found, too: what was asked for, and how that ended.
 inline constexpr Tags asked = 2 * is_bump;
-inline constexpr Tags demand = 2 * asked;          ///< speed and load that were asked for
-inline constexpr Tags of_asperities = 2 * demand;  ///< not of smooth surfaces
+inline constexpr Tags demand = 2 * asked;               ///< speed and load that were asked for
+inline constexpr Tags of_asperities = 2 * demand;       ///< not of smooth surfaces
+inline constexpr Tags of_width = 2 * of_asperities;     ///< not of foils that are uniform over the width
+inline constexpr Tags of_uniform_foils = 2 * of_width;  ///< of those alone
 
 }  // namespace tag
 

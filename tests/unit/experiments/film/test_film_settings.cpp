@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -52,6 +53,42 @@ TEST(FindFaults, JudgesRoughSurfaces) {
   };
   EXPECT_EQ(resting(std::nullopt), Keys{"equilibrium.speeds[1]"});
   EXPECT_EQ(resting(by_factor), Keys{});
+}
+
+/// A foil that varies over the width is computed under the film of `equilibrium` alone, and of one foil.
+TEST(FindFaults, JudgesTheModesOverTheWidth) {
+  const auto with_modes = [](
+                              int modes, const std::function<void(Case&)>& change = [](Case&) {}) {
+    return faulty_keys([&](Case& input) {
+      input.width.modes = modes;
+      input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
+      change(input);
+    });
+  };
+  EXPECT_EQ(with_modes(1), Keys{});
+  EXPECT_EQ(with_modes(2), Keys{});
+  EXPECT_EQ(with_modes(0), Keys{"width.modes"});
+  EXPECT_EQ(with_modes(3), Keys{"width.modes"});
+  const auto on_peaks = [](Case& input) {
+    input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
+  };
+  EXPECT_EQ(with_modes(1, on_peaks), Keys{});
+  EXPECT_EQ(with_modes(2, on_peaks), Keys{"width.modes"});
+  const auto pads = [](Case& input) {
+    input.bump_foil.bumps = 8;
+    input.pads.resize(3);
+  };
+  EXPECT_EQ(with_modes(1, pads), Keys{});
+  EXPECT_EQ(with_modes(2, pads), Keys{"width.modes"});
+  // Other commands with films.
+  Case input = reference_case();
+  input.width.modes = 2;
+  for (const char* const command : {"film", "stability", "unbalance", "transient", "montecarlo"}) {
+    const std::vector<Fault> faults = find_faults(input, {command});
+    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [](const Fault& one) { return one.key == "width.modes"; }))
+        << command;
+  }
+  EXPECT_TRUE(find_faults(input, {"cycle"}).empty());
 }
 
 TEST(FindFaults, JudgesTheGas) {
