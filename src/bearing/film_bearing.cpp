@@ -91,17 +91,17 @@ BlockTridiagonal bump_foils_alone(const FilmBearing& bearing) {
   };
   double largest = 0.0;
   for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-    const auto [first, count] = structure.blocks_of(static_cast<int>(k));
-    auto from = static_cast<std::size_t>(first);
+    const PadBlocks blocks = structure.blocks_of(static_cast<int>(k));
+    auto from = static_cast<std::size_t>(blocks.first);
     auto to = static_cast<std::size_t>(bearing.pads[k].first_block);
-    for (int b = 0; b < count; ++b, ++from, ++to) {
+    for (int b = 0; b < blocks.count; ++b, ++from, ++to) {
       for (int i = 0; i < dofs.size; ++i) {
         for (int j = 0; j < dofs.size; ++j) {
           for_places(i, [&](int row, double part_of_row) {
             for_places(j, [&](int column, double part_of_column) {
               const double part = part_of_row * part_of_column;
               K.diagonal[to](row, column) = part * structure.K.diagonal[from](i, j);
-              if (b + 1 < count) K.upper[to](row, column) = part * structure.K.upper[from](i, j);
+              if (b + 1 < blocks.count) K.upper[to](row, column) = part * structure.K.upper[from](i, j);
               largest = std::max(largest, structure.K.diagonal[from](i, j));
             });
           });
