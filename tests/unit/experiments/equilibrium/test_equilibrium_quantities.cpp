@@ -139,6 +139,7 @@ TEST(RunningQuantities, PlaceMotionsOnTheirPad) {
 TEST(ColumnQuantities, IntegrateOverTheWidth) {
   const Example example;
   for (const ColumnQuantity& quantity : column_quantities()) {
+    if (quantity.is(tag::of_width)) continue;  // of foils that vary over the width
     const Vector values = quantity.value(example.bearing, *example.state.last);
     ASSERT_EQ(values.size(), 105);
     if (quantity.name == "line_load") {
