@@ -211,7 +211,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
             ("largest_amplitude_speed", "speed of the largest amplitude (rpm)", rpm),
             ("largest_amplitude_ratio", "amplitude / film thickness", 1),
             ("least_h_min", "minimum film thickness, orbits (µm)", 1e-6),
-            ("largest_half_peak_to_peak", "largest half peak-to-peak (µm)", 1e-6),
+            ("largest_half_peak_to_peak", "largest half peak to peak (µm)", 1e-6),
             ("largest_amplitude_half", "largest amplitude at half speed (µm)", 1e-6),
             ("thinnest_film_of_run", "minimum film thickness (µm)", 1e-6),
         ]
@@ -403,7 +403,7 @@ def revolutions(result: Result, *, width: str = "double", station: int = 1) -> F
     sheet = Sheet(width, *arranged(width, 4), panel_height=50)
     way, film, speed, friction = sheet.panels
     for number, (name, label) in enumerate(
-        (("half_peak_to_peak", "half p-p"), ("amplitude", "1x"), ("amplitude_half", "1/2x"))
+        (("half_peak_to_peak", "half peak to peak"), ("amplitude", "1x"), ("amplitude_half", "1/2x"))
     ):
         for axis, dashes in (("x", "-"), ("y", "--")):
             key = f"amplitude_{axis}_half" if name == "amplitude_half" else f"{name}_{axis}"
