@@ -32,7 +32,7 @@ struct InterfacePlace {
     Eigen::Index column = 0;
     for (int block = first_block; block < foils.structure.K.blocks(); ++block) {
       const Eigen::Index begin = foils.block(block) * per_block + first;
-      for (int k = 0; k < count; ++k) visit(column++, begin + k * points);
+      for (int k = 0; k < count; ++k) visit(column++, begin + Eigen::Index{k} * points);
     }
   }
 };
