@@ -32,6 +32,10 @@ Case read_source(const CaseSource& source, const std::vector<std::string>& comma
       [&] { return parse_case(source.text, source.name, {.overrides = source.changes, .commands = commands}); });
 }
 
+[[noreturn]] void refuse_argument(std::string name, std::string what, std::string advice) {
+  throw Error(ErrorKind::input, {{"", 0, std::move(name), "", std::move(what), std::move(advice)}});
+}
+
 void check_source(const CaseSource& source) {
   told_by_keys([&] { return check_case(source.text, source.name, source.changes); });
 }

@@ -24,6 +24,9 @@ Case read_source(const CaseSource& source, const std::vector<std::string>& comma
 /// @throws Error as check_case() does, told in the same way
 void check_source(const CaseSource& source);
 
+/// @throws Error (input) that tells of an argument
+[[noreturn]] void refuse_argument(std::string name, std::string what, std::string advice);
+
 /// What a command gave.
 struct Run {
   std::string command;

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bumpfoil/bearing/backward_difference.hpp"
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "run.hpp"
@@ -22,10 +21,6 @@ FilmBearingOptions stepper_options(const Case& input, const FilmBearing& bearing
   FilmBearingOptions options;
   options.newton.thickness_floor = thickness_floor(input) / bearing.scales.thickness;
   return options;
-}
-
-[[noreturn]] void refuse_argument(std::string key, std::string what, std::string advice) {
-  throw Error(ErrorKind::input, {{"", 0, std::move(key), "", std::move(what), std::move(advice)}});
 }
 
 /// @throws Error (input) unless one of position (m) and load (N) is given

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/status.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/load_search.hpp"
@@ -21,10 +20,6 @@ namespace py = pybind11;
 /// A load smaller than the requested one by this factor counts as zero.
 constexpr double least_load = 1e-6;
 
-[[noreturn]] void refuse(std::string key, std::string what, std::string advice) {
-  throw Error(ErrorKind::input, {{"", 0, std::move(key), "", std::move(what), std::move(advice)}});
-}
-
 }  // namespace
 
 BearingStepper::BearingStepper(const Case& input)
@@ -34,16 +29,16 @@ BearingStepper::BearingStepper(const BearingStepper& other)
     : foils_(other.foils_), settings_(other.settings_), stepper_(make_stepper(foils_, settings_)) {}
 
 Excitation BearingStepper::excitation_of(Excitation excitation, const Destination& to) const {
-  if (to.position && to.load) refuse("advance", "both a position and a load are given", "give one of them");
-  if (to.position && !to.position->allFinite()) refuse("position", "is not finite", "give two lengths in m");
+  if (to.position && to.load) refuse_argument("advance", "both a position and a load are given", "give one of them");
+  if (to.position && !to.position->allFinite()) refuse_argument("position", "is not finite", "give two lengths in m");
   if (to.load && !(to.load->allFinite() && to.load->norm() > 0.0)) {
-    refuse("load", "is zero or not finite", "give two forces in N; without a load, a position");
+    refuse_argument("load", "is zero or not finite", "give two forces in N; without a load, a position");
   }
   if (to.position) excitation.position = *to.position;
   if (!to.top_load) return excitation;
   if (!foils_->has_top_foil() || to.top_load->size() != foils_->bumps() || !to.top_load->allFinite()) {
-    refuse("top_load", "is no list of " + std::to_string(foils_->bumps()) + " forces on a top foil",
-           "give one in N for each bump, positive outward");
+    refuse_argument("top_load", "is no list of " + std::to_string(foils_->bumps()) + " forces on a top foil",
+                    "give one in N for each bump, positive outward");
   }
   excitation.top_load = *to.top_load;
   return excitation;
@@ -67,7 +62,8 @@ SharedState BearingStepper::judged() {
 }
 
 SharedState BearingStepper::assemble(const Destination& to) {
-  if (to.load) refuse("load", "cannot be met by foils that are not assembled", "advance to it from a position");
+  if (to.load)
+    refuse_argument("load", "cannot be met by foils that are not assembled", "advance to it from a position");
   const std::scoped_lock lock(mutex_);
   stepper_.assemble(excitation_of({}, to), step_);
   return judged();

@@ -146,8 +146,8 @@ constexpr auto sample_statuses = [] {
 }  // namespace
 
 std::string_view EnsembleLayout::dimension() const {
-  constexpr std::array<std::string_view, 5> names{"direction", "state", "rotor", "rotor", "rotor"};
-  return names.at(static_cast<std::size_t>(command));
+  if (command == EnsembleCommand::cycle) return "direction";
+  return command == EnsembleCommand::equilibrium ? "state" : "rotor";
 }
 
 std::string_view EnsembleLayout::leading() const {

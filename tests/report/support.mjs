@@ -171,3 +171,23 @@ export async function assertFits(page) {
     });
   }
 }
+
+/// Words of a page are words, its links lead somewhere, and no row of its panels is left half empty.
+/// @param noWords  what no text of it may have
+export async function assertReads(page, noWords) {
+  const text = await page.locator('main').innerText();
+  assert.deepEqual(text.match(noWords), null);
+  const dead = await page.locator('a[href^="#"]').evaluateAll((links) => links.map((link) => link.getAttribute('href')).filter((href) => !document.getElementById(href.slice(1))));
+  assert.deepEqual([...new Set(dead)], []);
+  const ends = await page.locator('.multiples').evaluateAll((groups) => groups.map((group) => [group.getBoundingClientRect().right, group.lastElementChild.getBoundingClientRect().right]));
+  for (const [group, last] of ends) assert.ok(Math.abs(group - last) < 1, `${last} of ${group}`);
+}
+
+/// On paper every panel with a drawing fits a page.
+export async function assertPanelsFitPaper(page) {
+  await print(page);
+  for (const panel of await page.locator('.panel', { has: page.locator('.chart, .round') }).all()) {
+    const { height, width } = await panel.boundingBox();
+    assert.ok(height < paper.height - 60 && width <= paper.width);
+  }
+}

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, folder, near, paper, print, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, assertPanelsFitPaper, axeFindings, folder, near, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=6'];
 
@@ -247,10 +247,6 @@ test('axe finds nothing, and the page fits screens and paper', async () => {
   }
   await withReport('grid.html', assertFits);
   await withReport('grid.html', async (page) => {
-    await print(page);
-    for (const panel of await page.locator('.panel', { has: page.locator('.chart, .round') }).all()) {
-      const { height, width } = await panel.boundingBox();
-      assert.ok(height < paper.height - 60 && width <= paper.width);
-    }
+    await assertPanelsFitPaper(page);
   });
 });

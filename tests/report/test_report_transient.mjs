@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, folder, near, paper, plotsIn, print, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, assertPanelsFitPaper, assertReads, axeFindings, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
 
 const coarse = ['film.columns_per_pitch=4', 'film.rows=4', 'transient.steps_per_revolution=30', 'transient.revolutions_per_spectrum=2'];
 
@@ -248,12 +248,7 @@ test('a rotor may turn from Y to X, and a run of one revolution has its orbit', 
 
 test('words are words, links lead somewhere, and no row of panels is left half empty', () =>
   withReport('rubbing.html', async (page) => {
-    const text = await page.locator('main').innerText();
-    assert.deepEqual(text.match(/\bh min\b|krad|half way|amplitude x|2x\b.*_|thinnest film of run/gi), null);
-    const dead = await page.locator('a[href^="#"]').evaluateAll((links) => links.map((link) => link.getAttribute('href')).filter((href) => !document.getElementById(href.slice(1))));
-    assert.deepEqual([...new Set(dead)], []);
-    const ends = await page.locator('.multiples').evaluateAll((groups) => groups.map((group) => [group.getBoundingClientRect().right, group.lastElementChild.getBoundingClientRect().right]));
-    for (const [group, last] of ends) assert.ok(Math.abs(group - last) < 1, `${last} of ${group}`);
+    await assertReads(page, /\bh min\b|krad|half way|amplitude x|2x\b.*_|thinnest film of run/gi);
   }));
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
@@ -262,11 +257,7 @@ test('axe finds nothing, and the page fits screens and paper', async () => {
   }
   await withReport('rubbing.html', assertFits);
   await withReport('coast.html', async (page) => {
-    await print(page);
+    await assertPanelsFitPaper(page);
     assert.ok(!(await page.locator('.steps').isVisible()));
-    for (const panel of await page.locator('.panel', { has: page.locator('.chart, .round') }).all()) {
-      const { height, width } = await panel.boundingBox();
-      assert.ok(height < paper.height - 60 && width <= paper.width);
-    }
   });
 });

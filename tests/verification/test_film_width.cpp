@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "bumpfoil/bearing/film_bearing_energy.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
@@ -51,8 +53,10 @@ const Reference references[]{
 
 const FilmResolution parabola_on_6x16{.columns_per_pitch = 6, .rows = 16, .width_modes = 2};
 
-RunningState under(double load, const FilmResolution& resolution, SharedFilmBearing& bearing) {
+RunningState under(double load, const FilmResolution& resolution, SharedFilmBearing& bearing,
+                   const std::optional<PerBump>& pitch = {}) {
   Case input = film_reference_case(resolution);
+  if (pitch) input.bump_foil.pitch = *pitch;
   input.equilibrium =
       EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}, .paths = ComparedPaths::one};
   EquilibriumResult result = run_equilibrium(input);
@@ -110,6 +114,32 @@ TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
   EXPECT_LT(parabola.head(foil.mesh.columns).cwiseAbs().maxCoeff(), 1e-6);  // of c; 0.01 with the foil's own stretch
   // Both came to the same state, by other paths.
   EXPECT_LT((film_bearing_outcome(bearing, state).force - reference.outcome->force).norm(), 1e-5 * 80.0);
+}
+
+/// Pitches that are equal are those of any foil, to the last bit; where they differ columns stand at distances of their
+/// own, and the film is thinner than under a uniform foil by about as much as with equal ones.
+TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
+  const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6, .width_modes = 2};
+  SharedFilmBearing bearing;
+  const RunningState equal = under(80.0, coarse, bearing);
+  const RunningState said_one_by_one = under(80.0, coarse, bearing, PerBump(4.572e-3, 4.572e-3, Grading::linear));
+  ASSERT_TRUE(equal.found() && said_one_by_one.found());
+  EXPECT_EQ(equal.last->position, said_one_by_one.last->position);
+  EXPECT_EQ(equal.last->film.membrane, said_one_by_one.last->film.membrane);
+
+  const PerBump graded(4.3e-3, 4.8e-3, Grading::linear);
+  const RunningState varying = under(80.0, coarse, bearing, graded);
+  ASSERT_TRUE(varying.found());
+  expect_solved(*bearing, *varying.last);
+  FilmResolution plain = coarse;
+  plain.width_modes = 1;
+  const auto thinning = [&](const RunningState& with_parabola, const std::optional<PerBump>& pitch) {
+    SharedFilmBearing uniform;
+    return 1.0 -
+           with_parabola.outcome->thinnest.thickness / under(80.0, plain, uniform, pitch).outcome->thinnest.thickness;
+  };
+  EXPECT_GT(thinning(equal, {}), 5e-3);
+  EXPECT_NEAR(thinning(varying, graded), thinning(equal, {}), 5e-3);
 }
 
 /// Stiffness is the derivative of the force, with all that varies over the width.

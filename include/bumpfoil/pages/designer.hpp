@@ -22,10 +22,9 @@ namespace bumpfoil {
 /// * `equilibrium`: `speed` (rad/s) and `load` (N) or `position` (m), each along X and Y, in the request; the rest is
 ///   as the case says. `run`, the running bearing as report_json describes it, and its `state` as summary.json has it,
 ///   with all digits; where it was not found, with the `reason`.
-/// * `stability`: `speeds` (rad/s) in the request in place of those of the case, and if it is to be quick the `mesh`,
-/// the
-///   most columns per pitch and rows. `run`, free motions of the rotor as report_json describes them. The case must
-///   have a rotor.
+/// * `stability`: `speeds` (rad/s) in the request in place of those of the case, and if it is to be quick the `mesh`:
+///   the most columns per pitch, and rows. `run`, free motions of the rotor as report_json describes them. The case
+///   must have a rotor.
 /// * `samples`: `first` and `count` in the request, and the samples `before` that are known. `quantities` that
 ///   ensembles are shown by, and `samples`: for each of those before, and of the numbers from `first` on, per
 ///   direction, their values; `statistics` of these, per direction, by the keys of quantities. The case must have an

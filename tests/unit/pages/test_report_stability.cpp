@@ -2,25 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <string>
-
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
-#include "bumpfoil/pages/report.hpp"
-#include "bumpfoil/results/result_set.hpp"
 #include "support/film_bearing_cases.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/reported_run.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using nlohmann::json;
+using test_support::json;
 
 /// The folder of a rotor of 2 kg at two speeds, between which it begins to whirl.
-class ReportOfRotors : public testing::Test {
+class ReportOfRotors : public test_support::ReportedRun {
  protected:
   void SetUp() override {
     Case input = film_reference_case({6, 8});
@@ -31,32 +24,8 @@ class ReportOfRotors : public testing::Test {
     StabilitySettings settings;
     settings.speeds = {speed_of_rpm(-12600.0), speed_of_rpm(-13200.0)};
     input.settings.set(settings);
-    for (const ResultFile& file : experiment_named("stability").run(input, {}).files({})) {
-      folder_.write(file.name, file.contents);
-    }
+    write(experiment_named("stability").run(input, {}).files({}));
   }
-
-  [[nodiscard]] json shown() const { return json::parse(report_json({folder_.path()})).at("runs").at(0); }
-
-  /// What a report says of the folder with other onsets.
-  [[nodiscard]] std::string fault_of_onsets(const json& onsets) const {
-    json summary = json::parse(folder_.read("summary.json"));
-    if (onsets.is_null()) {
-      summary.erase("onsets");
-    } else {
-      summary["onsets"] = onsets;
-    }
-    summary["xxh3_128"] = blank_checksum;
-    folder_.write("summary.json", sealed(summary.dump()));
-    try {
-      report_json({folder_.path()});
-      return "";
-    } catch (const Error& error) {
-      return std::string(error.what()).substr(folder_.path().string().size());
-    }
-  }
-
-  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(ReportOfRotors, HasMotionsOnsetsAndTheWordsForThem) {
@@ -68,38 +37,24 @@ TEST_F(ReportOfRotors, HasMotionsOnsetsAndTheWordsForThem) {
   EXPECT_EQ(run.at("variables").at("contacts").at("words"), "sliding stuck");
   EXPECT_EQ(run.at("variables").at("shape_phase_y").at("dims"), (json{"speed", "contacts", "mode", "station"}));
   const json& onsets = run.at("summary").at("onsets");
-  EXPECT_EQ(onsets, json::parse(folder_.read("summary.json")).at("onsets"));
+  EXPECT_EQ(onsets, stored_summary().at("onsets"));
   ASSERT_FALSE(onsets.empty());
   EXPECT_EQ(onsets[0].at("begins"), true);
   // Of the whole run, of a speed and of a motion, each with words; which motion it is, is none of them.
-  const auto label_of = [&](const std::string& name) -> std::string {
-    const json& all = run.at("quantities");
-    const auto found = std::find_if(all.begin(), all.end(), [&](const json& one) { return one.at("name") == name; });
-    return found == all.end() ? "" : found->at("label").get<std::string>();
-  };
-  EXPECT_EQ(label_of("onset_speed"), "onset of whirl");
-  EXPECT_EQ(label_of("h_min"), "minimum film thickness");
-  EXPECT_EQ(label_of("speed_status"), "status");
-  EXPECT_EQ(label_of("imag"), "damped frequency");
-  EXPECT_EQ(label_of("mode") + label_of("contacts"), "");
-  for (const json& quantity : run.at("quantities")) {
-    EXPECT_TRUE(run.at("variables").contains(quantity.at("name"))) << quantity;
-    EXPECT_FALSE(quantity.at("meaning").get<std::string>().empty()) << quantity;
-  }
+  EXPECT_EQ(label_of(run, "onset_speed"), "onset of whirl");
+  EXPECT_EQ(label_of(run, "h_min"), "minimum film thickness");
+  EXPECT_EQ(label_of(run, "speed_status"), "status");
+  EXPECT_EQ(label_of(run, "imag"), "damped frequency");
+  EXPECT_EQ(label_of(run, "mode") + label_of(run, "contacts"), "");
+  expect_words_for_all(run);
 }
 
 TEST_F(ReportOfRotors, RefusesOnsetsThatAreNone) {
   const json onset = shown().at("summary").at("onsets").at(0);
-  EXPECT_EQ(fault_of_onsets(json::array({onset})), "");
-  EXPECT_EQ(fault_of_onsets(nullptr), "/summary.json: onsets: is missing");
-  EXPECT_EQ(fault_of_onsets("none"), "/summary.json: onsets: is not a list");
-  for (const auto& [key, value] : onset.items()) {
-    json spoilt = onset;
-    spoilt.erase(key);
-    EXPECT_EQ(fault_of_onsets(json::array({onset, spoilt})), "/summary.json: " + key + ": is missing");
-    spoilt[key] = json::array();
-    EXPECT_EQ(fault_of_onsets(json::array({spoilt})).find("/summary.json: " + key + ": is n"), 0U) << key;
-  }
+  EXPECT_EQ(fault_of("onsets", json::array({onset})), "");
+  EXPECT_EQ(fault_of("onsets", nullptr), "/summary.json: onsets: is missing");
+  EXPECT_EQ(fault_of("onsets", "none"), "/summary.json: onsets: is not a list");
+  expect_refused_without("onsets", onset, json::array(), "is n");
 }
 
 }  // namespace

@@ -3,27 +3,21 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/transient/transient.hpp"
-#include "bumpfoil/pages/report.hpp"
-#include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "support/film_bearing_cases.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/reported_run.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using nlohmann::json;
+using test_support::json;
 
 /// The folder of a rotor that turns a little more than 12 times, 20 steps each.
-class ReportOfRunsInTime : public testing::Test {
+class ReportOfRunsInTime : public test_support::ReportedRun {
  protected:
   static void SetUpTestSuite() {
     Case input = film_rotor_case({4, 4});
@@ -35,30 +29,8 @@ class ReportOfRunsInTime : public testing::Test {
   }
   static void TearDownTestSuite() { files_.clear(); }
 
-  void SetUp() override {
-    for (const ResultFile& file : files_) folder_.write(file.name, file.contents);
-  }
+  void SetUp() override { write(files_); }
 
-  [[nodiscard]] json shown(std::size_t most_values = most_report_values) const {
-    return json::parse(report_json({folder_.path()}, {.most_values = most_values})).at("runs").at(0);
-  }
-
-  /// What a report says of the folder with another value in its summary; null removes it.
-  [[nodiscard]] std::string fault_of(const std::string& key, const json& value) const {
-    json summary = json::parse(folder_.read("summary.json"));
-    summary[key] = value;
-    if (value.is_null()) summary.erase(key);
-    summary["xxh3_128"] = blank_checksum;
-    folder_.write("summary.json", sealed(summary.dump()));
-    try {
-      report_json({folder_.path()});
-      return "";
-    } catch (const Error& error) {
-      return std::string(error.what()).substr(folder_.path().string().size());
-    }
-  }
-
-  test_support::TemporaryFolder folder_;
   static inline std::vector<ResultFile> files_;
 };
 
@@ -81,22 +53,14 @@ TEST_F(ReportOfRunsInTime, HasAllOfAShortRunAndTheWordsForIt) {
   // Energies are those of revolutions.
   EXPECT_FALSE(run.at("variables").contains("entrained_work"));
   const json& summary = run.at("summary");
-  const json stored = json::parse(folder_.read("summary.json"));
+  const json stored = stored_summary();
   for (const char* key : {"stations", "revolutions", "energy", "rubs"})
     EXPECT_EQ(summary.at(key), stored.at(key)) << key;
   EXPECT_EQ(summary.at("rub_count"), 0);
-  const auto label_of = [&](const std::string& name) -> std::string {
-    const json& all = run.at("quantities");
-    const auto found = std::find_if(all.begin(), all.end(), [&](const json& one) { return one.at("name") == name; });
-    return found == all.end() ? "" : found->at("label").get<std::string>();
-  };
-  EXPECT_EQ(label_of("largest_half_peak_to_peak"), "largest half peak-to-peak");
-  EXPECT_EQ(label_of("amplitude_x_half"), "amplitude at half the speed, X");
-  EXPECT_EQ(label_of("revolution_film_dissipation"), "dissipation of films");
-  for (const json& quantity : run.at("quantities")) {
-    EXPECT_TRUE(run.at("variables").contains(quantity.at("name"))) << quantity;
-    EXPECT_FALSE(quantity.at("meaning").get<std::string>().empty()) << quantity;
-  }
+  EXPECT_EQ(label_of(run, "largest_half_peak_to_peak"), "largest half peak-to-peak");
+  EXPECT_EQ(label_of(run, "amplitude_x_half"), "amplitude at half the speed, X");
+  EXPECT_EQ(label_of(run, "revolution_film_dissipation"), "dissipation of films");
+  expect_words_for_all(run);
 }
 
 /// An eighth of the numbers are for each of revolutions, spectra and steps.
@@ -132,13 +96,7 @@ TEST_F(ReportOfRunsInTime, RefusesListsThatAreNone) {
   EXPECT_EQ(fault_of("rubs", json(std::vector<json>(1200, rub))), "");
   EXPECT_EQ(shown().at("summary").at("rubs").size(), 1000U);
   EXPECT_EQ(shown().at("summary").at("rub_count"), 1200);
-  for (const auto& [key, value] : rub.items()) {
-    json spoilt = rub;
-    spoilt.erase(key);
-    EXPECT_EQ(fault_of("rubs", json::array({rub, spoilt})), "/summary.json: " + key + ": is missing");
-    spoilt[key] = "none";
-    EXPECT_EQ(fault_of("rubs", json::array({spoilt})).find("/summary.json: " + key + ": is not a"), 0U) << key;
-  }
+  expect_refused_without("rubs", rub, "none", "is not a");
   EXPECT_EQ(fault_of("rubs", nullptr), "/summary.json: rubs: is missing");
   EXPECT_EQ(fault_of("rubs", "none"), "/summary.json: rubs: is not a list");
   EXPECT_EQ(fault_of("rubs", json::array()), "");

@@ -3,54 +3,26 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <string>
-
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
-#include "bumpfoil/pages/report.hpp"
-#include "bumpfoil/results/result_set.hpp"
 #include "support/film_bearing_cases.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/reported_run.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using nlohmann::json;
+using test_support::json;
 
 /// The folder of a rotor at four speeds, among which its orbit is largest, with periodic orbits.
-class ReportOfUnbalance : public testing::Test {
+class ReportOfUnbalance : public test_support::ReportedRun {
  protected:
   void SetUp() override {
     Case input = film_rotor_case({4, 4});
     input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
     input.settings.set(UnbalanceSettings{
         .speeds = speeds_of_rpm({-4000.0, -7000.0, -10000.0, -13000.0}), .orbits = true, .steps_per_revolution = 30});
-    for (const ResultFile& file : experiment_named("unbalance").run(input, {}).files({})) {
-      folder_.write(file.name, file.contents);
-    }
+    write(experiment_named("unbalance").run(input, {}).files({}));
   }
-
-  [[nodiscard]] json shown() const { return json::parse(report_json({folder_.path()})).at("runs").at(0); }
-
-  /// What a report says of the folder with another value in its summary; null removes it.
-  [[nodiscard]] std::string fault_of(const std::string& key, const json& value) const {
-    json summary = json::parse(folder_.read("summary.json"));
-    summary[key] = value;
-    if (value.is_null()) summary.erase(key);
-    summary["xxh3_128"] = blank_checksum;
-    folder_.write("summary.json", sealed(summary.dump()));
-    try {
-      report_json({folder_.path()});
-      return "";
-    } catch (const Error& error) {
-      return std::string(error.what()).substr(folder_.path().string().size());
-    }
-  }
-
-  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(ReportOfUnbalance, HasResponsesPeaksAndTheWordsForThem) {
@@ -63,22 +35,14 @@ TEST_F(ReportOfUnbalance, HasResponsesPeaksAndTheWordsForThem) {
   EXPECT_EQ(run.at("variables").at("kind").at("words"), "linear_sliding linear_stuck orbit");
   const json& summary = run.at("summary");
   EXPECT_EQ(summary.at("stations"), json::array({"bearing 1"}));
-  EXPECT_EQ(summary.at("peaks"), json::parse(folder_.read("summary.json")).at("peaks"));
+  EXPECT_EQ(summary.at("peaks"), stored_summary().at("peaks"));
   ASSERT_FALSE(summary.at("peaks").empty());
-  const auto label_of = [&](const std::string& name) -> std::string {
-    const json& all = run.at("quantities");
-    const auto found = std::find_if(all.begin(), all.end(), [&](const json& one) { return one.at("name") == name; });
-    return found == all.end() ? "" : found->at("label").get<std::string>();
-  };
-  EXPECT_EQ(label_of("equilibrium_h_min"), "minimum film thickness, equilibrium");
-  EXPECT_EQ(label_of("largest_amplitude"), "largest amplitude");
-  EXPECT_EQ(label_of("h_min"), "minimum film thickness");
-  EXPECT_EQ(label_of("largest_multiplier"), "largest Floquet multiplier");
-  EXPECT_EQ(label_of("amplitude_x_2x"), "amplitude at twice the speed, X");
-  for (const json& quantity : run.at("quantities")) {
-    EXPECT_TRUE(run.at("variables").contains(quantity.at("name"))) << quantity;
-    EXPECT_FALSE(quantity.at("meaning").get<std::string>().empty()) << quantity;
-  }
+  EXPECT_EQ(label_of(run, "equilibrium_h_min"), "minimum film thickness, equilibrium");
+  EXPECT_EQ(label_of(run, "largest_amplitude"), "largest amplitude");
+  EXPECT_EQ(label_of(run, "h_min"), "minimum film thickness");
+  EXPECT_EQ(label_of(run, "largest_multiplier"), "largest Floquet multiplier");
+  EXPECT_EQ(label_of(run, "amplitude_x_2x"), "amplitude at twice the speed, X");
+  expect_words_for_all(run);
 }
 
 TEST_F(ReportOfUnbalance, RefusesPeaksThatAreNone) {
@@ -86,13 +50,7 @@ TEST_F(ReportOfUnbalance, RefusesPeaksThatAreNone) {
   EXPECT_EQ(fault_of("peaks", json::array({peak})), "");
   EXPECT_EQ(fault_of("peaks", nullptr), "/summary.json: peaks: is missing");
   EXPECT_EQ(fault_of("peaks", "none"), "/summary.json: peaks: is not a list");
-  for (const auto& [key, value] : peak.items()) {
-    json spoilt = peak;
-    spoilt.erase(key);
-    EXPECT_EQ(fault_of("peaks", json::array({peak, spoilt})), "/summary.json: " + key + ": is missing");
-    spoilt[key] = json::array();
-    EXPECT_EQ(fault_of("peaks", json::array({spoilt})).find("/summary.json: " + key + ": is not a "), 0U) << key;
-  }
+  expect_refused_without("peaks", peak, json::array(), "is not a ");
   EXPECT_EQ(fault_of("peaks", json::array()), "");
   EXPECT_EQ(fault_of("stations", json::array({1})), "/summary.json: stations: is not a list of names");
   EXPECT_EQ(fault_of("stations", nullptr), "/summary.json: stations: is missing");

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "support/film_bearing_cases.hpp"
 
@@ -331,6 +332,18 @@ TEST(Equilibrium, KnowsNoWavesOfTheJournal) {
   input.equilibrium = EquilibriumSettings{.speeds = {4000.0}, .loads = {{50.0, 0.0}}};
   input.bearing.journal.waves = {{3, 5e-6, 0.0}};
   EXPECT_THROW(run_equilibrium(input), Error);
+}
+
+/// Past the end of a branch solves are given up where only vain steps are left of them: else each runs to its limit,
+/// and this state takes 2,432 iterations.
+TEST(Equilibrium, GivesUpSoonWhereNoStateIs) {
+  const Case input = read_case(
+      "../examples/running_from_rest.toml",
+      {.overrides = {"equilibrium.speeds=[\"0 rpm\", \"762.7 rpm\", \"1525.4 rpm\"]"}, .commands = {"equilibrium"}});
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_TRUE(result.converged());
+  EXPECT_EQ(result.states[2].report.jumps, 1);
+  EXPECT_LT(result.states[2].report.iterations, 1500);
 }
 
 }  // namespace
