@@ -17,6 +17,7 @@ DRAWN = {
     "measured": lambda case: figures.foils(bumpfoil.run_cycle(case).cycles[0]),
     "out_of_round": lambda case: figures.foils(bumpfoil.run_cycle(case).cycles[0]),
     "running": lambda case: figures.coefficients(bumpfoil.run_equilibrium(case)),
+    "misaligned": lambda case: figures.coefficients(bumpfoil.run_equilibrium(case)),
     "running_from_rest": lambda case: figures.run_up(bumpfoil.run_equilibrium(case)),
     "rotor": lambda case: figures.campbell(bumpfoil.run_stability(case)),
     "rotor_unlike": lambda case: figures.campbell(bumpfoil.run_stability(case)),

@@ -49,7 +49,8 @@ InterfacePlace place_of(const Foils& foils, Interface interface) {
     case Interface::bump_sleeve:
       break;
   }
-  return {.first_block = 0, .first = foils.first_foot(), .count = foils.feet_per_block()};
+  return {
+      .first_block = 0, .first = foils.first_foot(), .count = foils.feet_per_block(), .points = foils.foot_contacts()};
 }
 
 /// Loads up to this are none, N.

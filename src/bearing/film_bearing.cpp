@@ -56,8 +56,9 @@ FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const Film
   crests.reserve(foils.bumps.size());
   for (int i = 0; i < bumps; ++i) crests.push_back(m / 2 + i * m);
   const double R = design.bearing.radius;
-  const FilmMesh mesh = make_slotted_mesh(film_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m),
-                                          resolution.rows, 0.5 * design.bearing.axial_length / R);
+  const int rows = resolution.width == WidthPart::half ? resolution.rows : 2 * resolution.rows;
+  const FilmMesh mesh = make_slotted_mesh(film_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m), rows,
+                                          0.5 * design.bearing.axial_length / R, resolution.width);
   return make_foil_film(mesh, scales, make_top_foil_section(foils).bending_stiffness, pitch, std::move(crests),
                         make_forming(foils),
                         {.modes = resolution.width_modes,
@@ -98,16 +99,54 @@ Matrix FilmBearing::field(double value) const {
 Matrix FilmBearing::resting_pressure() const {
   Matrix pressure = field(1.0);
   for (const FilmPad& pad : pads) {
-    pressure.col(pad.first_column + pad.foil.mesh.columns)
-        .head(pad.foil.mesh.rows)
+    const FilmMesh& mesh = pad.foil.mesh;
+    const auto inside = Eigen::seqN(pad.first_column + mesh.first_unknown(), mesh.unknown_columns());
+    for (int j = 0; j <= mesh.rows; ++j) {
+      if (mesh.is_side(j)) pressure(j, inside).setConstant(surroundings.side_pressure[mesh.zeta(j) < 0.0 ? 0 : 1]);
+    }
+    if (mesh.closed) continue;
+    pressure.col(pad.first_column + mesh.columns)
+        .segment(mesh.first_unknown_row(), mesh.unknown_rows())
         .setConstant(surroundings.inlet_pressure);
   }
   return pressure;
 }
 
-Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position, double opening) const {
+JournalVector FilmBearing::journal_of(const BearingState& state) const {
+  JournalVector journal(motions());
+  journal.head<2>() = state.position;
+  if (tilts()) journal.tail<2>() = state.tilt;
+  return journal;
+}
+
+void FilmBearing::place_journal(const JournalVector& journal, BearingState& state) {
+  state.position = journal.head<2>();
+  if (journal.size() > 2) state.tilt = journal.tail<2>();
+}
+
+namespace {
+
+/// Adds the change of H by the tilt of the journal.
+void add_tilt(const FilmBearing& bearing, const JournalVector& journal, Matrix& H) {
+  if (journal.size() == 2) return;
+  const Eigen::RowVectorXd at_side = journal.tail<2>().transpose() * bearing.column_normals / -bearing.scales.thickness;
+  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
+  for (int j = 0; j <= mesh.rows; ++j) H.row(j) += mesh.zeta(j) * at_side;
+}
+
+}  // namespace
+
+Matrix FilmBearing::undeformed_thickness(const JournalVector& journal, double opening) const {
   Matrix H = field((clearance + opening) / scales.thickness);
-  H.rowwise() += (sleeve.transpose() - position.transpose() * column_normals) / scales.thickness;
+  H.rowwise() += (sleeve.transpose() - journal.head<2>().transpose() * column_normals) / scales.thickness;
+  add_tilt(*this, journal, H);
+  return H;
+}
+
+Matrix FilmBearing::thinning(const JournalVector& displacement) const {
+  Matrix H = (displacement.head<2>().transpose() * column_normals / -scales.thickness)
+                 .replicate(pads.front().foil.mesh.rows + 1, 1);
+  add_tilt(*this, displacement, H);
   return H;
 }
 
@@ -173,18 +212,21 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   for (const PlacedPad& placed : foils.placed) append(placed, resolution, bearing);
   bearing.room = room_of(bearing);
   const FoilFilm& foil = bearing.pads.front().foil;
-  bearing.crest_lines = crest_lines_of(foil.lines, bearing.dofs(), bearing.first_pressure() + foil.mesh.rows);
+  bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), bearing.first_pressure() + foil.mesh.unknown_rows());
   BlockTridiagonal K = bump_foils_alone(bearing);
-  const auto own = foils.problem.sites.begin();  // of a block, without the journal's
-  std::vector<ContactSite> pattern;
-  for (const CrestLine& line : bearing.crest_lines) {
-    ContactSite site = own[foils.top_bump()];
-    site.plus = line.crest_v;
-    site.minus = line.top_u;
-    site.tangential = line.crest_u;
-    pattern.push_back(site);
+  std::vector<ContactSite> pattern;  // of a block, without the journal's
+  const auto add_on_lines = [&](int of_foils, int lines) {
+    for (int s = 0; s < lines; ++s) {
+      ContactSite& site = pattern.emplace_back(foils.problem.sites[static_cast<std::size_t>(of_foils)]);
+      for (int* place : {&site.plus, &site.minus, &site.tangential}) {
+        if (*place >= 0) *place = bearing.place(s, *place);
+      }
+    }
+  };
+  add_on_lines(foils.top_bump(), bearing.crest_contacts());
+  for (int foot = 0; foot < foils.feet_per_block(); ++foot) {
+    add_on_lines(foils.first_foot() + foot * foils.foot_contacts(), bearing.foot_contacts());
   }
-  pattern.insert(pattern.end(), own + foils.first_foot(), own + foils.contacts_per_block());
   std::vector<ContactSite> sites = in_every_block(pattern, K.blocks());
   bearing.problem = {.K = std::move(K), .sites = std::move(sites), .force_scale = foils.problem.force_scale};
 
@@ -196,7 +238,10 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
                                                   foils.contacts_per_block());
     auto to = bearing.assembled_gap.segment(bearing.block(b) * per_block, per_block);
     to.head(bearing.crest_contacts()).setConstant(from[foils.top_bump()]);
-    to.tail(bearing.feet_per_block()) = from.tail(foils.feet_per_block());
+    for (int foot = 0; foot < bearing.feet_per_block(); ++foot) {
+      to.segment(bearing.first_foot() + Eigen::Index{foot} * bearing.foot_contacts(), bearing.foot_contacts())
+          .setConstant(from[foils.first_foot() + Eigen::Index{foot} * foils.foot_contacts()]);
+    }
   }
   return bearing;
 }
@@ -215,18 +260,18 @@ FilmBearing formed_by(const FilmBearing& bearing, double part) {
   return other;
 }
 
-BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
+BearingState resting(const FilmBearing& bearing, const JournalVector& journal, double speed, double opening) {
   BearingState state;
-  state.position = position;
+  FilmBearing::place_journal(journal, state);
   state.speed = speed;
   state.opening = opening;
   state.contacts = ContactState::unstressed(bearing.problem);
   const FoilFilm& foil = bearing.pads.front().foil;
   const Matrix of_lines = Matrix::Zero(foil.lines.count(), bearing.columns());
-  state.film = {{bearing.resting_pressure(), bearing.undeformed_thickness(position, opening)},
+  state.film = {{bearing.resting_pressure(), bearing.undeformed_thickness(journal, opening)},
                 of_lines,
                 of_lines,
-                Matrix::Zero(2 * foil.varying.rows(), bearing.columns())};
+                Matrix::Zero(2 * foil.stretching.rows(), bearing.columns())};
   state.contacts.gap = bearing.assembled_gap;
   state.begin_increment();
   return state;
@@ -254,22 +299,28 @@ void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& cont
 
 namespace {
 
-Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure) {
+JournalVector pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure) {
   const FilmMesh& mesh = pad.foil.mesh;
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  JournalVector force = JournalVector::Zero(bearing.motions());
   for (int k = 0; k < mesh.nodes(); ++k) {
     const int column = pad.first_column + k;
     double excess = 0.0;
-    for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, column) - 1.0);
-    force += mesh.column_weight(k) * excess * bearing.column_normals.col(column);
+    double lever = 0.0;
+    for (int j = 0; j <= mesh.rows; ++j) {
+      const double part = mesh.row_weight(j) * (pressure(j, column) - 1.0);
+      excess += part;
+      lever += part * mesh.zeta(j);
+    }
+    force.head<2>() += mesh.column_weight(k) * excess * bearing.column_normals.col(column);
+    if (bearing.tilts()) force.tail<2>() += mesh.column_weight(k) * lever * bearing.column_normals.col(column);
   }
-  return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
+  return mesh.copies() * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
 }
 
 }  // namespace
 
-Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+JournalVector film_force(const FilmBearing& bearing, const Matrix& pressure) {
+  JournalVector force = JournalVector::Zero(bearing.motions());
   for (const FilmPad& pad : bearing.pads) force += pad_film_force(bearing, pad, pressure);
   return force;
 }
@@ -287,7 +338,7 @@ namespace {
 /// Forces of pressures at the columns of a pad that are the same over the width, N.
 Vector column_forces(const FilmBearing& bearing, const FilmPad& pad, const Vector& pressures) {
   const FilmMesh& mesh = pad.foil.mesh;
-  return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * mesh.rows *
+  return mesh.copies() * bearing.scales.force() * mesh.dtheta * mesh.dzeta * mesh.rows *
          mesh.weights.cwiseProduct(pressures(pad.columns()));
 }
 
@@ -311,10 +362,11 @@ double sliding_friction(const FilmBearing& bearing, double speed) {
   return rough ? rough->friction * std::tanh(speed * bearing.scales.radius / creep_speed) : 0.0;
 }
 
-Eigen::Vector2d journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed) {
-  Eigen::Vector2d force = film_force(bearing, film.pressure);
+JournalVector journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed) {
+  JournalVector force = film_force(bearing, film.pressure);
   if (bearing.surroundings.asperities) {
-    force += asperity_force(bearing, asperity_pressures(bearing, film.thickness), sliding_friction(bearing, speed));
+    force.head<2>() +=
+        asperity_force(bearing, asperity_pressures(bearing, film.thickness), sliding_friction(bearing, speed));
   }
   return force;
 }
@@ -339,9 +391,9 @@ double pressing_slope(const FilmMesh& mesh, const Matrix& pressure, const Matrix
   double sum = 0.0;
   for (int k = 0; k < mesh.columns; ++k) {
     const int next = mesh.next(k);
-    for (int j = 0; j < mesh.rows; ++j) {
+    for (int j = 0; j <= mesh.rows; ++j) {
       const double excess = 0.5 * (pressure(j, k) + pressure(j, next)) - 1.0;
-      sum += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (wall(j, next) - wall(j, k));
+      sum += mesh.copies() * mesh.row_weight(j) * mesh.dzeta * excess * (wall(j, next) - wall(j, k));
     }
   }
   return sum;
@@ -357,7 +409,9 @@ void find_forces(const FilmBearing& bearing, const BearingState& state, FilmBear
   const Vector pressures = asperity_pressures(bearing, state.film.thickness);
   const double friction = sliding_friction(bearing, state.speed);
   outcome.asperity_force = asperity_force(bearing, pressures, friction);
-  outcome.force = film_force(bearing, state.film.pressure) + outcome.asperity_force;
+  const JournalVector of_film = film_force(bearing, state.film.pressure);
+  outcome.force = of_film.head<2>() + outcome.asperity_force;
+  if (bearing.tilts()) outcome.moment = bearing.half_width() * of_film.tail<2>();
   outcome.max_asperity_pressure = pressures.maxCoeff();
   const bool several = bearing.pads.size() > 1;
   if (several) outcome.pad_forces.resize(2, std::ssize(bearing.pads));
@@ -365,7 +419,8 @@ void find_forces(const FilmBearing& bearing, const BearingState& state, FilmBear
     const FilmPad& pad = bearing.pads[k];
     if (several) {
       outcome.pad_forces.col(static_cast<Eigen::Index>(k)) =
-          pad_film_force(bearing, pad, state.film.pressure) + pad_asperity_force(bearing, pad, pressures, friction);
+          pad_film_force(bearing, pad, state.film.pressure).head<2>() +
+          pad_asperity_force(bearing, pad, pressures, friction);
     }
     outcome.asperity_torque += friction * bearing.scales.radius * column_forces(bearing, pad, pressures).sum();
   }
@@ -375,7 +430,7 @@ void find_forces(const FilmBearing& bearing, const BearingState& state, FilmBear
 void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
   // What the sleeve is wider, too.
-  Matrix wall = state.film.thickness - bearing.undeformed_thickness(state.position, state.opening);
+  Matrix wall = state.film.thickness - bearing.undeformed_thickness(bearing.journal_of(state), state.opening);
   wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
   const double couette = scales.couette_torque(state.speed * scales.radius);
   double poiseuille_torque = 0.0;
@@ -397,6 +452,7 @@ void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearin
     outcome.flows.start += scales.flow() * flows.start;
     outcome.flows.end += scales.flow() * flows.end;
     outcome.flows.sides += scales.flow() * flows.sides;
+    outcome.flows.right_side += scales.flow() * flows.right_side;
   }
   outcome.torque = outcome.couette_torque + outcome.asperity_torque + poiseuille_torque;
   outcome.power = outcome.torque * state.speed;
@@ -404,7 +460,9 @@ void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearin
   outcome.dissipation = outcome.couette_dissipation + pressure_dissipation + outcome.asperity_torque * state.speed;
   // Asperities press towards the centre of the journal and rub at its surface: they have no part in the rest.
   const Eigen::Vector2d of_film = outcome.force - outcome.asperity_force;
-  const double lever = state.position.x() * of_film.y() - state.position.y() * of_film.x();
+  const Eigen::Vector2d at_side = outcome.moment / bearing.half_width();
+  const double lever = state.position.x() * of_film.y() - state.position.y() * of_film.x() +
+                       state.tilt.x() * at_side.y() - state.tilt.y() * at_side.x();
   outcome.torque_of_moments = outcome.couette_torque + outcome.asperity_torque - 0.5 * (lever + slope);
 }
 

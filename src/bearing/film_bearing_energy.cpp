@@ -19,11 +19,11 @@ double bending_energy(const FilmBearing& bearing, const FoilFilm& foil, const Ma
 
 /// Half of what the membrane of a top foil bears, times the displacements that it does so against, J.
 double membrane_energy(const FilmBearing& bearing, const FoilFilm& foil, const FoilFilmState& part) {
-  const Matrix varying = foil.varying * part.lift;
+  const Matrix stretching = foil.stretching * part.lift;
   double twice = 0.0;
   for (std::size_t k = 0; k < foil.membrane.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    twice += foil.membrane[k].length * part.membrane.col(column).head(varying.rows()).dot(varying.col(column));
+    twice += foil.membrane[k].length * part.membrane.col(column).head(stretching.rows()).dot(stretching.col(column));
   }
   return 0.5 * foil.stiffness * bearing.scales.thickness * bearing.scales.thickness * twice;
 }
@@ -36,7 +36,7 @@ double asperity_energy(const FilmPad& pad, const Matrix& thickness) {
   for (int k = 0; k < foil.mesh.nodes(); ++k) {
     energy += foil.mesh.column_weight(k) * foil.asperities->energy(thickness(0, pad.first_column + k));
   }
-  return 2.0 * foil.mesh.dtheta * foil.mesh.dzeta * foil.mesh.rows * energy;
+  return foil.mesh.copies() * foil.mesh.dtheta * foil.mesh.dzeta * foil.mesh.rows * energy;
 }
 
 }  // namespace

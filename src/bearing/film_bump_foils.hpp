@@ -1,17 +1,17 @@
 #pragma once
 
-#include <vector>
-
 #include "bumpfoil/bearing/film_bearing.hpp"
 
 namespace bumpfoil {
 
-/// Places in the block of a bump, line after line. @param further  where those of the second begin
-std::vector<CrestLine> crest_lines_of(const WidthLines& lines, const BumpDofs& dofs, int further);
+/// The lines over the width with the places of their unknowns in a block: of the first in the places of the foils'
+/// unknowns, of the others from `further` on. Top foil and crest have unknowns of their own on every line; the rest of
+/// the bump foil where a mode is linear over the width, as that slides and lifts its feet, too.
+std::vector<FoilLine> foil_lines_of(const WidthLines& lines, const BumpDofs& dofs, int further);
 
-/// K of a running bearing: its bump foils, and what the crests have against displacements that vary over the width. The
-/// top foils have nodes at all columns instead, and are no part of it.
-/// @param bearing  with its pads and crest lines
+/// K of the bump foils on these lines, with the places that FilmBearing says. Modes that are uniform or linear over the
+/// width displace all of a bump foil, and each of its slices is the bump foil there; against modes of a higher order
+/// the crest has springs, and nothing slides or lifts. @param bearing  complete but for its problem
 BlockTridiagonal bump_foils_alone(const FilmBearing& bearing);
 
 }  // namespace bumpfoil

@@ -42,14 +42,15 @@ Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, double start, st
 
 }  // namespace
 
-Eigen::Vector2cd ReducedForces::at(std::complex<double> excess) const {
+JournalVectorC ReducedForces::at(std::complex<double> excess) const {
   return moved + excess * (forces * coordinates(hessenberg, start, excess));
 }
 
-Eigen::Matrix2cd FilmImpedance::at(std::complex<double> rate) const {
-  Eigen::Matrix2cd impedance;
+JournalMatrixC FilmImpedance::at(std::complex<double> rate) const {
+  const auto motions = std::ssize(along);
+  JournalMatrixC impedance(motions, motions);
   const std::complex<double> excess = squeeze_time * rate - shift;
-  for (const int axis : {0, 1}) impedance.col(axis) = along.at(static_cast<std::size_t>(axis)).at(excess);
+  for (Eigen::Index i = 0; i < motions; ++i) impedance.col(i) = along[static_cast<std::size_t>(i)].at(excess);
   return impedance;
 }
 
@@ -58,8 +59,8 @@ FilmImpedance linear_impedance(const Eigen::Matrix2d& stiffness, const Eigen::Ma
   FilmImpedance impedance{.shift = 1.0, .squeeze_time = 1.0 / unit, .along = {}};
   for (const Eigen::Index axis : {0, 1}) {
     const Eigen::Vector2d forces = unit * damping.col(axis);
-    impedance.along.at(static_cast<std::size_t>(axis)) = {
-        .moved = stiffness.col(axis) + forces, .start = 1.0, .hessenberg = Matrix::Zero(1, 1), .forces = forces};
+    impedance.along.push_back(
+        {.moved = stiffness.col(axis) + forces, .start = 1.0, .hessenberg = Matrix::Zero(1, 1), .forces = forces});
   }
   return impedance;
 }
@@ -74,9 +75,8 @@ ShiftedRates::ShiftedRates(const std::vector<std::complex<double>>& rates, doubl
 
 Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& rates) {
   Matrix residual = mesh.field(0.0);
-  residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
-      mesh.dtheta * mesh.dzeta * rates.reshaped(mesh.unknown_rows(), mesh.unknown_columns());
-  for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
+  mesh.unknown(residual) = mesh.dtheta * mesh.dzeta * rates.reshaped(mesh.unknown_rows(), mesh.unknown_columns());
+  for (int j = 0; j <= mesh.rows; ++j) residual.row(j) *= mesh.row_weight(j);
   residual.array().rowwise() *= mesh.weights.transpose().array();
   return residual;
 }
@@ -86,7 +86,7 @@ std::optional<ReducedForces> reduce_forces(const FilmAnswer& moved,
                                            const std::vector<std::complex<double>>& excess) {
   const double start = moved.content.norm();
   KrylovSpace space(moved.content, std::min<Eigen::Index>(most_directions, moved.content.size()));
-  Eigen::Matrix2Xd forces(2, 0);
+  Matrix forces(moved.force.size(), 0);
   const auto solves = [&](std::complex<double> e) {
     const std::complex<double> last = coordinates(space.hessenberg(), start, e)[space.size() - 1];
     return std::abs(e * last) * space.next() <= tolerance * start;

@@ -24,8 +24,8 @@ Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& ra
 
 /// What a linearised film does where the journal moves, or where something is stored in its volumes.
 struct FilmAnswer {
-  Vector content;                                  ///< change of P H at the nodes whose pressure is unknown
-  Eigen::Vector2d force{Eigen::Vector2d::Zero()};  ///< change of the force on the journal
+  Vector content;       ///< change of P H at the nodes whose pressure is unknown
+  JournalVector force;  ///< change of the force on the journal
 };
 
 /// Forces on a journal that moves by q e^{s t} about a state, at any number of rates s, from one factorisation at a

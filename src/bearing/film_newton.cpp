@@ -28,15 +28,14 @@ constexpr double largest_residual = 1e-8;
 
 /// Square of the norm of the residuals of a film per area of a cell.
 double film_square(const FilmMesh& mesh, const Matrix& residual) {
-  return residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).squaredNorm() /
-         (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
+  return mesh.unknown(residual).squaredNorm() / (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
 }
 
 /// Residuals of a foil that is in balance.
 void set_zero(const FoilFilm& foil, FoilFilmResidual& residual) {
   residual.balance.setZero(foil.lines.count(), foil.mesh.nodes());
   residual.compatibility.setZero(foil.lines.count(), foil.mesh.nodes());
-  residual.membrane.setZero(2 * foil.varying.rows(), foil.mesh.nodes());
+  residual.membrane.setZero(2 * foil.stretching.rows(), foil.mesh.nodes());
 }
 
 Eigen::Index unknown_pressures_of(const FilmMesh& mesh) {
@@ -56,14 +55,15 @@ FilmNewton::FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& optio
       contacts_(SharedProblem({shared_, &bearing_.problem}), modes_),
       K_(bearing_.problem.K),
       loading_(ContactLoading::none(bearing_.problem)),
-      begin_(ContactState::unstressed(bearing_.problem)) {
+      begin_(ContactState::unstressed(bearing_.problem)),
+      rates_(static_cast<std::size_t>(bearing_.motions())) {
   for (const Matrix& block : K_.upper) K_.lower.push_back(block.transpose());
   bump_K_ = K_;
 }
 
 template <typename Visitor>
 void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) const {
-  const int n = pad.foil.mesh.rows;
+  const int n = pad.foil.mesh.unknown_rows();
   const int first_pressure = bearing_.first_pressure();
   const int lines = bearing_.crest_contacts();
   if (b == pad.bumps()) {
@@ -72,11 +72,10 @@ void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) cons
   }
   for (int j = 0; j < n; ++j) visit(first_pressure + j, j);
   for (int s = 0; s < lines; ++s) {
-    const CrestLine& line = bearing_.crest_lines[static_cast<std::size_t>(s)];
-    visit(line.top_u, n + s);
-    visit(line.top_moment, n + lines + s);
+    visit(bearing_.place(s, bearing_.dofs().top_u), n + s);
+    visit(bearing_.place(s, bearing_.dofs().top_moment), n + lines + s);
   }
-  const int of_membrane = 2 * static_cast<int>(pad.foil.varying.rows());
+  const int of_membrane = 2 * static_cast<int>(pad.foil.stretching.rows());
   for (int i = 0; i < of_membrane; ++i) visit(bump_K_.block_size() - of_membrane + i, n + 2 * lines + i);
 }
 
@@ -96,7 +95,7 @@ void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balanc
   for (int i = 0; i < pad.bumps(); ++i) {
     const Eigen::Index block = Eigen::Index{pad.first_block + i} * bump_K_.block_size();
     for (Eigen::Index s = 0; s < balance.rows(); ++s) {
-      double& support = forces[block + bearing_.crest_lines[static_cast<std::size_t>(s)].top_u];
+      double& support = forces[block + bearing_.place(s, bearing_.dofs().top_u)];
       balance(s, pad.foil.supports[static_cast<std::size_t>(i)]) += support / unit;
       support = 0.0;
     }
@@ -180,7 +179,7 @@ void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
   const FoilFilm& foil = bearing_.pads.front().foil;
   change.lift.resize(foil.lines.count(), bearing_.columns());
   change.moment.resize(foil.lines.count(), bearing_.columns());
-  change.membrane.resize(2 * foil.varying.rows(), bearing_.columns());
+  change.membrane.resize(2 * foil.stretching.rows(), bearing_.columns());
   for (Part& part : parts_) {
     part.support_step.setZero();
     for (int b = 0; b < part.system.blocks(); ++b) {
@@ -194,12 +193,6 @@ void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
   }
 }
 
-/// Change of H where the journal moves and the foil does not.
-Matrix FilmNewton::thinning(const Eigen::Vector2d& displacement) const {
-  return (displacement.transpose() * bearing_.column_normals / -bearing_.scales.thickness)
-      .replicate(bearing_.pads.front().foil.mesh.rows + 1, 1);
-}
-
 /// Change of all unknowns that takes the residuals of the films and foils to zero: where the system was linearised
 /// last, with the modes that were set last.
 void FilmNewton::answer(Step& change) {
@@ -211,8 +204,10 @@ void FilmNewton::answer(Step& change) {
 }
 
 /// Change of the force on the journal with pressure and asperities, where the system was linearised last.
-Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
-  return film_force(bearing_, bearing_.field(1.0) + change.pressure) + asperity_force_of(change);
+JournalVector FilmNewton::force_of(const FoilFilmState& change) const {
+  JournalVector force = film_force(bearing_, bearing_.field(1.0) + change.pressure);
+  force.head<2>() += asperity_force_of(change);
+  return force;
 }
 
 /// The part of asperities.
@@ -228,7 +223,7 @@ Eigen::Vector2d FilmNewton::asperity_force_of(const FoilFilmState& change) const
 
 /// Rates of all unknowns to `rigid`, the rate of H with foils that do not give way, 1/m: where the system was
 /// linearised last, with the modes that were set last. @return that of the force on the journal, N/m
-Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
+JournalVector FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
   for (Part& part : parts_) {
     const FoilFilm& foil = part.pad.foil;
     const Matrix change = part_of(part.pad, rigid);
@@ -241,10 +236,11 @@ Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
   return force_of(rate.film);
 }
 
-Eigen::Matrix2d FilmNewton::find_rates() {
-  Eigen::Matrix2d K_film;
-  for (const int axis : {0, 1}) {
-    K_film.col(axis) = find_rate(thinning(Eigen::Vector2d::Unit(axis)), rates_[static_cast<std::size_t>(axis)]);
+JournalMatrix FilmNewton::find_rates() {
+  const Eigen::Index motions = bearing_.motions();
+  JournalMatrix K_film(motions, motions);
+  for (Eigen::Index i = 0; i < motions; ++i) {
+    K_film.col(i) = find_rate(bearing_.thinning(JournalVector::Unit(motions, i)), rates_[static_cast<std::size_t>(i)]);
   }
   return K_film;
 }
@@ -306,9 +302,7 @@ Vector FilmNewton::content_of(const FoilFilmState& change, const FilmState& stat
   for (const Part& part : parts_) {
     const FilmMesh& mesh = part.pad.foil.mesh;
     const Eigen::Index size = unknown_pressures_of(mesh);
-    inside.segment(first, size) =
-        content.block(0, part.pad.first_column + mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns())
-            .reshaped();
+    inside.segment(first, size) = mesh.unknown(content, part.pad.first_column).reshaped();
     first += size;
   }
   return inside;
@@ -348,10 +342,10 @@ std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
     return told(change.film);
   };
   find_rates();
-  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-    auto reduced = reduce_forces(told(rates_[axis].film), stored, shifted.excess);
+  for (const Step& rate : rates_) {
+    auto reduced = reduce_forces(told(rate.film), stored, shifted.excess);
     if (!reduced) return std::nullopt;
-    found.along.at(axis) = std::move(*reduced);
+    found.along.push_back(std::move(*reduced));
   }
   return found;
 }
@@ -463,23 +457,24 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
   report.factorisations += solved.cost.factorisations;
   if (!solved.converged()) return false;
   expand(step_.contact.x, step_.film);
-  step_.displacement.setZero();
+  step_.displacement.setZero(bearing_.motions());
   step_.opening = 0.0;
   return true;
 }
 
-Eigen::Vector2d FilmNewton::stepped_force() const {
-  Eigen::Vector2d force = film_force(bearing_, iterate_.film.pressure + step_.film.pressure);
+JournalVector FilmNewton::stepped_force() const {
+  JournalVector force = film_force(bearing_, iterate_.film.pressure + step_.film.pressure);
   if (bearing_.surroundings.asperities) {
-    force += asperity_force(bearing_, asperity_pressures(bearing_, iterate_.film.thickness), friction_) +
-             asperity_force_of(step_.film);
+    force.head<2>() += asperity_force(bearing_, asperity_pressures(bearing_, iterate_.film.thickness), friction_) +
+                       asperity_force_of(step_.film);
   }
   return force;
 }
 
-void FilmNewton::move_journal(const Eigen::Vector2d& displacement) {
+void FilmNewton::move_journal(const JournalVector& displacement) {
   step_.displacement = displacement;
-  for (const int axis : {0, 1}) add_to_step(displacement[axis], rates_[static_cast<std::size_t>(axis)]);
+  for (Eigen::Index i = 0; i < displacement.size(); ++i)
+    add_to_step(displacement[i], rates_[static_cast<std::size_t>(i)]);
 }
 
 /// Lets the foils stand farther out or in with the step, by as much as the clearance is to open or close, in the same
@@ -507,7 +502,7 @@ void FilmNewton::add_to_step(double way, const Step& rate) {
 
 void FilmNewton::take_step(double fraction, const BearingState& from, BearingState& to) const {
   const FoilFilmState& step = step_.film;
-  to.position = from.position + fraction * step_.displacement;
+  FilmBearing::place_journal(bearing_.journal_of(from) + fraction * step_.displacement, to);
   to.speed = from.speed;
   to.opening = from.opening + fraction * step_.opening;
   to.film.pressure = from.film.pressure + fraction * step.pressure;
@@ -526,7 +521,7 @@ void FilmNewton::take_step(double fraction, const BearingState& from, BearingSta
 double FilmNewton::distance(const BearingState& a, const BearingState& b) const {
   return std::max({(a.film.pressure - b.film.pressure).cwiseAbs().maxCoeff(),
                    (a.film.lift - b.film.lift).cwiseAbs().maxCoeff(),
-                   (a.position - b.position).norm() / bearing_.scales.thickness});
+                   (bearing_.journal_of(a) - bearing_.journal_of(b)).norm() / bearing_.scales.thickness});
 }
 
 double FilmNewton::largest_change() const {
@@ -549,14 +544,14 @@ bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const Be
   iterate_ = guess;
   iterate_.slip_origin = from.slip_origin;
   iterate_.speed = to.speed;
-  iterate_.film.thickness = bearing_.undeformed_thickness(iterate_.position, iterate_.opening);
+  iterate_.film.thickness = bearing_.undeformed_thickness(bearing_.journal_of(iterate_), iterate_.opening);
   iterate_.film.thickness += bearing_.over_the_width(iterate_.film.lift);
   trial_ = instead_ = iterate_;
   return iterate_.film.thickness.minCoeff() > 0.0;
 }
 
-void FilmNewton::finish(const Eigen::Vector2d& position, BearingState& state, FilmReport& report) {
-  trial_.position = position;
+void FilmNewton::finish(const JournalVector& journal, BearingState& state, FilmReport& report) {
+  FilmBearing::place_journal(journal, trial_);
   trial_.opening = opening_;
   report.predicted_change = std::max(report.predicted_change, distance(predicted_, state));
   report.departure = std::max(report.departure, distance(trial_, predicted_));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <complex>
 #include <deque>
 #include <memory>
@@ -28,7 +27,7 @@ class FilmNewton {
   /// Square of the norm of the residuals of film and foils at the trial.
   double find_residual();
   /// The force on the journal at the trial, N: once its residuals are found.
-  [[nodiscard]] const Eigen::Vector2d& force() const { return force_; }
+  [[nodiscard]] const JournalVector& force() const { return force_; }
   void keep_trial() { std::swap(iterate_, trial_); }
   /// Sets the trial aside, or tries again what was set aside.
   void swap_instead() { std::swap(instead_, trial_); }
@@ -36,24 +35,24 @@ class FilmNewton {
   /// the clearance as one step allows.
   [[nodiscard]] bool find_step(FilmReport& report);
   /// The force on the journal at the end of the step, by the linearised equations, N.
-  [[nodiscard]] Eigen::Vector2d stepped_force() const;
+  [[nodiscard]] JournalVector stepped_force() const;
   /// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
   /// were set last. @return those of the force on the journal, N/m
-  Eigen::Matrix2d find_rates();
+  JournalMatrix find_rates();
   /// Lets the journal move with the step (m): the linearised equations stay solved, in the modes that the step has
   /// without it.
-  void move_journal(const Eigen::Vector2d& displacement);
+  void move_journal(const JournalVector& displacement);
   /// The step leads along the tangent: remembers where.
   void note_prediction() { take_step(1.0, iterate_, predicted_); }
   /// Largest part of the step that leaves enough of P and H.
   [[nodiscard]] double longest_part() const { return longest_step(options_, iterate_.film, step_.film); }
-  /// Largest change of P, U, and position or opening over c in the step.
+  /// Largest change of P, U, and place of the journal or opening over c in the step.
   [[nodiscard]] double largest_change() const;
   void try_step(double part) { take_step(part, iterate_, trial_); }
   [[nodiscard]] bool touches() const { return trial_.film.thickness.minCoeff() < options_.thickness_floor; }
   /// The trial is the state. Adds how far it lies from where the tangent led.
   /// @param state  at the begin; receives the one at the end
-  void finish(const Eigen::Vector2d& position, BearingState& state, FilmReport& report);
+  void finish(const JournalVector& journal, BearingState& state, FilmReport& report);
 
   [[nodiscard]] const FilmBearing& bearing() const { return bearing_; }
   [[nodiscard]] const FilmSolverOptions& options() const { return options_; }
@@ -70,7 +69,7 @@ class FilmNewton {
   /// @return nothing if the modes leave a singular system, or the pole is not found
   [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck);
 
-  /// Largest difference of P, U and position over c.
+  /// Largest difference of P, U and place of the journal over c.
   [[nodiscard]] double distance(const BearingState& a, const BearingState& b) const;
 
  private:
@@ -78,7 +77,7 @@ class FilmNewton {
   struct Step {
     FoilFilmState film;
     ContactState contact;  ///< x as its change, the rest as it is at the end of the step
-    Eigen::Vector2d displacement{Eigen::Vector2d::Zero()};
+    JournalVector displacement;
     double opening{};
   };
   /// What is kept for a pad.
@@ -108,13 +107,12 @@ class FilmNewton {
   void store(const Vector& rates);
   [[nodiscard]] double contact_square(const ContactState& change) const;
   double equation_square(const Step& change);
-  [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
+  [[nodiscard]] JournalVector force_of(const FoilFilmState& change) const;
   [[nodiscard]] Eigen::Vector2d asperity_force_of(const FoilFilmState& change) const;
   static Vector asperity_change(const Part& part, const Matrix& thickness);
-  Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
+  JournalVector find_rate(const Matrix& rigid, Step& rate);
   void move_foils();
   void add_to_step(double way, const Step& rate);
-  [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
   void take_step(double fraction, const BearingState& from, BearingState& to) const;
   /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
   /// film knows.
@@ -132,14 +130,14 @@ class FilmNewton {
   ContactState begin_;
   Vector bump_forces_;
   Step step_;
-  std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
-  Step opening_rate_;          ///< per opening of the clearance, m
+  std::vector<Step> rates_;  ///< per displacement of the journal in each of its motions, m
+  Step opening_rate_;        ///< per opening of the clearance, m
   BearingState iterate_, trial_;
   BearingState instead_;  ///< of a full step that may be taken back
   FilmEquations equations_;
   double opening_{};  ///< that the clearance is to have, m
   LastStep taken_;
-  Eigen::Vector2d force_{Eigen::Vector2d::Zero()};
+  JournalVector force_;
   double friction_{};       ///< of asperities where the system was linearised last
   BearingState predicted_;  ///< where the tangent leads from the first guess
 };

@@ -13,9 +13,18 @@ constexpr int most_vain_steps_in_time = 8;
 
 }  // namespace
 
-OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control) {
-  return {control, control == Control::load ? journal_force(bearing, state.film, state.speed) : state.position,
-          state.speed, state.opening};
+OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, const OperatingPoint& like) {
+  OperatingPoint point{.control = like.control,
+                       .journal = state.position,
+                       .speed = state.speed,
+                       .opening = state.opening,
+                       .tilt = {like.tilt.control, state.tilt}};
+  const bool by_moment = bearing.tilts() && like.tilt.control == Control::load;
+  if (!point.by_load() && !by_moment) return point;
+  const JournalVector force = journal_force(bearing, state.film, state.speed);
+  if (point.by_load()) point.journal = force.head<2>();
+  if (by_moment) point.tilt.value = force.tail<2>();
+  return point;
 }
 
 FilmStepper::FilmStepper(SharedFilmBearing bearing, const FilmBearingOptions& options)
@@ -29,12 +38,17 @@ FilmStepper::FilmStepper(FilmBearing bearing, const FilmBearingOptions& options)
 FilmStepper::~FilmStepper() = default;
 
 Move FilmStepper::move_to(const OperatingPoint& point, double dt, TimeScheme scheme) const {
-  const FilmScales& scales = bearing_->scales;
-  return {.law = point.by_load() ? loaded_journal(point.journal, scales) : held_journal(point.journal, scales),
-          .speed = point.speed,
-          .opening = point.opening,
-          .dt = dt,
-          .scheme = scheme};
+  const auto law_of = [&](Control control, const JournalVector& value) {
+    const FilmScales& scales = bearing_->scales;
+    return control == Control::load ? loaded_journal(value, scales) : held_journal(value, scales);
+  };
+  const JournalLaw in_mid_plane = law_of(point.control, point.journal);
+  return {
+      .law = bearing_->tilts() ? with_tilt(in_mid_plane, law_of(point.tilt.control, point.tilt.value)) : in_mid_plane,
+      .speed = point.speed,
+      .opening = point.opening,
+      .dt = dt,
+      .scheme = scheme};
 }
 
 FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_near) {
@@ -43,13 +57,13 @@ FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_
   const double tolerance = finds_states ? options_.marching_tolerance : options_.newton.step_tolerance;
   const JointMove to{law_of_one(move.law), move.speed, move.opening, move.dt, move.scheme};
   if (!newton_->set_out(to, state, state)) return {.status = Status::no_room};
-  Eigen::VectorXd position = state.position;
+  Eigen::VectorXd journal = bearing_->journal_of(state);
   NewtonAim aim{.tolerance = tolerance};
   if (finds_states) aim.most_vain_steps = most_vain_steps_in_time;
   if (stays_near) aim.most_vain_steps = 0;
-  FilmReport report = solve_jointly({newton_.get()}, to.law, aim, options_.newton.max_iterations, position);
+  FilmReport report = solve_jointly({newton_.get()}, to.law, aim, options_.newton.max_iterations, journal);
   if (report.status != Status::converged) return report;
-  newton_->finish(position, state, report);
+  newton_->finish(journal, state, report);
   state.time += move.dt;
   return report;
 }
@@ -92,7 +106,7 @@ std::optional<SlowMotion> FilmStepper::slow_motion(const BearingState& state, bo
   return newton_->slow_motion(state, stuck);
 }
 
-std::optional<Eigen::Matrix2d> FilmStepper::stiffness(const BearingState& state, bool stuck) {
+std::optional<JournalMatrix> FilmStepper::stiffness(const BearingState& state, bool stuck) {
   const std::optional<SlowMotion> motion = slow_motion(state, stuck);
   return motion ? std::optional(motion->stiffness) : std::nullopt;
 }
@@ -102,12 +116,12 @@ std::optional<FilmImpedance> FilmStepper::impedance(const BearingState& state,
   return newton_->impedance(state, rates, stuck);
 }
 
-std::optional<std::vector<Eigen::Matrix2cd>> FilmStepper::impedances(const BearingState& state,
-                                                                     const std::vector<std::complex<double>>& rates,
-                                                                     bool stuck) {
+std::optional<std::vector<JournalMatrixC>> FilmStepper::impedances(const BearingState& state,
+                                                                   const std::vector<std::complex<double>>& rates,
+                                                                   bool stuck) {
   const std::optional<FilmImpedance> reduced = impedance(state, rates, stuck);
   if (!reduced) return std::nullopt;
-  std::vector<Eigen::Matrix2cd> found;
+  std::vector<JournalMatrixC> found;
   found.reserve(rates.size());
   for (const std::complex<double> rate : rates) found.push_back(reduced->at(rate));
   return found;

@@ -122,13 +122,13 @@ Vector Foils::foil_unknowns(const Vector& x) const {
     const auto all = x.segment(Eigen::Index{block(b)} * problem.K.block_size(), problem.K.block_size());
     auto own = known.segment(b * size, size);
     own = all.head(size);
-    const BumpDofs& dofs = structure.dofs;
-    for (const int place : {dofs.top_u, dofs.top_moment, dofs.crest_u, dofs.crest_v}) own[place] = 0.0;
-    for (const CrestLine& line : crest_lines) {
-      own[dofs.top_u] += line.weight * all[line.top_u];
-      own[dofs.top_moment] += all[line.top_moment];
-      own[dofs.crest_u] += line.weight * all[line.crest_u];
-      own[dofs.crest_v] += line.weight * all[line.crest_v];
+    for (int i = 0; i < size; ++i) {
+      if (is_uniform(i)) continue;
+      own[i] = 0.0;
+      for (int s = 0; s < crest_contacts(); ++s) {
+        const double part = i == structure.dofs.top_moment ? 1.0 : lines[static_cast<std::size_t>(s)].weight;
+        own[i] += part * all[place(s, i)];
+      }
     }
   }
   return known;

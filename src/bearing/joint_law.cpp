@@ -4,7 +4,7 @@
 
 namespace bumpfoil {
 
-Eigen::VectorXd JointLaw::residual(const Eigen::VectorXd& y, const std::vector<Eigen::Vector2d>& forces) const {
+Eigen::VectorXd JointLaw::residual(const Eigen::VectorXd& y, const std::vector<JournalVector>& forces) const {
   Eigen::VectorXd lacking = by_place * (place - y);
   for (std::size_t i = 0; i < journals.size(); ++i) {
     lacking += journals[i].by_force * (journals[i].force - forces[i]);
@@ -12,7 +12,7 @@ Eigen::VectorXd JointLaw::residual(const Eigen::VectorXd& y, const std::vector<E
   return lacking;
 }
 
-Eigen::MatrixXd JointLaw::matrix(const std::vector<Eigen::Matrix2d>& K) const {
+Eigen::MatrixXd JointLaw::matrix(const std::vector<JournalMatrix>& K) const {
   Eigen::MatrixXd sum = by_place;
   for (std::size_t i = 0; i < journals.size(); ++i) sum += journals[i].by_force * K[i] * journals[i].motion;
   return sum;
@@ -32,8 +32,10 @@ double JointLaw::displacement(const Eigen::VectorXd& step) const {
 JointLaw law_of_one(const JournalLaw& law) {
   return {.by_place = law.by_position,
           .place = law.position,
-          .journals = {{.motion = Eigen::Matrix2d::Identity(), .by_force = law.by_force, .force = law.force}},
-          .units = Eigen::Vector2d::Constant(law.unit),
+          .journals = {{.motion = JournalMatrix::Identity(law.position.size(), law.position.size()),
+                        .by_force = law.by_force,
+                        .force = law.force}},
+          .units = law.units,
           .round_off = law.round_off,
           .longest_step = law.longest_step};
 }

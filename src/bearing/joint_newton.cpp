@@ -99,8 +99,8 @@ class JointNewton {
   const std::vector<FilmNewton*>& films_;
   const JointLaw& law_;
   Eigen::VectorXd y_, y_trial_, y_instead_, dy_;
-  std::vector<Eigen::Vector2d> forces_;
-  std::vector<Eigen::Matrix2d> rates_;
+  std::vector<JournalVector> forces_;
+  std::vector<JournalMatrix> rates_;
 };
 
 }  // namespace

@@ -8,12 +8,6 @@ namespace {
 
 /// A film over a wall, linearised where every rate of storage answers to P H at a real rate.
 class LinearWallFilm {
-  /// Of the nodes whose pressure is unknown.
-  template <typename Field>
-  auto inside(Field& field) const {
-    return field.block(0, mesh_.first_unknown(), mesh_.unknown_rows(), mesh_.unknown_columns());
-  }
-
  public:
   LinearWallFilm(const FilmBearing& bearing, const Foundation& foundation, const FilmState& film)
       : bearing_(bearing),
@@ -50,7 +44,8 @@ class LinearWallFilm {
     Matrix thickness = rigid;
     add_yield(foundation_, mesh_, pressure, thickness);
     const Matrix content = pressure.cwiseProduct(film_.thickness) + film_.pressure.cwiseProduct(thickness);
-    return {.content = inside(content).reshaped(), .force = film_force(bearing_, bearing_.field(1.0) + pressure)};
+    return {.content = mesh_.unknown(content).reshaped(),
+            .force = film_force(bearing_, bearing_.field(1.0) + pressure)};
   }
 
   const FilmBearing& bearing_;
@@ -71,13 +66,12 @@ std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Fo
   FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
   LinearWallFilm film(bearing, foundation, state.film);
   if (!film.linearise(state.speed, found.shift)) return std::nullopt;
-  const int rows = bearing.pads.front().foil.mesh.rows + 1;
-  for (const Eigen::Index axis : {0, 1}) {
-    const Matrix rigid = (bearing.column_normals.row(axis) / -bearing.scales.thickness).replicate(rows, 1);
+  for (Eigen::Index axis = 0; axis < bearing.motions(); ++axis) {
+    const Matrix rigid = bearing.thinning(JournalVector::Unit(bearing.motions(), axis));
     auto reduced = reduce_forces(
         film.moved(rigid), [&](const Vector& rates_of) { return film.stored(rates_of); }, shifted.excess);
     if (!reduced) return std::nullopt;
-    found.along.at(static_cast<std::size_t>(axis)) = std::move(*reduced);
+    found.along.push_back(std::move(*reduced));
   }
   return found;
 }

@@ -41,6 +41,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::unbalance, "an unbalance", "kg m", "\"2 g mm\""},
     DimensionText{Dimension::velocity, "a velocity", "m/s", "\"2.5 mm/s\""},
     DimensionText{Dimension::duration, "a time", "s", "\"0.2 s\""},
+    DimensionText{Dimension::moment, "a moment", "N m", "\"50 N mm\""},
 };
 
 /// Longer texts are no quantities; the grammar of units recurses.

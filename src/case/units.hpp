@@ -25,6 +25,7 @@ enum class Dimension {
   unbalance,
   velocity,
   duration,
+  moment,
 };
 
 /// Why a text is not the expected quantity.

@@ -52,11 +52,30 @@ CycleRun make_cycle_run(const Case& input) {
   return input.bump_foil.model == BumpFoilModel::former ? former_cycle_run(input) : present_cycle_run(input);
 }
 
-FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  FilmSurroundings surroundings{.inlet_pressure =
-                                    input.film.inlet_pressure.value_or(gas.ambient_pressure) / gas.ambient_pressure};
+namespace {
+
+JournalTilt tilt_of(const Case& input) {
+  const double half_width = 0.5 * input.bearing.axial_length;
+  const auto both = [](const std::vector<double>& along) { return Eigen::Vector2d(along[0], along[1]); };
+  if (!input.width.moment.empty()) return {Control::load, both(input.width.moment) / half_width};
+  return {Control::displacement, half_width * both(input.width.tilt)};
+}
+
+}  // namespace
+
+FilmSurroundings surroundings_of(const Case& input, double ambient) {
+  FilmSurroundings surroundings{.inlet_pressure = input.film.inlet_pressure.value_or(ambient) / ambient,
+                                .tilt = tilt_of(input)};
+  if (const std::vector<double>& sides = input.film.side_pressure; !sides.empty()) {
+    surroundings.side_pressure = Eigen::Vector2d(sides[0], sides[1]) / ambient;
+  }
   if (input.asperity) surroundings.asperities = asperities_of(*input.asperity, input.top_foil);
-  return make_film_bearing(*make_bearing_foils(input, {"equilibrium"}), gas, resolution, surroundings);
+  return surroundings;
+}
+
+FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
+  const SharedFoils foils = make_bearing_foils(input, {"equilibrium"});
+  return make_film_bearing(*foils, gas, resolution, surroundings_of(input, gas.ambient_pressure));
 }
 
 double thickness_floor(const Case& input) {
@@ -64,7 +83,10 @@ double thickness_floor(const Case& input) {
 }
 
 FilmResolution resolution_of(const Case& input) {
-  return {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows, .width_modes = input.width.modes};
+  return {.columns_per_pitch = input.film.columns_per_pitch,
+          .rows = input.film.rows,
+          .width_modes = input.width.modes,
+          .width = input.width.tilts() || !input.film.has_equal_sides() ? WidthPart::whole : WidthPart::half};
 }
 
 FilmBearing make_film_bearing(const Case& input) {

@@ -14,6 +14,25 @@ namespace {
 /// longer small, and its bumps take part in its shape.
 constexpr double most_flattening = 1.25;
 
+/// Axial length over diameter beyond which the sheet of a bump foil gives way to what varies over the width.
+constexpr double longest_held_sheet = 1.2;
+
+/// What foils are made simpler over the width than they are.
+void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
+  if (input.width.tilts() && input.width.modes == 1) {
+    warnings.emplace_back(
+        "the journal may tilt, but the foils stay uniform over the width (width.modes = 1): they resist the tilt with "
+        "about twice the moment that they have; set width.modes = 3");
+  }
+  const double slenderness = 0.5 * input.bearing.axial_length / input.bearing.radius;
+  if (input.width.modes == 3 && slenderness > longest_held_sheet) {
+    warnings.push_back(
+        fmt::format("the bearing is {:.3g} times as long as its diameter: with width.modes = 3 its bump foil is held "
+                    "against sliding that differs over the width, which is too stiff beyond {:.3g}",
+                    slenderness, longest_held_sheet));
+  }
+}
+
 std::string of_pad(const std::vector<PlacedPad>& pads, std::size_t k) {
   return pads.size() == 1 ? "" : fmt::format(" of pad {}", k + 1);
 }
@@ -23,6 +42,7 @@ std::string of_pad(const std::vector<PlacedPad>& pads, std::size_t k) {
 std::vector<std::string> case_warnings(const Case& input) {
   std::vector<std::string> warnings = input.remarks;
   if (input.bearing.is_flat()) return warnings;
+  warn_of_width(input, warnings);
   const std::vector<PlacedPad> pads = place_pads(input);
   std::optional<Foils> foils;
   for (std::size_t k = 0; k < pads.size(); ++k) {

@@ -7,11 +7,9 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double halves = 2.0;
-
 /// Whether P of a node is given.
 bool is_at_edge(const FilmMesh& mesh, int j, int k) {
-  return j == mesh.rows || (!mesh.closed && (k == 0 || k == mesh.columns));
+  return mesh.is_side(j) || (!mesh.closed && (k == 0 || k == mesh.columns));
 }
 
 }  // namespace
@@ -40,7 +38,7 @@ FilmPowers film_powers(const ReynoldsEquation& equation, const FilmState& film) 
     supply(j, k, width * flux.value);
     supply(j + 1, k, -width * flux.value);
   });
-  for (double* part : {&powers.entrained, &powers.dissipated, &powers.supplied}) *part *= halves;
+  for (double* part : {&powers.entrained, &powers.dissipated, &powers.supplied}) *part *= mesh.copies();
   return powers;
 }
 
@@ -53,7 +51,7 @@ double free_energy(const FilmMesh& mesh, const FilmState& film) {
       energy += mesh.row_weight(j) * mesh.column_weight(k) * H * (stored - (P - 1.0));
     }
   }
-  return halves * mesh.dtheta * mesh.dzeta * energy;
+  return mesh.copies() * mesh.dtheta * mesh.dzeta * energy;
 }
 
 }  // namespace bumpfoil

@@ -7,8 +7,6 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double both_halves = 2.0;
-
 /// H^3 + 6 Kn H^2 / P at a face.
 double dissipating_conductance(const FilmNode& a, const FilmNode& b, double knudsen) {
   return Conductance(a, b, knudsen).value / (0.5 * (a.pressure + b.pressure));
@@ -48,17 +46,19 @@ FilmIntegrals film_integrals(const ReynoldsEquation& equation, const FilmState& 
       sum.dissipation += width * rise * rise / mesh.interval(a) * dissipating_conductance(node, next, Kn);
     }
   }
-  for (double* part : {&sum.cosine, &sum.sine, &sum.couette, &sum.poiseuille, &sum.dissipation}) *part *= both_halves;
+  for (double* part : {&sum.cosine, &sum.sine, &sum.couette, &sum.poiseuille, &sum.dissipation}) *part *= mesh.copies();
   return sum;
 }
 
 FilmFlows film_flows(const FilmMesh& mesh, const Matrix& residual) {
   FilmFlows flows;
-  const Eigen::Index first = mesh.first_unknown();
-  flows.sides = -both_halves * residual.row(mesh.rows).segment(first, mesh.unknown_columns()).sum();
+  const auto inside = Eigen::seqN(mesh.first_unknown(), mesh.unknown_columns());
+  const auto out_of = [&](int row) { return -residual(row, inside).sum(); };
+  flows.right_side = out_of(mesh.rows);
+  flows.sides = mesh.width == WidthPart::half ? 2.0 * flows.right_side : flows.right_side + out_of(0);
   if (mesh.closed) return flows;
-  flows.start = both_halves * residual.col(0).sum();
-  flows.end = -both_halves * residual.col(mesh.columns).sum();
+  flows.start = mesh.copies() * residual.col(0).sum();
+  flows.end = -mesh.copies() * residual.col(mesh.columns).sum();
   return flows;
 }
 

@@ -18,6 +18,12 @@ Vector weights_of(const Vector& intervals, bool closed) {
   return weights;
 }
 
+/// One interval is enough on half the width, where row 0 is inside.
+double row_length(int rows, double half_width, WidthPart width) {
+  BUMPFOIL_ASSERT(rows >= (width == WidthPart::half ? 1 : 2));
+  return (width == WidthPart::half ? 1.0 : 2.0) * half_width / rows;
+}
+
 }  // namespace
 
 Vector FilmMesh::angles() const {
@@ -34,21 +40,34 @@ Matrix FilmMesh::field(double value) const {
   return Matrix::Constant(rows + 1, nodes(), value);
 }
 
-FilmMesh make_closed_mesh(int columns, int rows, double half_width) {
-  BUMPFOIL_ASSERT(columns >= 3 && rows >= 1);
+FilmMesh make_closed_mesh(int columns, int rows, double half_width, WidthPart width) {
+  BUMPFOIL_ASSERT(columns >= 3);
   const Vector equal = Vector::Ones(columns);
-  return {columns, rows, 2.0 * std::numbers::pi / columns, half_width / rows, true, equal, weights_of(equal, true)};
+  return {.columns = columns,
+          .rows = rows,
+          .dtheta = 2.0 * std::numbers::pi / columns,
+          .dzeta = row_length(rows, half_width, width),
+          .closed = true,
+          .width = width,
+          .intervals = equal,
+          .weights = weights_of(equal, true)};
 }
 
-FilmMesh make_slotted_mesh(int columns, int rows, double half_width, double theta_end) {
-  return make_slotted_mesh(Vector::Ones(columns), theta_end / columns, rows, half_width);
+FilmMesh make_slotted_mesh(int columns, int rows, double half_width, double theta_end, WidthPart width) {
+  return make_slotted_mesh(Vector::Ones(columns), theta_end / columns, rows, half_width, width);
 }
 
-FilmMesh make_slotted_mesh(Vector intervals, double dtheta, int rows, double half_width) {
-  const auto columns = static_cast<int>(intervals.size());
-  BUMPFOIL_ASSERT(columns >= 2 && rows >= 1);
+FilmMesh make_slotted_mesh(Vector intervals, double dtheta, int rows, double half_width, WidthPart width) {
+  BUMPFOIL_ASSERT(intervals.size() >= 2);
   Vector weights = weights_of(intervals, false);
-  return {columns, rows, dtheta, half_width / rows, false, std::move(intervals), std::move(weights)};
+  return {.columns = static_cast<int>(intervals.size()),
+          .rows = rows,
+          .dtheta = dtheta,
+          .dzeta = row_length(rows, half_width, width),
+          .closed = false,
+          .width = width,
+          .intervals = std::move(intervals),
+          .weights = std::move(weights)};
 }
 
 }  // namespace bumpfoil

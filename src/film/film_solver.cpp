@@ -71,8 +71,7 @@ bool FilmSolver::Workspace::linearise(const ReynoldsEquation& equation) {
 
 /// Of the equations alone, per area of a cell.
 double FilmSolver::Workspace::residual_norm() const {
-  return residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).norm() /
-         (mesh.dtheta * mesh.dzeta);
+  return mesh.unknown(residual).norm() / (mesh.dtheta * mesh.dzeta);
 }
 
 /// Takes a part of the step into `trial`; returns the norm of the residuals there.

@@ -19,16 +19,15 @@ FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double b
   foil.forming = pitch / scales.thickness * forming_rotations(beam, forming);
   foil.pitch = pitch;
   foil.stiffness = bending_stiffness / (pitch * pitch * pitch);
-  foil.load_scale = 2.0 * scales.force() * mesh.dtheta * mesh.dzeta / (scales.thickness * foil.stiffness);
+  foil.load_scale = mesh.copies() * scales.force() * mesh.dtheta * mesh.dzeta / (scales.thickness * foil.stiffness);
   foil.supports = std::move(supports);
-  foil.lines = make_width_lines(sheet.modes);
-  foil.varying = foil.lines.to_varying_modes();
+  foil.lines = make_width_lines(sheet.modes, mesh.width);
+  foil.stretching = foil.lines.to_stretching_modes();
   foil.shapes.resize(mesh.rows + 1, foil.lines.count());
-  for (int j = 0; j <= mesh.rows; ++j) foil.shapes.row(j) = foil.lines.shapes(static_cast<double>(j) / mesh.rows);
-  if (sheet.modes > 1) {
-    const std::vector<int> stretching(foil.lines.orders.begin() + 1, foil.lines.orders.end());
+  for (int j = 0; j <= mesh.rows; ++j) foil.shapes.row(j) = foil.lines.shapes(mesh.zeta(j));
+  if (foil.stretching.rows() > 0) {
     const double R = scales.radius / pitch;
-    const Membrane membrane = make_membrane(stretching, mesh.rows * mesh.dzeta * R, R,
+    const Membrane membrane = make_membrane(foil.lines.stretching_orders(), mesh.half_width() * R, R,
                                             sheet.stretching / foil.stiffness, sheet.poisson_ratio);
     foil.membrane = membrane_rows(membrane, R * mesh.dtheta * mesh.intervals);
   }
@@ -61,8 +60,10 @@ Vector asperity_balance(const FoilFilm& foil, Vector pressures) {
 
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness) {
   const Matrix of_lines = Matrix::Zero(foil.lines.count(), foil.mesh.nodes());
-  return {
-      {foil.mesh.field(1.0), thickness}, of_lines, of_lines, Matrix::Zero(2 * foil.varying.rows(), foil.mesh.nodes())};
+  return {{foil.mesh.field(1.0), thickness},
+          of_lines,
+          of_lines,
+          Matrix::Zero(2 * foil.stretching.rows(), foil.mesh.nodes())};
 }
 
 namespace {
@@ -95,7 +96,7 @@ void line_residual(const FoilFilm& foil, Eigen::Index line, const FoilFilmState&
 
 /// What the membrane adds to the balances, and its own rows.
 void membrane_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual) {
-  const Eigen::Index modes = foil.varying.rows();
+  const Eigen::Index modes = foil.stretching.rows();
   const Matrix& unknowns = state.membrane;
   for (int k = 0; k < std::ssize(foil.membrane); ++k) {
     const MembraneRows& rows = foil.membrane[static_cast<std::size_t>(k)];
@@ -103,8 +104,8 @@ void membrane_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFil
     own = rows.own * unknowns.col(k) + rows.after * unknowns.col(k + 1);
     if (k == 0) continue;
     own += rows.before * unknowns.col(k - 1);
-    own.head(modes) -= rows.length * foil.varying * state.lift.col(k);
-    residual.balance.col(k) += rows.length * foil.varying.transpose() * unknowns.col(k).head(modes);
+    own.head(modes) -= rows.length * foil.stretching * state.lift.col(k);
+    residual.balance.col(k) += rows.length * foil.stretching.transpose() * unknowns.col(k).head(modes);
   }
 }
 
@@ -114,7 +115,7 @@ void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmRes
   const int nodes = foil.mesh.nodes();
   residual.balance.setZero(foil.lines.count(), nodes);
   residual.compatibility.setZero(foil.lines.count(), nodes);
-  residual.membrane.setZero(2 * foil.varying.rows(), nodes);
+  residual.membrane.setZero(2 * foil.stretching.rows(), nodes);
   for (Eigen::Index line = 0; line < foil.lines.count(); ++line) line_residual(foil, line, state, residual);
   membrane_residual(foil, state, residual);
 }
@@ -213,24 +214,27 @@ template <typename Own>
 void FoilFilmSystem::Workspace::assemble_film(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const {
   const FilmMesh& mesh = foil.mesh;
   const int n = mesh.unknown_rows();
+  const int first = mesh.first_unknown_row();
   const double per_area = 1.0 / (mesh.dtheta * mesh.dzeta);
   const FilmStencil& P = jacobian.by_pressure;
   const FilmStencil& H = jacobian.by_thickness;
-  for (int j = 0; j < n; ++j) {
-    const auto at = static_cast<std::size_t>(j);
+  for (int i = 0; i < n; ++i) {
+    const int j = first + i;
+    const auto at = static_cast<std::size_t>(i);
     before.own[at] = P.before(j, k) * per_area;
     after.own[at] = P.after(j, k) * per_area;
-    own(j, j) = P.own(j, k) * per_area;
-    if (j > 0) own(j, j - 1) = P.inside(j, k) * per_area;
-    if (j + 1 < n) own(j, j + 1) = P.outside(j, k) * per_area;
+    own(i, i) = P.own(j, k) * per_area;
+    if (i > 0) own(i, i - 1) = P.inside(j, k) * per_area;
+    if (i + 1 < n) own(i, i + 1) = P.outside(j, k) * per_area;
   }
   for (Eigen::Index line = 0; line < foil.lines.count(); ++line) {
     const auto N = foil.shapes.col(line);
-    for (int j = 0; j < n; ++j) {
-      before.by(line)[j] = H.before(j, k) * N[j] * per_area;
-      after.by(line)[j] = H.after(j, k) * N[j] * per_area;
+    for (int i = 0; i < n; ++i) {
+      const int j = first + i;
+      before.by(line)[i] = H.before(j, k) * N[j] * per_area;
+      after.by(line)[i] = H.after(j, k) * N[j] * per_area;
       const double inside = j > 0 ? H.inside(j, k) * N[j - 1] : 0.0;
-      own(j, n + line) = (H.own(j, k) * N[j] + inside + H.outside(j, k) * N[j + 1]) * per_area;
+      own(i, n + line) = (H.own(j, k) * N[j] + inside + H.outside(j, k) * N[j + 1]) * per_area;
     }
   }
 }
@@ -253,7 +257,10 @@ void FoilFilmSystem::Workspace::assemble_line(int k, int line, ColumnCoupling& b
     before.by(by_M)[u] = column.kink_before;
     own(u, u) = asperity_stiffness[k];
     if (!free_end) {
-      for (int j = 0; j < n; ++j) own(u, j) = -column.load * mesh.row_weight(j) * foil.shapes(j, line);
+      for (int i = 0; i < n; ++i) {
+        const int j = mesh.first_unknown_row() + i;
+        own(u, i) = -column.load * mesh.row_weight(j) * foil.shapes(j, line);
+      }
       own(u, m) = column.own();
       after.by(by_M)[u] = column.kink_after;
     }
@@ -276,7 +283,7 @@ void FoilFilmSystem::Workspace::assemble_membrane(int k, ColumnCoupling& before,
   const MembraneRows& membrane = foil.membrane[static_cast<std::size_t>(k)];
   const Eigen::Index n = foil.mesh.unknown_rows();
   const Eigen::Index lines = foil.lines.count();
-  const Eigen::Index modes = foil.varying.rows();
+  const Eigen::Index modes = foil.stretching.rows();
   const Eigen::Index first = n + 2 * lines;
   own.block(first, first, 2 * modes, 2 * modes) = membrane.own;
   for (Eigen::Index j = 0; j < 2 * modes; ++j) {
@@ -286,8 +293,8 @@ void FoilFilmSystem::Workspace::assemble_membrane(int k, ColumnCoupling& before,
     }
   }
   if (k == 0) return;  // U = 0, and the weld bears what F presses on it
-  own.block(n, first, lines, modes) = membrane.length * foil.varying.transpose();
-  own.block(first, n, modes, lines) = -membrane.length * foil.varying;
+  own.block(n, first, lines, modes) = membrane.length * foil.stretching.transpose();
+  own.block(first, n, modes, lines) = -membrane.length * foil.stretching;
 }
 
 FoilFilmSystem::FoilFilmSystem(const FoilFilm& foil) : workspace_(std::make_unique<Workspace>(foil)) {}
@@ -347,7 +354,7 @@ void FoilFilmSystem::Workspace::read_column(int k, const FoilFilmResidual& resid
   const FilmMesh& mesh = foil.mesh;
   const int n = mesh.unknown_rows();
   if (k > 0 && k < mesh.columns) {
-    values.head(n) = residual.film.col(k).head(n) / (mesh.dtheta * mesh.dzeta);
+    values.head(n) = residual.film.col(k).segment(mesh.first_unknown_row(), n) / (mesh.dtheta * mesh.dzeta);
   } else {
     values.head(n).setZero();
   }
@@ -378,12 +385,12 @@ void FoilFilmSystem::expand(const Matrix& support_step, FoilFilmState& step) {
   const int n = mesh.unknown_rows();
   step.pressure.setZero(mesh.rows + 1, mesh.nodes());
   const Eigen::Index lines = w.foil.lines.count();
-  const Eigen::Index of_membrane = 2 * w.foil.varying.rows();
+  const Eigen::Index of_membrane = 2 * w.foil.stretching.rows();
   step.lift.setZero(lines, mesh.nodes());
   step.moment.setZero(lines, mesh.nodes());
   step.membrane.setZero(of_membrane, mesh.nodes());
   const auto set_column = [&](int k, const auto& values) {
-    step.pressure.col(k).head(n) = values.head(n);
+    step.pressure.col(k).segment(mesh.first_unknown_row(), n) = values.head(n);
     step.lift.col(k) = values.segment(n, lines);
     step.moment.col(k) = values.segment(n + lines, lines);
     step.membrane.col(k) = values.tail(of_membrane);

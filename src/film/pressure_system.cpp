@@ -15,14 +15,15 @@ template <typename Target, typename Pressures, typename Thicknesses>
 void fill_coupling(const FilmMesh& mesh, const Foundation& foundation, const Pressures& by_pressure,
                    const Thicknesses& by_thickness, Target&& block) {
   const int n = mesh.unknown_rows();
-  for (int j = 0; j < n; ++j) block(j, j) += by_pressure[j];
+  const int first = mesh.first_unknown_row();
+  for (int j = 0; j < n; ++j) block(j, j) += by_pressure[first + j];
   if (foundation.kind == FoundationKind::pointwise) {
-    for (int j = 0; j < n; ++j) block(j, j) += foundation.compliance * by_thickness[j];
+    for (int j = 0; j < n; ++j) block(j, j) += foundation.compliance * by_thickness[first + j];
   }
   if (foundation.kind == FoundationKind::axial_mean) {
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
-        block(j, i) += foundation.compliance * mesh.row_weight(i) / mesh.rows * by_thickness[j];
+        block(j, i) += foundation.compliance * mesh.row_weight(first + i) / mesh.rows * by_thickness[first + j];
       }
     }
   }
@@ -34,10 +35,12 @@ void fill_own(const FilmMesh& mesh, const FilmJacobian& jacobian, const Foundati
   const FilmStencil& P = jacobian.by_pressure;
   const FilmStencil& H = jacobian.by_thickness;
   const int n = mesh.unknown_rows();
+  const int first = mesh.first_unknown_row();
   const double local = foundation.kind == FoundationKind::pointwise ? foundation.compliance : 0.0;
   for (int j = 0; j < n; ++j) {
-    if (j > 0) block(j, j - 1) += P.inside(j, k) + local * H.inside(j, k);
-    if (j + 1 < n) block(j, j + 1) += P.outside(j, k) + local * H.outside(j, k);
+    const int row = first + j;
+    if (j > 0) block(j, j - 1) += P.inside(row, k) + local * H.inside(row, k);
+    if (j + 1 < n) block(j, j + 1) += P.outside(row, k) + local * H.outside(row, k);
   }
   if (foundation.kind == FoundationKind::axial_mean) {
     fill_coupling(mesh, foundation, P.own.col(k), H.own.col(k) + H.inside.col(k) + H.outside.col(k), block);
@@ -84,16 +87,18 @@ bool PressureSystem::factor() {
 /// The step of column 0, from the residual of its equations with the chain solved while it is held.
 void PressureSystem::read_border_step(const Matrix& residual) {
   const int n = mesh_.unknown_rows();
-  border_step_ = -residual.col(0).head(n) - border_after_ * right_.head(n) - border_before_ * right_.tail(n);
+  border_step_ = -residual.col(0).segment(mesh_.first_unknown_row(), n) - border_after_ * right_.head(n) -
+                 border_before_ * right_.tail(n);
   border_step_ = border_.solve(border_step_);
 }
 
 void PressureSystem::solve(const Matrix& residual, Matrix& step) {
   const int n = mesh_.unknown_rows();
+  const int first = mesh_.first_unknown_row();
   const int columns = chain_->columns();
   const auto set_right = [&] {
     for (int i = 0; i < columns; ++i)
-      right_.segment(Eigen::Index{i} * n, n) = -residual.col(first_in_chain + i).head(n);
+      right_.segment(Eigen::Index{i} * n, n) = -residual.col(first_in_chain + i).segment(first, n);
   };
   set_right();
   chain_->solve_in_place(right_);
@@ -103,9 +108,11 @@ void PressureSystem::solve(const Matrix& residual, Matrix& step) {
     right_.head(n) -= chain_->lower(0) * border_step_;
     right_.tail(n) -= chain_->upper(columns - 1) * border_step_;
     chain_->solve_in_place(right_);
-    step.col(0).head(n) = border_step_;
+    step.col(0).segment(first, n) = border_step_;
   }
-  for (int i = 0; i < columns; ++i) step.col(first_in_chain + i).head(n) = right_.segment(Eigen::Index{i} * n, n);
+  for (int i = 0; i < columns; ++i) {
+    step.col(first_in_chain + i).segment(first, n) = right_.segment(Eigen::Index{i} * n, n);
+  }
 }
 
 }  // namespace bumpfoil

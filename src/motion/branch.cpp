@@ -20,7 +20,7 @@ class BranchFollower {
   BranchFollower(FilmStepper& stepper, const OperatingPoint& to, BearingState& state)
       : stepper_(stepper),
         options_(stepper.options()),
-        from_(point_of(stepper.bearing(), state, to.control)),
+        from_(point_of(stepper.bearing(), state, to)),
         to_(to),
         state_(state),
         longest_(1.0 / steps()),
@@ -54,13 +54,21 @@ double BranchFollower::steps() const {
     steps = std::max(steps, std::abs(to_.speed - from_.speed) / (options_.speed_step * speed));
   }
   steps = std::max(steps, std::abs(to_.opening - from_.opening) / (options_.position_step * c));
-  if (!to_.by_load()) steps = std::max(steps, (to_.journal - from_.journal).norm() / (options_.position_step * c));
+  const auto by_way = [&](Control control, const Eigen::Vector2d& way) {
+    if (control == Control::displacement) steps = std::max(steps, way.norm() / (options_.position_step * c));
+  };
+  by_way(to_.control, to_.journal - from_.journal);
+  by_way(to_.tilt.control, to_.tilt.value - from_.tilt.value);
   return steps;
 }
 
 OperatingPoint BranchFollower::at(double fraction) const {
-  return {to_.control, from_.journal + fraction * (to_.journal - from_.journal),
-          from_.speed + fraction * (to_.speed - from_.speed), from_.opening + fraction * (to_.opening - from_.opening)};
+  OperatingPoint point = to_;
+  point.journal = from_.journal + fraction * (to_.journal - from_.journal);
+  point.speed = from_.speed + fraction * (to_.speed - from_.speed);
+  point.opening = from_.opening + fraction * (to_.opening - from_.opening);
+  point.tilt.value = from_.tilt.value + fraction * (to_.tilt.value - from_.tilt.value);
+  return point;
 }
 
 /// The next state, under a load on the same branch: one that lies off the tangent's prediction by more than curvature

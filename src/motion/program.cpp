@@ -8,7 +8,11 @@ namespace bumpfoil {
 
 OperatingPoint Leg::point(double step) const {
   const double fraction = step / steps;
-  return {control, line.place(target(step)), speed.at(fraction), opening.at(fraction)};
+  return {.control = control,
+          .journal = line.place(target(step)),
+          .speed = speed.at(fraction),
+          .opening = opening.at(fraction),
+          .tilt = {tilt.control, tilt_from + fraction * (tilt.value - tilt_from)}};
 }
 
 Leg ramp(const OperatingPoint& from, const OperatingPoint& to, int steps) {
@@ -18,7 +22,9 @@ Leg ramp(const OperatingPoint& from, const OperatingPoint& to, int steps) {
           .end = 1.0,
           .steps = steps,
           .speed = {from.speed, to.speed},
-          .opening = {from.opening, to.opening}};
+          .opening = {from.opening, to.opening},
+          .tilt_from = from.tilt.value,
+          .tilt = to.tilt};
 }
 
 Leg revolutions(const OperatingPoint& at, double count, int steps_per_revolution) {

@@ -19,7 +19,7 @@ double opening_to_start(const FilmBearing& bearing, double floor) {
 
 FilmReport close_clearance(FilmStepper& stepper, const OperatingPoint& to, int steps, BearingState& state) {
   FilmReport report{.status = Status::converged};
-  const OperatingPoint from = point_of(stepper.bearing(), state, to.control);
+  const OperatingPoint from = point_of(stepper.bearing(), state, to);
   Step step;
   march(stepper, Program{ramp(from, to, steps)}, state, step, [&](const Passage& at) {
     report += at.step.film;

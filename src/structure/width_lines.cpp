@@ -1,6 +1,8 @@
 #include "bumpfoil/structure/width_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace bumpfoil {
@@ -41,20 +43,33 @@ Vector WidthLines::shapes(double at) const {
   return values;
 }
 
-WidthLines make_width_lines(int modes) {
-  WidthLines lines{.orders = {}, .zeta = Vector(modes), .weight = Vector(modes), .to_modes = Matrix(modes, modes)};
-  const int n = 2 * modes;  // points on the whole width, mirrored
-  for (int s = 0; s < modes; ++s) {
-    const double x = gauss_point(n, modes - 1 - s);
-    const double slope = n * scaled_slope(n, x);
+std::vector<int> WidthLines::stretching_orders() const {
+  std::vector<int> higher;
+  std::copy_if(orders.begin(), orders.end(), std::back_inserter(higher), [](int k) { return k >= 2; });
+  return higher;
+}
+
+Matrix WidthLines::to_stretching_modes() const {
+  return to_modes.bottomRows(std::ssize(stretching_orders()));
+}
+
+WidthLines make_width_lines(int modes, WidthPart width) {
+  const bool half = width == WidthPart::half;
+  const int count = half ? (modes + 1) / 2 : modes;
+  const int points = half ? 2 * count : count;  // on the whole width, mirrored
+  WidthLines lines{.orders = {}, .zeta = Vector(count), .weight = Vector(count), .to_modes = Matrix(count, count)};
+  for (int s = 0; s < count; ++s) {
+    const double x = gauss_point(points, count - 1 - s);
+    const double slope = points * scaled_slope(points, x);
     lines.zeta[s] = x;
     lines.weight[s] = 2.0 * (1.0 - x * x) / (slope * slope);
-    lines.orders.push_back(2 * s);
+    lines.orders.push_back(half ? 2 * s : s);
   }
   lines.weight /= lines.weight.sum();  // but for round-off 1 already, and exactly 1 for one line
-  for (int k = 0; k < modes; ++k) {
-    for (int s = 0; s < modes; ++s) {
-      lines.to_modes(k, s) = (4 * k + 1) * lines.weight[s] * legendre(2 * k, lines.zeta[s]);
+  for (int i = 0; i < count; ++i) {
+    const int k = lines.orders[static_cast<std::size_t>(i)];
+    for (int s = 0; s < count; ++s) {
+      lines.to_modes(i, s) = (2 * k + 1) * lines.weight[s] * legendre(k, lines.zeta[s]);
     }
   }
   return lines;

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "bumpfoil/bearing/film_bearing_energy.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
@@ -51,7 +53,7 @@ const Reference references[]{
      .parabola = {-0.26349, -0.29291, -0.29694, -0.27473}},
 };
 
-const FilmResolution parabola_on_6x16{.columns_per_pitch = 6, .rows = 16, .width_modes = 2};
+const FilmResolution parabola_on_6x16{.columns_per_pitch = 6, .rows = 16, .width_modes = 3};
 
 RunningState under(double load, const FilmResolution& resolution, SharedFilmBearing& bearing,
                    const std::optional<PerBump>& pitch = {}) {
@@ -88,7 +90,7 @@ TEST(FilmOverTheWidth, MeetsThePrototype) {
       EXPECT_NEAR(state.contacts.normal_force[contact + 1], reference.outer[i], 2e-3);
       EXPECT_NEAR(loads[bump], reference.inner[i] + reference.outer[i], 4e-3);
       const int crest = foil.supports[static_cast<std::size_t>(bump)];
-      EXPECT_NEAR(um * (foil.varying * state.film.lift.col(crest))[0], reference.parabola[i], 1e-4);
+      EXPECT_NEAR(um * (foil.stretching * state.film.lift.col(crest))[0], reference.parabola[i], 1e-4);
     }
   }
 }
@@ -100,7 +102,7 @@ TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
   const RunningState reference = under(80.0, coarse, uniform);
   ASSERT_TRUE(reference.found());
   FilmResolution with_parabola = coarse;
-  with_parabola.width_modes = 2;
+  with_parabola.width_modes = 3;
   FilmBearing bearing = film_reference_bearing(with_parabola);
   FoilFilm& foil = bearing.pads.front().foil;
   const double R = bearing.scales.radius / foil.pitch;
@@ -110,7 +112,7 @@ TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, reference.last->position, reference.last->speed, state).status, Status::converged);
-  const Vector parabola = (foil.varying * state.film.lift).row(0).transpose();
+  const Vector parabola = (foil.stretching * state.film.lift).row(0).transpose();
   EXPECT_LT(parabola.head(foil.mesh.columns).cwiseAbs().maxCoeff(), 1e-6);  // of c; 0.01 with the foil's own stretch
   // Both came to the same state, by other paths.
   EXPECT_LT((film_bearing_outcome(bearing, state).force - reference.outcome->force).norm(), 1e-5 * 80.0);
@@ -119,7 +121,7 @@ TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
 /// Pitches that are equal are those of any foil, to the last bit; where they differ columns stand at distances of their
 /// own, and the film is thinner than under a uniform foil by about as much as with equal ones.
 TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
-  const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6, .width_modes = 2};
+  const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6, .width_modes = 3};
   SharedFilmBearing bearing;
   const RunningState equal = under(80.0, coarse, bearing);
   const RunningState said_one_by_one = under(80.0, coarse, bearing, PerBump(4.572e-3, 4.572e-3, Grading::linear));
@@ -144,7 +146,7 @@ TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
 
 /// Stiffness is the derivative of the force, with all that varies over the width.
 TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width_modes = 2});
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width_modes = 3});
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -172,7 +174,7 @@ TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
 
 /// With friction all lines of a crest slide as one, and carry no more than f times their loads.
 TEST(FilmOverTheWidth, CrestsSlideAsOneOverTheWidth) {
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width_modes = 2}, 0.1);
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width_modes = 3}, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -186,13 +188,229 @@ TEST(FilmOverTheWidth, CrestsSlideAsOneOverTheWidth) {
   double largest = 0.0;
   double largest_difference = 0.0;
   for (Eigen::Index b = 0; b < bearing.bumps(); ++b) {
-    const double inner = state.contacts.x[b * size + bearing.crest_lines[0].crest_u];
-    const double outer = state.contacts.x[b * size + bearing.crest_lines[1].crest_u];
+    const double inner = state.contacts.x[b * size + bearing.place(0, bearing.dofs().crest_u)];
+    const double outer = state.contacts.x[b * size + bearing.place(1, bearing.dofs().crest_u)];
     largest = std::max(largest, std::abs(inner));
     largest_difference = std::max(largest_difference, std::abs(inner - outer));
   }
   EXPECT_GT(largest, 1e-7);
   EXPECT_LT(largest_difference, 1e-2 * largest);
+}
+
+/// Equilibria under 100 N along +X of a journal that is tilted by 5 um over the width towards +X; the rest as above,
+/// with 24 rows on the whole width.
+struct TiltedReference {
+  int modes{};
+  Eigen::Vector2d position{0.0, 0.0};            ///< um
+  std::array<double, 5> least_over_the_width{};  ///< minimum film thickness at zeta = -1, -1/2, 0, 1/2, 1, um
+  Eigen::Vector2d moment{0.0, 0.0};              ///< N mm
+  double max_pressure{};                         ///< P
+};
+const TiltedReference tilted_references[]{
+    {.modes = 1,
+     .position = {31.503559626048062, 9.703652052142651},
+     .least_over_the_width = {9.93649, 8.7764, 7.61631, 6.45622, 5.29612},
+     .moment = {124.489, -14.368},
+     .max_pressure = 2.5759932738307163},
+    {.modes = 2,
+     .position = {31.5746482927182, 9.723730188540252},
+     .least_over_the_width = {8.90187, 8.21445, 7.52703, 6.83961, 6.15218},
+     .moment = {63.3843, 3.94346},
+     .max_pressure = 2.538883567999486},
+    {.modes = 3,
+     .position = {31.4892982774176, 9.553019415928036},
+     .least_over_the_width = {8.78831, 8.3606, 7.76596, 7.00439, 6.07589},
+     .moment = {64.4868, 4.22233},
+     .max_pressure = 2.4791739540025746},
+};
+
+RunningState tilted(const Case& input, SharedFilmBearing& bearing) {
+  EquilibriumResult result = run_equilibrium(input);
+  bearing = result.bearing;
+  return result.states.front();
+}
+
+Case tilted_case(const FilmResolution& resolution, double load) {
+  Case input = film_reference_case(resolution);
+  input.width.tilt = {5e-6 / input.bearing.axial_length, 0.0};
+  input.equilibrium =
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}, .paths = ComparedPaths::one};
+  return input;
+}
+
+TEST(FilmUnderATiltedJournal, MeetsThePrototype) {
+  for (const TiltedReference& reference : tilted_references) {
+    SCOPED_TRACE(reference.modes);
+    SharedFilmBearing bearing;
+    const RunningState found =
+        tilted(tilted_case({.columns_per_pitch = 6, .rows = 12, .width_modes = reference.modes}, 100.0), bearing);
+    ASSERT_TRUE(found.found());
+    expect_solved(*bearing, *found.last);
+    const double um = 1e6 * bearing->scales.thickness;
+    const double least = reference.least_over_the_width.back();
+    EXPECT_LT((1e6 * found.last->position - reference.position).norm(), 1e-4 * least);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Eigen::Index row = 6 * static_cast<Eigen::Index>(i);
+      EXPECT_NEAR(um * found.last->film.thickness.row(row).minCoeff(), reference.least_over_the_width[i], 1e-4 * least);
+    }
+    EXPECT_LT((1e3 * found.outcome->moment - reference.moment).norm(), 1e-4 * reference.moment.norm());
+    EXPECT_NEAR(found.outcome->max_pressure, reference.max_pressure, 1e-4);
+    EXPECT_EQ(found.outcome->thinnest.row, 24);
+  }
+}
+
+const FilmResolution coarse_with_slopes{.columns_per_pitch = 4, .rows = 4, .width_modes = 3};
+
+/// A journal that is tilted the other way is the mirror image, and one that the moment is given of tilts as far.
+TEST(FilmUnderATiltedJournal, IsTheMirrorImageOfTheOppositeTilt) {
+  Case input = tilted_case(coarse_with_slopes, 80.0);
+  input.width.tilt[1] = 0.4 * input.width.tilt[0];
+  SharedFilmBearing bearing;
+  const RunningState found = tilted(input, bearing);
+  ASSERT_TRUE(found.found());
+  EXPECT_LT(
+      (found.last->tilt - 0.5 * input.bearing.axial_length * Eigen::Vector2d(input.width.tilt[0], input.width.tilt[1]))
+          .norm(),
+      1e-18);
+  Case opposite = input;
+  for (double& slope : opposite.width.tilt) slope *= -1.0;
+  SharedFilmBearing same;
+  const RunningState mirrored = tilted(opposite, same);
+  ASSERT_TRUE(mirrored.found());
+  // The searches end where steps are below 1e-9.
+  EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - found.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((mirrored.outcome->moment + found.outcome->moment).norm(), 1e-8 * found.outcome->moment.norm());
+
+  Case by_moment = input;
+  by_moment.width.moment = {found.outcome->moment.x(), found.outcome->moment.y()};
+  const RunningState free = tilted(by_moment, same);
+  ASSERT_TRUE(free.found());
+  EXPECT_LT((free.last->tilt - found.last->tilt).norm(), 1e-6 * found.last->tilt.norm());
+  EXPECT_LT((free.last->position - found.last->position).norm(), 1e-6 * found.last->position.norm());
+}
+
+/// A journal that does not tilt leaves the film as it is on half the width, where the foils are uniform.
+TEST(FilmUnderATiltedJournal, IsThatOfHalfTheWidthWithoutTilt) {
+  const FilmResolution half{.columns_per_pitch = 4, .rows = 4};
+  SharedFilmBearing bearing;
+  const RunningState reference = under(80.0, half, bearing);
+  Case input = tilted_case(half, 80.0);
+  input.width.moment = {0.0, 0.0};
+  SharedFilmBearing whole;
+  const RunningState found = tilted(input, whole);
+  ASSERT_TRUE(reference.found() && found.found());
+  EXPECT_LT((found.last->film.pressure.bottomRows(5) - reference.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT(found.last->tilt.norm(), 1e-9 * bearing->scales.thickness);
+  EXPECT_LT((found.stiffness->topLeftCorner<2, 2>() - *reference.stiffness).norm(), 1e-6 * reference.stiffness->norm());
+  // Force and tilt do not know of each other there.
+  EXPECT_LT(found.stiffness->topRightCorner(2, 2).norm(), 1e-8 * reference.stiffness->norm());
+  EXPECT_LT(std::abs(found.held.sliding->rate - reference.held.sliding->rate),
+            1e-6 * std::abs(reference.held.sliding->rate));
+}
+
+/// Four by four: forces and moments by displacements and tilts, friction included.
+TEST(FilmUnderATiltedJournal, StiffnessIsTheDerivativeOfForceAndMoment) {
+  FilmResolution resolution = coarse_with_slopes;
+  resolution.width = WidthPart::whole;
+  const FilmBearing bearing = film_reference_bearing(resolution);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  const double speed = speed_of_rpm(45000.0);
+  ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
+            Status::converged);
+  OperatingPoint point = point_of(bearing, state, {});
+  point.tilt.value = {3e-6, 1e-6};
+  ASSERT_EQ(stepper.advance(point, state).status, Status::converged);
+  expect_solved(bearing, state);
+  const auto motion = stepper.slow_motion(state);
+  ASSERT_TRUE(motion.has_value());
+  const JournalMatrix& K = motion->stiffness;
+  ASSERT_EQ(K.rows(), 4);
+  EXPECT_TRUE(stepper.held_motion(state).has_value());  // its residual in the equations of all unknowns is small
+  constexpr double h = 1e-9;
+  for (Eigen::Index axis = 0; axis < 4; ++axis) {
+    JournalVector force[2];
+    for (const int side : {0, 1}) {
+      BearingState moved = state;
+      OperatingPoint there = point;
+      double& entry = axis < 2 ? there.journal[axis] : there.tilt.value[axis - 2];
+      entry += side == 0 ? -h : h;
+      ASSERT_EQ(stepper.advance(there, moved).status, Status::converged);
+      force[side] = journal_force(bearing, moved.film, speed);
+    }
+    EXPECT_LT(((force[1] - force[0]) / (2.0 * h) - K.col(axis)).norm(), 3e-6 * K.norm()) << axis;
+  }
+  // At slow motions the impedance is the stiffness, and it has no motions of its own.
+  const auto Z = stepper.impedances(state, {{0.0, 1e-3 * speed}, {0.0, speed}});
+  ASSERT_TRUE(Z.has_value());
+  EXPECT_LT((Z->front().real() - K).norm(), 1e-4 * K.norm());
+  EXPECT_GT(Z->back().imag().diagonal().minCoeff(), 0.0);  // all four are damped
+}
+
+/// With friction crests and feet slide linearly over the width: their three lines stay on a straight one.
+TEST(FilmUnderATiltedJournal, SlidesLinearlyOverTheWidth) {
+  Case input = tilted_case(coarse_with_slopes, 100.0);
+  input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
+  SharedFilmBearing bearing;
+  const RunningState found = tilted(input, bearing);
+  ASSERT_TRUE(found.found());
+  expect_solved(*bearing, *found.last);
+  const Eigen::Index size = bearing->problem.K.block_size();
+  double slope = 0.0;
+  double bow = 0.0;
+  for (const int unknown : {bearing->dofs().crest_u, bearing->dofs().foot_u.front()}) {
+    for (Eigen::Index b = 0; b < bearing->bumps(); ++b) {
+      const auto on_line = [&](Eigen::Index s) {
+        return found.last->contacts.x[b * size + bearing->place(s, unknown)];
+      };
+      slope = std::max(slope, std::abs(on_line(2) - on_line(0)));
+      bow = std::max(bow, std::abs(on_line(2) - 2.0 * on_line(1) + on_line(0)));
+    }
+  }
+  EXPECT_GT(slope, 1e-8);
+  EXPECT_LT(bow, 2e-2 * slope);
+}
+
+/// Pads tilt with the journal as one foil does: three of them carry moments that add up.
+TEST(FilmUnderATiltedJournal, ActsOnPads) {
+  Case input = tilted_case({.columns_per_pitch = 4, .rows = 3, .width_modes = 3}, 40.0);
+  input.bump_foil.bumps = 8;
+  input.pads.resize(3);
+  for (std::size_t k = 0; k < 3; ++k) input.pads[k].weld_angle = static_cast<double>(k) * 2.0 * std::numbers::pi / 3.0;
+  SharedFilmBearing bearing;
+  const RunningState found = tilted(input, bearing);
+  ASSERT_TRUE(found.found());
+  EXPECT_LT(
+      (journal_force(*bearing, found.last->film, found.last->speed).head<2>() - Eigen::Vector2d(40.0, 0.0)).norm(),
+      1e-6);
+  EXPECT_GT(found.outcome->moment.x(), 0.0);  // it resists the tilt
+}
+
+/// Gas flows through the bearing from the side where its pressure is higher: what flows in at both ends and one side
+/// flows out at the other, and the mirror image of both pressures is that of all.
+TEST(FilmBetweenSidePressures, CarriesGasFromSideToSide) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4, .width_modes = 3});
+  input.equilibrium =
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{50.0, 0.0}}, .paths = ComparedPaths::one};
+  const double ambient = input.gas.ambient_pressure;
+  input.film.side_pressure = {1.2 * ambient, ambient};
+  SharedFilmBearing bearing;
+  const RunningState found = tilted(input, bearing);
+  ASSERT_TRUE(found.found());
+  expect_solved(*bearing, *found.last);
+  const FilmFlows& flows = found.outcome->flows;
+  EXPECT_LT(flows.sides - flows.right_side, 0.0);
+  EXPECT_GT(flows.right_side, 0.0);
+  EXPECT_NEAR(flows.start - flows.end - flows.sides, 0.0, 1e-8 * flows.right_side);
+  EXPECT_EQ(found.last->tilt.norm(), 0.0);
+  EXPECT_GT(found.outcome->moment.norm(), 1e-3);  // N m: the pressure of the fed side presses on it
+
+  std::swap(input.film.side_pressure[0], input.film.side_pressure[1]);
+  SharedFilmBearing same;
+  const RunningState mirrored = tilted(input, same);
+  ASSERT_TRUE(mirrored.found());
+  EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - found.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((mirrored.outcome->moment + found.outcome->moment).norm(), 1e-8 * found.outcome->moment.norm());
 }
 
 }  // namespace

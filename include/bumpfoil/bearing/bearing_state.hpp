@@ -18,16 +18,17 @@ struct LastStep {
 /// All that an increment leaves to the next, with a film or without: a plain value, to be copied, kept and gone back
 /// to. Its excitation is the one that the foils are in balance with.
 struct BearingState : Excitation {
-  double time{};               ///< s; quasi-static increments take none
-  double speed{};              ///< Omega of the journal under a film, rad/s
-  double opening{};            ///< by which the clearance of a film is wider than that of the bearing, m
-  ContactLoading loading;      ///< gaps and loads that the contact problem was solved for; none under a film
-  ContactState contacts;       ///< displacements, forces and modes; friction refers to them
-  Vector slip_origin;          ///< unknowns that the slip of the last part of the last increment is measured from
-  FoilFilmState film;          ///< of all columns, without dimension, see FilmScales; no columns: no film
-  LastStep last_step;          ///< of second order in time
-  double work{};               ///< of the pressing body since the count began, see gap_work(), J
-  double dissipated_energy{};  ///< by friction since then, J
+  double time{};                   ///< s; quasi-static increments take none
+  Eigen::Vector2d tilt{0.0, 0.0};  ///< of the journal under a film, see JournalVector, m
+  double speed{};                  ///< Omega of it, rad/s
+  double opening{};                ///< by which the clearance of a film is wider than that of the bearing, m
+  ContactLoading loading;          ///< gaps and loads that the contact problem was solved for; none under a film
+  ContactState contacts;           ///< displacements, forces and modes; friction refers to them
+  Vector slip_origin;              ///< unknowns that the slip of the last part of the last increment is measured from
+  FoilFilmState film;              ///< of all columns, without dimension, see FilmScales; no columns: no film
+  LastStep last_step;              ///< of second order in time
+  double work{};                   ///< of the pressing body since the count began, see gap_work(), J
+  double dissipated_energy{};      ///< by friction since then, J
 
   /// Unstressed foils before their assembly.
   static BearingState unstressed(const Foils& foils);

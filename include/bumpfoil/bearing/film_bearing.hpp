@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bumpfoil/bearing/bearing_state.hpp"
+#include "bumpfoil/bearing/journal_law.hpp"
 #include "bumpfoil/film/film_integrals.hpp"
 #include "bumpfoil/model/case.hpp"
 
@@ -20,17 +21,29 @@ Asperities asperities_of(const AsperitySettings& settings, const TopFoil& top_fo
 /// c of a bearing, m: its clearance or interference, 10 um at least.
 double film_thickness_scale(double clearance);
 
+/// How a journal is tilted, or by what. A plain value.
+struct JournalTilt {
+  Control control{Control::displacement};
+  Eigen::Vector2d value{Eigen::Vector2d::Zero()};  ///< its tilt, m, or the moment on it over half the width, N:
+                                                   ///< the last two entries of JournalVector
+
+  bool operator==(const JournalTilt&) const = default;
+};
+
 /// What else there is between journal and foils. A plain value.
 struct FilmSurroundings {
-  double inlet_pressure{1.0};              ///< P at the free ends of the foils
-  std::optional<Asperities> asperities{};  ///< of journal and top foils, in m and Pa; none: smooth surfaces
+  double inlet_pressure{1.0};               ///< P at the free ends of the foils
+  Eigen::Vector2d side_pressure{1.0, 1.0};  ///< P at the sides z < 0 and z > 0; on half the width the same
+  std::optional<Asperities> asperities{};   ///< of journal and top foils, in m and Pa; none: smooth surfaces
+  JournalTilt tilt{};                       ///< in all states that are asked for
 };
 
 /// Mesh of the film over the foil of a bearing.
 struct FilmResolution {
   int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
   int rows{16};              ///< intervals on half the width
-  int width_modes{1};        ///< of the displacement of the foils over the width, see WidthLines
+  int width_modes{1};        ///< of the displacement of the foils over the width, see make_width_lines()
+  WidthPart width{};         ///< all of it where the journal may tilt
 };
 
 /// The film of a pad, and the top foil under it.
@@ -58,10 +71,11 @@ struct FilmPad {
 /// column over the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the
 /// place of its first pressure; all else there stays zero.
 ///
-/// Where displacements vary over the width, top foil and crest have theirs on each line (CrestLine): those of the first
-/// line in the places of the foils' unknowns, the others, and what is unknown of the membrane, behind the pressures.
-/// The feet, and the rest of a bump foil, stay uniform over the width; the crest has springs of held_crest_stiffness()
-/// against what varies, and all but rigid ones against sliding otherwise on one line than on another.
+/// Where displacements vary over the width, foils have theirs on each line (FoilLine): those of the first line in the
+/// places of the foils' unknowns, the others, and what is unknown of the membrane, behind the pressures. What is the
+/// same on both halves varies at top foil and crest alone; what is linear over the width, as under a tilted journal, at
+/// all of the bump foil, which is independent slices then. Against modes of a higher order the crest has springs of
+/// held_crest_stiffness(), and all else that is not uniform all but rigid ones.
 ///
 /// K of the contact problem is that of the bump foils alone, which holds what means nothing in the last blocks.
 struct FilmBearing : Foils {
@@ -84,16 +98,37 @@ struct FilmBearing : Foils {
   [[nodiscard]] bool has_foils() const { return bumps() > 0; }
   /// A field that is `value` everywhere.
   [[nodiscard]] Matrix field(double value) const;
-  /// P of gas at rest: 1, and what feeds it at the free ends.
+  /// P of gas at rest: 1, and what feeds it at the free ends and the sides between both ends.
   [[nodiscard]] Matrix resting_pressure() const;
-  /// H of the undeformed foils with the journal at `position` (m), at all nodes, where the foils stand farther out than
-  /// they do by `opening` (m).
-  [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position, double opening = 0.0) const;
+  /// Whether the film covers the whole width, and the journal may tilt there.
+  [[nodiscard]] bool tilts() const { return pads.front().foil.mesh.width == WidthPart::whole; }
+  /// How many motions the journal has: entries of JournalVector.
+  [[nodiscard]] Eigen::Index motions() const { return tilts() ? 4 : 2; }
+  /// Where the journal of a state is.
+  [[nodiscard]] JournalVector journal_of(const BearingState& state) const;
+  /// Puts it there.
+  static void place_journal(const JournalVector& journal, BearingState& state);
+  /// Derivatives dF/dq with slopes (rad) in place of displacements at the side, and moments (N m) in place of forces.
+  template <typename Derivatives>
+  [[nodiscard]] Derivatives by_slopes(Derivatives derivatives) const {
+    if (!tilts()) return derivatives;
+    derivatives.bottomRows(2) *= half_width();
+    derivatives.rightCols(2) *= half_width();
+    return derivatives;
+  }
+  /// Half the axial length, m.
+  [[nodiscard]] double half_width() const { return pads.front().foil.mesh.half_width() * scales.radius; }
+  /// H of the undeformed foils with the journal at a place (m; of two entries: not tilted), at all nodes, where the
+  /// foils stand farther out than they do by `opening` (m).
+  [[nodiscard]] Matrix undeformed_thickness(const JournalVector& journal, double opening = 0.0) const;
+  /// Change of H where the journal is displaced (m) and the foils are not.
+  [[nodiscard]] Matrix thinning(const JournalVector& displacement) const;
   /// Places in the block of a bump. Only where there are foils.
   [[nodiscard]] const BumpDofs& dofs() const { return structure.dofs; }
   /// Place of the first pressure in it.
   [[nodiscard]] int first_pressure() const { return dofs().size; }
-  [[nodiscard]] bool varies_over_the_width() const { return pads.front().foil.lines.count() > 1; }
+  /// Whether the film thickness may.
+  [[nodiscard]] bool varies_over_the_width() const { return tilts() || pads.front().foil.lines.count() > 1; }
   /// How far out the foils lie in all rows where they do on all lines (FoilFilmState::lift).
   [[nodiscard]] Matrix over_the_width(const Matrix& lift) const { return pads.front().foil.shapes * lift; }
 };
@@ -118,12 +153,13 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
 FilmBearing formed_by(const FilmBearing& bearing, double part);
 
 /// Gas at rest, unstressed foils; H is positive where the journal leaves room.
-BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening = 0.0);
+BearingState resting(const FilmBearing& bearing, const JournalVector& journal, double speed, double opening = 0.0);
 
 /// What a state is good for.
 struct FilmBearingOutcome {
-  Eigen::Vector2d force{Eigen::Vector2d::Zero()};  ///< to be applied to the journal, N
-  double eccentricity{};                           ///< |(x, y)| / |C_r|; infinite without a clearance
+  Eigen::Vector2d force{Eigen::Vector2d::Zero()};   ///< to be applied to the journal, N
+  Eigen::Vector2d moment{Eigen::Vector2d::Zero()};  ///< int z dF of it about the mid-plane, N m; zero on half the width
+  double eccentricity{};                            ///< |(x, y)| / |C_r|; infinite without a clearance
   double
       attitude_angle{};  ///< from the force to the displacement, positive in the sense of rotation, in (-pi, pi], rad
   double torque{};       ///< against rotation for Omega > 0, N m
@@ -145,8 +181,9 @@ struct FilmBearingOutcome {
   Eigen::Matrix2Xd pad_forces;            ///< part of the force that each of several pads takes, N; one has no column
 };
 
-/// Force that must be applied to the journal under the pressure P at all nodes: the integral of (p - pa) n, N.
-Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure);
+/// Force that must be applied to the journal under the pressure P at all nodes: the integral of (p - pa) n, and where
+/// the journal may tilt of (p - pa) n zeta, N.
+JournalVector film_force(const FilmBearing& bearing, const Matrix& pressure);
 
 /// P_c at all columns of all pads, zero where surfaces are smooth: asperity_pressures().
 Vector asperity_pressures(const FilmBearing& bearing, const Matrix& thickness);
@@ -162,7 +199,7 @@ Eigen::Vector2d asperity_force(const FilmBearing& bearing, const Vector& pressur
 double sliding_friction(const FilmBearing& bearing, double speed);
 
 /// Both together: what holds the journal in a state of the film at a speed, N.
-Eigen::Vector2d journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed);
+JournalVector journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed);
 
 /// Compressions between top foils and crests, N, one per bump, pad after pad.
 Vector bump_loads(const FilmBearing& bearing, const BearingState& state);

@@ -47,15 +47,16 @@ struct OperatingPoint {
   Eigen::Vector2d journal{Eigen::Vector2d::Zero()};  ///< its position, m, or the load on it, N
   double speed{};                                    ///< Omega, rad/s
   double opening{};                                  ///< by which the clearance is wider than that of the bearing, m
+  JournalTilt tilt{};                                ///< only where the journal may tilt
 
   bool operator==(const OperatingPoint&) const = default;
   [[nodiscard]] bool by_load() const { return control == Control::load; }
 
   static OperatingPoint held_at(const Eigen::Vector2d& position, double speed, double opening = 0.0) {
-    return {Control::displacement, position, speed, opening};
+    return {.control = Control::displacement, .journal = position, .speed = speed, .opening = opening};
   }
   static OperatingPoint loaded_by(const Eigen::Vector2d& load, double speed, double opening = 0.0) {
-    return {Control::load, load, speed, opening};
+    return {.control = Control::load, .journal = load, .speed = speed, .opening = opening};
   }
 };
 
@@ -83,14 +84,15 @@ struct JointMove {
   TimeScheme scheme{TimeScheme::bdf2};
 };
 
-/// The operating point of a state, by the position of its journal or by the load that it carries.
-OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control);
+/// The operating point of a state: by the position of its journal or by the load that it carries, by its tilt or by the
+/// moment, as those of another one. @param like  whose controls count
+OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, const OperatingPoint& like);
 
 /// How a state responds to slow motions of the journal.
 struct SlowMotion {
-  Eigen::Matrix2d stiffness;  ///< dF/d(x, y), N/m, rows x and y. Not symmetric
-  /// Largest displacement of the top foil per displacement of the journal along X or Y. About 1 where the foil follows
-  /// the journal; without bound where the state becomes singular, as at the end of its branch.
+  JournalMatrix stiffness;  ///< dF/dq, N/m. Not symmetric
+  /// Largest displacement of the top foil per displacement of the journal in any of its motions. About 1 where the foil
+  /// follows the journal; without bound where the state becomes singular, as at the end of its branch.
   double foil_response{};
 };
 
@@ -150,10 +152,10 @@ class FilmStepper {
   [[nodiscard]] std::optional<SlowMotion> slow_motion(const BearingState& state, bool stuck = false);
 
   /// Its stiffness.
-  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const BearingState& state, bool stuck = false);
+  [[nodiscard]] std::optional<JournalMatrix> stiffness(const BearingState& state, bool stuck = false);
 
-  /// Impedance Z = dF/d(x, y) of the bearing to motions of the journal by q e^{s t} about `state`, at every rate s
-  /// (1/s): N/m, rows x and y. The film squeezes, foils and journal have no mass, contacts keep their modes or stick
+  /// Impedance Z = dF/dq of the bearing to motions of the journal by q e^{s t} about `state`, at every rate s (1/s):
+  /// N/m. The film squeezes, foils and journal have no mass, contacts keep their modes or stick
   /// as in stiffness(), which Z is at s = 0. At a frequency omega, s = i omega, K = Re Z and C = Im Z / omega.
   ///
   /// One factorisation serves all rates (docs/theory/gas_film.md).
@@ -164,9 +166,9 @@ class FilmStepper {
                                                        bool stuck = false);
 
   /// That at the rates.
-  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const BearingState& state,
-                                                                        const std::vector<std::complex<double>>& rates,
-                                                                        bool stuck = false);
+  [[nodiscard]] std::optional<std::vector<JournalMatrixC>> impedances(const BearingState& state,
+                                                                      const std::vector<std::complex<double>>& rates,
+                                                                      bool stuck = false);
 
   /// The pole of the bearing with its journal held that lies farthest to the right: what Z has among its own poles,
   /// whatever carries the journal. The state lasts where its real part is negative. Contacts keep their modes or stick,

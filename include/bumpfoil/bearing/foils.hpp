@@ -40,11 +40,11 @@ struct PadAssembly {
 };
 
 /// One of the lines over the width on which the displacement of foils under a film is given (WidthLines): the part of
-/// the width that it stands for, and the places of its unknowns in the block of a bump.
-struct CrestLine {
+/// the width that it stands for, and where in the block of a bump it has the unknowns of BumpDofs. Lines share the
+/// places of what is uniform over the width.
+struct FoilLine {
   double weight{1.0};
-  int top_u{}, top_moment{};
-  int crest_u{}, crest_v{};
+  std::vector<int> places;
 };
 
 /// Foils ready to be loaded: elastic foils and the contacts between the body that presses on them (the journal of a
@@ -57,7 +57,8 @@ struct CrestLine {
 /// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
 ///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
-/// Under a film that foils answer to differently over the width there is one between top foil and crest on every line.
+/// Under a film that foils answer to differently over the width there is one on every line between top foil and crest
+/// and, where feet are not uniform, between foot and sleeve.
 /// Without a top foil the first is missing, and the second is that of the plate with the crest. Under a film the first
 /// is missing, and the blocks of the problem are those of FilmBearing.
 struct Foils {
@@ -73,15 +74,25 @@ struct Foils {
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
-  bool under_film{};                     ///< a film presses, and nothing else
-  std::vector<CrestLine> crest_lines{};  ///< under a film; none otherwise: all is uniform over the width
+  bool under_film{};              ///< a film presses, and nothing else
+  std::vector<FoilLine> lines{};  ///< under a film; none otherwise: all is uniform over the width
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {
     return has_top_foil() && !under_film ? 1 : 0;
   }  ///< place of the contact in the block of a bump
   /// Contacts of a crest with the top foil, side by side over the width.
-  [[nodiscard]] int crest_contacts() const { return crest_lines.empty() ? 1 : static_cast<int>(crest_lines.size()); }
+  [[nodiscard]] int crest_contacts() const { return lines.empty() ? 1 : static_cast<int>(lines.size()); }
+  /// Contacts of a foot with the sleeve.
+  [[nodiscard]] int foot_contacts() const { return is_uniform(structure.dofs.foot_u.front()) ? 1 : crest_contacts(); }
+  /// Where a line has an unknown of the structure in the block of a bump. @param unknown  among BumpDofs
+  [[nodiscard]] int place(Eigen::Index line, int unknown) const {
+    return lines[static_cast<std::size_t>(line)].places[static_cast<std::size_t>(unknown)];
+  }
+  /// Whether an unknown of the structure is one and the same on all lines. @param unknown  among BumpDofs
+  [[nodiscard]] bool is_uniform(int unknown) const {
+    return lines.size() < 2 || place(0, unknown) == place(1, unknown);
+  }
   [[nodiscard]] int first_foot() const { return top_bump() + crest_contacts(); }
   /// None of a wall in place of the foils.
   [[nodiscard]] int contacts_per_block() const {

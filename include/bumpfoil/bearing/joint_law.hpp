@@ -12,13 +12,13 @@ namespace bumpfoil {
 ///
 ///     A (y* - y) + sum B_i (F*_i - F_i) = 0,      q_i = N_i y
 ///
-/// y unknowns of the body, q_i position of journal i (m), F_i force on it that balances its film (N). A rotor in a step
-/// of time has its dynamic stiffness for A and N_i^T for B_i. A plain value.
+/// y unknowns of the body, q_i place of journal i (m, JournalVector), F_i force on it that balances its film (N). A
+/// rotor in a step of time has its dynamic stiffness for A and N_i^T for B_i. A plain value.
 struct JointLaw {
   struct Journal {
-    Eigen::Matrix2Xd motion;    ///< N
-    Eigen::MatrixX2d by_force;  ///< B
-    Eigen::Vector2d force;      ///< F*, N
+    Eigen::MatrixXd motion;    ///< N
+    Eigen::MatrixXd by_force;  ///< B
+    JournalVector force;       ///< F*, N
   };
 
   Eigen::MatrixXd by_place;         ///< A
@@ -29,16 +29,16 @@ struct JointLaw {
   double longest_step{};            ///< of any journal in one step of Newton's method, m
 
   /// What is left of the way, in the units of the rows. @param forces  F_i, N
-  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& y, const std::vector<Eigen::Vector2d>& forces) const;
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& y, const std::vector<JournalVector>& forces) const;
   /// Matrix of the rows where the films answer with dF_i/dq_i = K_i.
-  [[nodiscard]] Eigen::MatrixXd matrix(const std::vector<Eigen::Matrix2d>& K) const;
+  [[nodiscard]] Eigen::MatrixXd matrix(const std::vector<JournalMatrix>& K) const;
   /// Whether the law is a place alone.
   [[nodiscard]] bool holds_place() const;
   /// The largest displacement of a journal, m.
   [[nodiscard]] double displacement(const Eigen::VectorXd& step) const;
 };
 
-/// That of one bearing: y is the position of its journal.
+/// That of one bearing: y is the place of its journal.
 JointLaw law_of_one(const JournalLaw& law);
 
 }  // namespace bumpfoil

@@ -38,6 +38,11 @@ FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResol
 /// The mesh of the case.
 FilmResolution resolution_of(const Case& input);
 
+/// What the case says of pressures around the film, asperities, and how its journal is tilted.
+/// @param input    that is valid
+/// @param ambient  pressure, Pa
+FilmSurroundings surroundings_of(const Case& input, double ambient);
+
 /// h below which surfaces count as touching, m: film.h_floor; 0 where asperities carry what a film does not.
 double thickness_floor(const Case& input);
 

@@ -26,6 +26,7 @@ struct FilmFlows {
   double start{};  ///< in at theta = 0; none in a closed film
   double end{};    ///< out at the last column
   double sides{};
+  double right_side{};  ///< part of it at z > 0
 };
 
 /// @param residual  of reynolds_residual

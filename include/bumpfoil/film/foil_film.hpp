@@ -37,24 +37,24 @@ struct FoilFilm {
   TopFoilMoments top_foil;               ///< its node k is column k + 1
   double stiffness{};                    ///< EI' / p^3, N/m
   double pitch{};                        ///< p, m
-  double load_scale{};                   ///< 2 pa R^2 dtheta dzeta / (c stiffness)
+  double load_scale{};                   ///< pa R^2 dtheta dzeta / (c stiffness), times FilmMesh::copies()
   Vector forming;                        ///< p r / c of all columns but the last
   std::optional<Asperities> asperities;  ///< of journal and foil, in units of pa and c; none: smooth surfaces. Only on
                                          ///< foils that are uniform over the width
   std::vector<int> supports;  ///< columns where something may support the foil: increasing, none at or next to the
                               ///< ends, no two neighbours
-  WidthLines lines{make_width_lines(1)};
+  WidthLines lines{make_width_lines(1, WidthPart::half)};
   Matrix shapes;                       ///< N_s of each line, in every row of nodes
-  Matrix varying;                      ///< of the displacements of the lines: the modes that stretch the foil
-  std::vector<MembraneRows> membrane;  ///< of all columns but the last; none where the foil is uniform over the width
+  Matrix stretching;                   ///< WidthLines::to_stretching_modes()
+  std::vector<MembraneRows> membrane;  ///< of all columns but the last; none where nothing stretches the foil
 
   /// Unknowns of the foil in a column: U, then M of all lines, F, then g of all modes that stretch it.
-  [[nodiscard]] Eigen::Index unknowns() const { return 2 * (lines.count() + varying.rows()); }
+  [[nodiscard]] Eigen::Index unknowns() const { return 2 * (lines.count() + stretching.rows()); }
 };
 
 /// How the displacement of a foil varies over the width, and what the foil is as a membrane.
 struct FoilSheet {
-  int modes{1};         ///< 1: not at all
+  int modes{1};         ///< of make_width_lines(); 1: not at all
   double stretching{};  ///< E t, N/m
   double poisson_ratio{};
 };
@@ -96,9 +96,9 @@ void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, 
 void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual);
 
 /// Newton's method for film and foil, condensed to the columns over supports and the free end: their unknowns are the
-/// pressures of rows 0 to rows - 1, then those of the foil (FoilFilm::unknowns()); block i is support i, the last one
-/// the free end. The columns between two of them are eliminated one by one, with both held. At the free end, U alone is
-/// unknown: the other unknowns must be given as zero, and their rows mean nothing.
+/// pressures of the rows where they are unknown, then those of the foil (FoilFilm::unknowns()); block i is support i,
+/// the last one the free end. The columns between two of them are eliminated one by one, with both held. At the free
+/// end, U alone is unknown: the other unknowns must be given as zero, and their rows mean nothing.
 class FoilFilmSystem {
  public:
   using Block = Matrix;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -154,18 +155,29 @@ struct FilmSettings {
   int rows{16};                            ///< intervals on half the width
   double h_floor{0.1e-6};                  ///< m; contact threshold: a thinner film counts as contact
   std::optional<double> inlet_pressure{};  ///< at the free ends of the foils, Pa; absent: ambient
+  std::vector<double> side_pressure{};     ///< at the sides z < 0 and z > 0, Pa; empty: ambient
   FilmWall wall{FilmWall::rigid};
   std::optional<double> wall_stiffness{};  ///< foundation modulus: pressure over displacement, Pa/m
   bool closed{};                           ///< no slot at the weld
   std::optional<double> h_lift_off{};      ///< m; minimum film thickness after lift-off: no default
 
+  /// Whether they are the same at both sides.
+  [[nodiscard]] bool has_equal_sides() const {
+    return side_pressure.empty() || side_pressure.front() == side_pressure.back();
+  }
   bool operator==(const FilmSettings&) const = default;
 };
 
-/// How the foils of a running bearing vary over its width.
+/// How the film of a running bearing and its foils vary over the width.
 struct WidthSettings {
-  int modes{1};  ///< of their displacement, see WidthLines: 1, uniform; 2, with a parabola
+  int modes{1};                        ///< of the displacement of the foils, see make_width_lines(): P_0, P_1, ...
+  std::vector<double> tilt{0.0, 0.0};  ///< slope of the axis of the journal towards X and Y, rad
+  std::vector<double> moment{};        ///< on the journal instead, int z dF along X and Y, N m; empty: by the tilt
 
+  /// Whether all of the width is computed: it is not the same on both halves.
+  [[nodiscard]] bool tilts() const {
+    return !moment.empty() || std::any_of(tilt.begin(), tilt.end(), [](double slope) { return slope != 0.0; });
+  }
   bool operator==(const WidthSettings&) const = default;
 };
 

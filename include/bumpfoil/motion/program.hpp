@@ -36,6 +36,8 @@ struct Leg {
   Ramp speed{};    ///< Omega of a bearing that runs, rad/s
   Ramp opening{};  ///< of its clearance, m
   double dt{};     ///< time that each increment takes, s; 0: quasi-static
+  Eigen::Vector2d tilt_from{0.0, 0.0};
+  JournalTilt tilt{};  ///< at the end of the leg
 
   /// s where increment 0..steps leads; parts of increments lie between.
   [[nodiscard]] double target(double step) const { return (begin * (steps - step) + end * step) / steps; }

@@ -60,6 +60,8 @@ inline constexpr ShownUnit megapascals{"MPa", 1e6};
 inline constexpr ShownUnit bars{"bar", 1e5};
 inline constexpr ShownUnit revolutions{"rpm", std::numbers::pi / 30.0};
 inline constexpr ShownUnit stiffness{"MN/m", 1e6};
+inline constexpr ShownUnit tilting_stiffness{"N mm/mrad", 1.0};
+inline constexpr ShownUnit milliradians{"mrad", 1e-3};
 inline constexpr ShownUnit damping{"N s/m", 1.0};
 
 }  // namespace shown

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
 
 namespace bumpfoil {
+
+/// What of the width of a bearing is computed: half, where all is the same on both halves, or all of it.
+enum class WidthPart : std::uint8_t { half, whole };
 
 /// How displacements of a foil vary over its width: zeta in [-1, 1] from side to side, P_k the polynomials of Legendre,
 ///
@@ -16,20 +20,23 @@ namespace bumpfoil {
 /// are orthogonal like the P_k, and a foil that bends in slices is one beam under each line, `weight` times as stiff as
 /// the whole width. In a contact at its line each displaces nothing but itself.
 struct WidthLines {
-  std::vector<int> orders;  ///< k of each mode: 0, 2, ..., even over the width
-  Vector zeta;              ///< of each line, on half the width
+  std::vector<int> orders;  ///< k of each mode, rising from 0
+  Vector zeta;              ///< of each line, rising
   Vector weight;            ///< part of the width that each line stands for; together 1
   Matrix to_modes;          ///< u_k = sum_s to_modes(k, s) u_s: a row for each mode
 
   [[nodiscard]] Eigen::Index count() const { return weight.size(); }
   /// N_s at a place over the width, of all lines.
   [[nodiscard]] Vector shapes(double at) const;
-  /// The rows of to_modes whose modes are not uniform over the width.
-  [[nodiscard]] Matrix to_varying_modes() const { return to_modes.bottomRows(to_modes.rows() - 1); }
+  /// k of the modes that stretch a curved foil: 2 or more.
+  [[nodiscard]] std::vector<int> stretching_orders() const;
+  /// The rows of to_modes of these.
+  [[nodiscard]] Matrix to_stretching_modes() const;
 };
 
-/// @param modes  1: uniform over the width; 2: {P_0, P_2}; ...
-WidthLines make_width_lines(int modes);
+/// The modes P_0, P_1, ..., as many as there are; of those on half the width, where all is the same on both halves, the
+/// even ones alone.
+WidthLines make_width_lines(int modes, WidthPart width);
 
 /// P_k(x).
 double legendre(int k, double x);

@@ -133,9 +133,8 @@ class PathWalker {
         break;
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
-        if (by_load && total.status == Status::converged) {
-          total += settle(*starting_, opened, *state_);
-        }
+        if (by_load && total.status == Status::converged) total += settle(*starting_, opened, *state_);
+        ramp(opened, total);  // a journal that is held tilts
         break;
     }
     if (state_ && state_->opening > 0.0) ramp(point, total);
@@ -167,7 +166,7 @@ class PathWalker {
   /// On to a point in equal increments; a point that is there already takes none.
   void ramp(const OperatingPoint& point, FilmReport& total) {
     if (total.status != Status::converged) return;
-    const OperatingPoint from = point_of(*result_.bearing, *state_, point.control);
+    const OperatingPoint from = point_of(*result_.bearing, *state_, point);
     if (from == point) return;
     int taken = 0;
     march(*starting_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const Passage& at) {
@@ -216,18 +215,20 @@ std::optional<double> least_torque_between(const std::array<const RunningState*,
 }
 
 /// All loads or positions, at speed 0.
-std::vector<OperatingPoint> journal_points(const EquilibriumSettings& equilibrium) {
+std::vector<OperatingPoint> journal_points(const EquilibriumSettings& equilibrium, const JournalTilt& tilt) {
   const bool by_load = !equilibrium.loads.empty();
   std::vector<OperatingPoint> points;
   for (const Eigen::Vector2d& value : by_load ? equilibrium.loads : equilibrium.positions) {
     points.push_back(by_load ? OperatingPoint::loaded_by(value, 0.0) : OperatingPoint::held_at(value, 0.0));
+    points.back().tilt = tilt;
   }
   return points;
 }
 
 /// States that follow from one another on a path.
-std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const EquilibriumSettings& equilibrium) {
-  const std::vector<OperatingPoint> journals = journal_points(equilibrium);
+std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const EquilibriumSettings& equilibrium,
+                                                   const JournalTilt& tilt) {
+  const std::vector<OperatingPoint> journals = journal_points(equilibrium, tilt);
   std::vector<std::vector<OperatingPoint>> chains;
   if (path == FilmPath::speed_ramp) {
     for (const OperatingPoint& journal : journals) {
@@ -298,7 +299,7 @@ bool EquilibriumResult::converged() const {
 
 std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, Status status) {
   std::vector<RunningState> states;
-  for (const auto& chain : chains_of(equilibrium.path, equilibrium)) {
+  for (const auto& chain : chains_of(equilibrium.path, equilibrium, {})) {
     std::optional<OperatingPoint> before;
     for (const OperatingPoint& point : chain) {
       RunningState& state = states.emplace_back();
@@ -353,7 +354,7 @@ EquilibriumResult find_states(const SharedFilmBearing& bearing, const Equilibriu
   PathWalker walker(equilibrium, thickness_floor, result, progress, judges, states);
   try {
     for (const FilmPath path : paths) {
-      for (const auto& chain : chains_of(path, equilibrium)) walker.walk(path, chain);
+      for (const auto& chain : chains_of(path, equilibrium, bearing->surroundings.tilt)) walker.walk(path, chain);
     }
   } catch (...) {
     if (judges) judges->finish();

@@ -85,7 +85,8 @@ std::string equilibrium_csv(const EquilibriumResult& result) {
 
 std::string film_coefficients_csv(const EquilibriumResult& result) {
   std::string out = "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s";
-  for (const WhirlQuantity& quantity : whirl_quantities()) out += ',' + key_of(quantity.name(), quantity.unit);
+  const std::vector<WhirlQuantity>& quantities = whirl_quantities(result.bearing->motions());
+  for (const WhirlQuantity& quantity : quantities) out += ',' + key_of(quantity.name(), quantity.unit);
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
     const bool by_load = state.asked.by_load();
@@ -95,7 +96,7 @@ std::string film_coefficients_csv(const EquilibriumResult& result) {
       for (const int axis : {0, 1}) append_csv(out += ',', state.last->position[axis]);
       out += fmt::format(",{}", name_of(state.path));
       append_csv(out += ',', whirl.frequency);
-      for (const WhirlQuantity& quantity : whirl_quantities()) append_csv(out += ',', quantity.value(whirl));
+      for (const WhirlQuantity& quantity : quantities) append_csv(out += ',', quantity.value(whirl));
     }
   }
   return out + '\n';

@@ -24,11 +24,11 @@ void add_pad_forces(Json& json, const FilmBearing& bearing, const RunningState& 
 }
 
 /// Stiffness and damping at each frequency.
-void add_motions(Json& json, const RunningState& state) {
+void add_motions(Json& json, const FilmBearing& bearing, const RunningState& state) {
   json["motions"] = Json::array();
   for (const FilmWhirl& whirl : state.found() ? state.whirls : std::vector<FilmWhirl>{}) {
     Json& motion = json["motions"].emplace_back(Json{{"frequency_rad_per_s", whirl.frequency}});
-    for (const WhirlQuantity& quantity : whirl_quantities()) {
+    for (const WhirlQuantity& quantity : whirl_quantities(bearing.motions())) {
       motion[key_of(quantity.name(), quantity.unit)] = value_json(quantity.value(whirl), {});
     }
   }
@@ -54,7 +54,7 @@ Json state_json(const FilmBearing& bearing, const RunningState& state) {
     json[quantity.key()] = value_json(value_of(quantity, bearing, state), quantity.form);
   }
   add_pad_forces(json, bearing, state, state.found());
-  if (bearing.bumps() > 0) add_motions(json, state);
+  if (bearing.bumps() > 0) add_motions(json, bearing, state);
   const std::string failure = running_failure(bearing, state);
   json["reason"] = failure.empty() ? Json() : Json(failure);
   json["last_state"] = Json();

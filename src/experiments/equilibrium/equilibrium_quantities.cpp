@@ -37,6 +37,16 @@ double force(const FilmBearing&, const RunningState& state) {
   return state.outcome->force[axis];
 }
 
+template <int axis>
+double tilt(const FilmBearing& bearing, const RunningState& state) {
+  return state.last->tilt[axis] / bearing.half_width();
+}
+
+template <int axis>
+double moment(const FilmBearing&, const RunningState& state) {
+  return state.outcome->moment[axis];
+}
+
 template <double FilmBearingOutcome::*member>
 double of(const FilmBearing&, const RunningState& state) {
   return (*state.outcome).*member;
@@ -63,18 +73,18 @@ double bump_number(const FilmBearing&, const RunningState& state) {
   return bump < 0 ? absent : bump + 1;
 }
 
-template <std::optional<Eigen::Matrix2d> RunningState::*member, int row, int column>
+template <std::optional<JournalMatrix> RunningState::*member, int row, int column>
 double entry(const FilmBearing&, const RunningState& state) {
   return state.*member ? (*(state.*member))(row, column) : absent;
 }
 
 /// Of the first of the frequencies.
-template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int column>
+template <std::optional<JournalMatrixC> FilmWhirl::*member, int row, int column>
 double whirl_stiffness(const FilmBearing&, const RunningState& state) {
   if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
   return (*(state.whirls.front().*member))(row, column).real();
 }
-template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int column>
+template <std::optional<JournalMatrixC> FilmWhirl::*member, int row, int column>
 double whirl_damping(const FilmBearing&, const RunningState& state) {
   if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
   const double frequency = state.whirls.front().frequency;
@@ -143,6 +153,14 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"y", "m", "journal centre, Y", position<1>, csv | sampled, "journal, Y", shown::micrometres},
     {"force_x", "N", "applied force on the journal, X", force<0>, csv | sampled, "force, X", shown::newtons},
     {"force_y", "N", "applied force on the journal, Y", force<1>, csv | sampled, "force, Y", shown::newtons},
+    {"tilt_x", "rad", "slope of the axis of the journal towards X", tilt<0>, csv | of_tilt, "tilt, X",
+     shown::milliradians},
+    {"tilt_y", "rad", "slope of the axis of the journal towards Y", tilt<1>, csv | of_tilt, "tilt, Y",
+     shown::milliradians},
+    {"moment_x", "N m", "moment of the applied forces along X about the mid-plane", moment<0>, csv | of_tilt,
+     "moment, X", shown::newton_millimetres},
+    {"moment_y", "N m", "moment of the applied forces along Y about the mid-plane", moment<1>, csv | of_tilt,
+     "moment, Y", shown::newton_millimetres},
     {"eccentricity_ratio", "1", "distance of the journal from the centre over the radial clearance",
      of<&FilmBearingOutcome::eccentricity>, csv | headline | sampled, "eccentricity", shown::unitless},
     {"attitude_angle", "degree",
@@ -157,7 +175,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      csv | sampled, "  at, from the weld", shown::degrees},
     {"h_min_z", "m", "distance of the minimum film thickness from the mid-plane",
      [](const B& bearing, const S& state) {
-       return state.outcome->thinnest.row * bearing.pads.front().foil.mesh.dzeta * bearing.scales.radius;
+       return bearing.half_width() * bearing.pads.front().foil.mesh.zeta(state.outcome->thinnest.row);
      },
      csv | of_width},
     {"h_min_pad", "1", "pad with the minimum film thickness",
@@ -215,6 +233,10 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
     {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
     {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>, sampled},
+    {"flow_side_left", "m3/s", "flow out at the side z < 0, at ambient pressure",
+     [](const B&, const S& state) { return state.outcome->flows.sides - state.outcome->flows.right_side; }, of_tilt},
+    {"flow_side_right", "m3/s", "flow out at the side z > 0, at ambient pressure", flow<&FilmFlows::right_side>,
+     of_tilt},
     {"energy_imbalance", "1", "relative imbalance of dissipated and supplied power",
      [](const B&,
         const S& state) { return relative(state.outcome->dissipation - state.outcome->power, state.outcome->power); }},
@@ -269,6 +291,14 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      "stiffness, yx", shown::stiffness},
     {"kyy", "N/m", "dF_y/dy, sliding contacts keep sliding", entry<&S::stiffness, 1, 1>,
      csv | shown_first | sampled, "stiffness, yy", shown::stiffness},
+    {"kaa", "N m/rad", "dM_x/da, sliding contacts keep sliding; a, b: slopes of the axis towards X and Y",
+     entry<&S::stiffness, 2, 2>, csv | of_tilt, "tilting stiffness, aa", shown::tilting_stiffness},
+    {"kab", "N m/rad", "dM_x/db, sliding contacts keep sliding", entry<&S::stiffness, 2, 3>, csv | of_tilt,
+     "tilting stiffness, ab", shown::tilting_stiffness},
+    {"kba", "N m/rad", "dM_y/da, sliding contacts keep sliding", entry<&S::stiffness, 3, 2>, csv | of_tilt,
+     "tilting stiffness, ba", shown::tilting_stiffness},
+    {"kbb", "N m/rad", "dM_y/db, sliding contacts keep sliding", entry<&S::stiffness, 3, 3>, csv | of_tilt,
+     "tilting stiffness, bb", shown::tilting_stiffness},
     {"kxx_stuck", "N/m", "dF_x/dx, full stick", entry<&S::stuck_stiffness, 0, 0>, csv | of_foils},
     {"kxy_stuck", "N/m", "dF_x/dy, full stick", entry<&S::stuck_stiffness, 0, 1>, csv | of_foils},
     {"kyx_stuck", "N/m", "dF_y/dx, full stick", entry<&S::stuck_stiffness, 1, 0>, csv | of_foils},
@@ -395,12 +425,20 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      csv | asked | of_foils | of_limits},
 });
 
+/// Of the displacement by P_k over the width, at zeta = 1.
+template <int k>
+Vector mode_of_top_foil(const FilmBearing& bearing, const BearingState& state) {
+  const WidthLines& lines = bearing.pads.front().foil.lines;
+  const auto place = std::find(lines.orders.begin(), lines.orders.end(), k) - lines.orders.begin();
+  return bearing.scales.thickness * (lines.to_modes.row(place) * state.film.lift).transpose();
+}
+
 constexpr auto column_table = std::to_array<ColumnQuantity>({
     {"film_thickness", "m", "film thickness, the same over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        return bearing.scales.thickness * state.film.thickness.row(0).transpose();
      },
-     of_uniform_foils},
+     of_uniform_film},
     {"line_load", "N/m", "gauge pressure, integrated over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // its rows are those of all
@@ -408,7 +446,7 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
        for (int j = 0; j <= mesh.rows; ++j) {
          load.array() += mesh.row_weight(j) * (state.film.pressure.row(j).transpose().array() - 1.0);
        }
-       return 2.0 * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
+       return mesh.copies() * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
      }},
     {"asperity_pressure", "Pa", "pressure of asperities, mean over those around, the same over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
@@ -419,11 +457,10 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        return bearing.scales.thickness * state.film.lift.transpose() * bearing.pads.front().foil.lines.weight;
      }},
+    {"film_top_slope", "m", "deflection of the top foil at its side z > 0 beyond the mean, linear over the width",
+     mode_of_top_foil<1>, of_slope},
     {"film_top_parabola", "m", "deflection of the top foil at its sides beyond the mean, as a parabola over the width",
-     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       return bearing.scales.thickness * (bearing.pads.front().foil.varying * state.film.lift).row(0).transpose();
-     },
-     of_width},
+     mode_of_top_foil<2>, of_parabola},
     {"film_top_moment", "N m", "bending moment of the top foil",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        Vector moment = bearing.scales.thickness * state.film.moment.colwise().sum().transpose();
@@ -460,13 +497,18 @@ std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
     return (quantity.is(of_limits) && !limits) || (quantity.is(of_asperities) && !bearing.surroundings.asperities) ||
            (quantity.is(of_foils) && bearing.bumps() == 0) || (quantity.is(of_pads) && bearing.pads.size() == 1) ||
-           (quantity.is(of_width) && !bearing.varies_over_the_width());
+           (quantity.is(of_width) && !bearing.varies_over_the_width()) || (quantity.is(of_tilt) && !bearing.tilts());
   });
   return quantities;
 }
 
 std::span<const RunningQuantity> all_running_quantities() {
   return running_quantity_table;
+}
+
+bool has_mode(const FilmBearing& bearing, int k) {
+  const std::vector<int>& orders = bearing.pads.front().foil.lines.orders;
+  return std::find(orders.begin(), orders.end(), k) != orders.end();
 }
 
 std::span<const ColumnQuantity> column_quantities() {

@@ -71,7 +71,7 @@ std::string whirl_rows(const EquilibriumResult& result, std::size_t first, std::
   };
   for (std::size_t k = 1; k < std::min(frequencies, most_frequencies); ++k) {
     row("whirl frequency", shown::revolutions, k, [](const FilmWhirl& whirl) { return whirl.frequency; });
-    for (const WhirlQuantity& quantity : whirl_quantities()) {
+    for (const WhirlQuantity& quantity : whirl_quantities(2)) {
       if (!quantity.suffix.empty()) continue;
       row(fmt::format("  {}, {}", quantity.damping ? "damping" : "stiffness", quantity.axes),
           quantity.damping ? shown::damping : shown::stiffness, k, quantity.value);

@@ -34,7 +34,7 @@ constexpr std::string_view axes_3 =
 )";
 constexpr std::string_view synchronous_only = "\n# synchronous: for unbalance response, not for stability";
 
-using Impedance = std::optional<Eigen::Matrix2cd> FilmWhirl::*;
+using Impedance = std::optional<JournalMatrixC> FilmWhirl::*;
 
 /// States of one path, load or position and sense of rotation, slow before fast.
 using StatesOverSpeed = std::vector<const RunningState*>;

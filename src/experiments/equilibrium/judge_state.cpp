@@ -24,19 +24,22 @@ constexpr double frequency_intervals = 9.0;
 
 /// How a state answers to small motions: with sliding contacts that keep sliding, and with all stuck.
 struct Impedances {
+  const FilmBearing& bearing;
   std::optional<FilmImpedance> moving, stuck;
 
   /// @param rates  that they are good for, 1/s
   Impedances(FilmStepper& stepper, const BearingState& state, const std::vector<std::complex<double>>& rates)
-      : moving(stepper.impedance(state, rates)), stuck(stepper.impedance(state, rates, true)) {}
+      : bearing(stepper.bearing()),
+        moving(stepper.impedance(state, rates)),
+        stuck(stepper.impedance(state, rates, true)) {}
 
   [[nodiscard]] std::vector<FilmWhirl> at(const std::vector<double>& frequencies) const {
     std::vector<FilmWhirl> whirls;
     for (const double frequency : frequencies) {
       FilmWhirl& whirl = whirls.emplace_back();
       whirl.frequency = frequency;
-      if (moving) whirl.impedance = moving->at({0.0, frequency});
-      if (stuck) whirl.stuck_impedance = stuck->at({0.0, frequency});
+      if (moving) whirl.impedance = bearing.by_slopes(moving->at({0.0, frequency}));
+      if (stuck) whirl.stuck_impedance = bearing.by_slopes(stuck->at({0.0, frequency}));
     }
     return whirls;
   }
@@ -100,8 +103,8 @@ void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
   found.outcome = film_bearing_outcome(*bearing, state);
   const auto moving = stepper.slow_motion(state);
   const auto stuck = stepper.slow_motion(state, true);
-  if (moving) found.stiffness = moving->stiffness;
-  if (stuck) found.stuck_stiffness = stuck->stiffness;
+  if (moving) found.stiffness = bearing->by_slopes(moving->stiffness);
+  if (stuck) found.stuck_stiffness = bearing->by_slopes(stuck->stiffness);
   if (moving || stuck) {
     found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
   }

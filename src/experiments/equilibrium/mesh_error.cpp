@@ -25,7 +25,8 @@ FilmResolution other_resolution(const FilmResolution& own) {
   const double ratio = static_cast<double>(columns) / own.columns_per_pitch;
   return {.columns_per_pitch = columns,
           .rows = static_cast<int>(std::lround(ratio * own.rows)),
-          .width_modes = own.width_modes};
+          .width_modes = own.width_modes,
+          .width = own.width};
 }
 
 /// Values at nodes, read at `count` nodes between the same ends, as if both were at equal distances: linear in between.
@@ -57,7 +58,7 @@ Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
 
 /// A state of `from` on the mesh of `to`: not yet one of its equations, but near.
 BearingState transferred(const FilmBearing& from, const FilmBearing& to, const BearingState& state) {
-  BearingState found = resting(to, state.position, state.speed, state.opening);
+  BearingState found = resting(to, from.journal_of(state), state.speed, state.opening);
   found.contacts.gap = state.contacts.gap;
   found.contacts.normal_force = state.contacts.normal_force;
   found.contacts.friction_force = state.contacts.friction_force;
@@ -66,16 +67,14 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
   const Eigen::Index to_size = to.problem.K.block_size();
   const Eigen::Index shared = from.first_pressure();
   const Eigen::Index lines = from.crest_contacts();
-  const Eigen::Index behind = from_size - shared - from.pads.front().foil.mesh.rows;  // behind the pressures
+  const Eigen::Index behind = from_size - shared - from.pads.front().foil.mesh.unknown_rows();  // behind the pressures
   for (std::size_t k = 0; k < from.pads.size(); ++k) {
     const FilmPad& pad = from.pads[k];
     const FilmPad& other = to.pads[k];
-    const Eigen::Index columns = other.foil.mesh.nodes();
-    const Eigen::Index free_end = other.first_column + columns - 1;
-    const Vector fed = found.film.pressure.col(free_end);
-    found.film.pressure(Eigen::all, other.columns()) =
-        resampled(part_of(pad, state.film.pressure), other.foil.mesh.rows + 1, columns);
-    found.film.pressure.col(free_end) = fed;
+    const FilmMesh& mesh = other.foil.mesh;
+    const Eigen::Index columns = mesh.nodes();
+    const Matrix pressure = resampled(part_of(pad, state.film.pressure), mesh.rows + 1, columns);
+    mesh.unknown(found.film.pressure, other.first_column) = mesh.unknown(pressure);
     found.film.lift(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.lift), columns);
     found.film.moment(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.moment), columns);
     found.film.membrane(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.membrane), columns);
@@ -88,8 +87,8 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
       to_block.tail(behind) = from_block.tail(behind);
       if (b == pad.bumps()) continue;
       const int crest = other.first_column + other.foil.supports[static_cast<std::size_t>(b)];
-      for (int j = 0; j < other.foil.mesh.rows; ++j) {
-        to_block[shared + j] = to.scales.thickness * (found.film.pressure(j, crest) - 1.0);
+      for (int j = 0; j < mesh.unknown_rows(); ++j) {
+        to_block[shared + j] = to.scales.thickness * (found.film.pressure(mesh.first_unknown_row() + j, crest) - 1.0);
       }
     }
   }
@@ -121,10 +120,10 @@ std::optional<MeshError> MeshComparison::estimate(const RunningState& state) con
   if (stepper.advance(state.asked, found).status != Status::converged) return {};
   const double thickness =
       (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_->scales.thickness;
-  Eigen::Vector2d force = journal_force(*other_, found.film, found.speed) - state.outcome->force;
+  Eigen::Vector2d force = journal_force(*other_, found.film, found.speed).head<2>() - state.outcome->force;
   if (state.asked.by_load()) {
     if (!state.stiffness) return {};
-    force = *state.stiffness * (state.last->position - found.position);
+    force = state.stiffness->topLeftCorner<2, 2>() * (state.last->position - found.position);
   }
   return MeshError{.minimum_film_thickness = std::abs(part_ * thickness), .force = std::abs(part_) * force.norm()};
 }

@@ -125,8 +125,9 @@ void add_geometry(const Case& input, const EquilibriumResult& result, const Resu
   add_columns(bearing, data);
   const int rows = bearing.pads.front().foil.mesh.rows + 1;
   data.dims.push_back({"row", static_cast<std::size_t>(rows)});
+  const double side = 0.5 * input.bearing.axial_length;
   data.add_coordinate({"z", "m", "distance of the row from the mid-plane of the bearing; the last row is its side"},
-                      {"row"}, node_values(Vector::LinSpaced(rows, 0.0, 0.5 * input.bearing.axial_length)));
+                      {"row"}, node_values(Vector::LinSpaced(rows, bearing.tilts() ? -side : 0.0, side)));
   const Gas& gas = bearing.scales.gas;
   data.add_coordinate({"gas_viscosity", "Pa s", "viscosity of the gas"}, {}, {gas.viscosity});
   data.add_coordinate({"ambient_pressure", "Pa", "pressure at the edges of the film and behind the foils"}, {},
@@ -162,8 +163,9 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
   if (!bearing.has_foils()) return;
   for (const ColumnQuantity& quantity : column_quantities()) {
     if (quantity.is(tag::of_asperities) && !bearing.surroundings.asperities) continue;
-    if (quantity.is(tag::of_width) && uniform) continue;
-    if (quantity.is(tag::of_uniform_foils) && !uniform) continue;
+    if (quantity.is(tag::of_slope) && !has_mode(bearing, 1)) continue;
+    if (quantity.is(tag::of_parabola) && !has_mode(bearing, 2)) continue;
+    if (quantity.is(tag::of_uniform_film) && !uniform) continue;
     Variable& added = states.add(quantity.meaning(), {"column"}, [&bearing, quantity](const RunningState& state) {
       return quantity.value(bearing, *state.last);
     });

@@ -71,7 +71,8 @@ ExperimentInfo equilibrium_experiment() {
   on_peaks.insert(on_peaks.end(),
                   {"asperity.sigma=0.3 um", "asperity.friction=0.2", "asperity.pressure_factor=250 MPa"});
   std::vector<std::string> across = one_state;
-  across.emplace_back("width.modes=2");
+  across.emplace_back("width.modes=3");
+  across.emplace_back("width.moment=[0, 0]");
   return {
       .name = "equilibrium",
       .summary = "Compute equilibria of the running bearing, with gas film, foils and friction",

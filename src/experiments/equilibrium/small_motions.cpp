@@ -23,7 +23,9 @@ std::vector<std::complex<double>> whirling_rates(double speed) {
 }
 
 std::optional<CriticalMass> least_critical_mass(const FilmImpedance& impedance, double speed) {
-  const auto at = [&](double frequency) { return impedance.at({0.0, frequency}); };
+  const auto at = [&](double frequency) -> Eigen::Matrix2cd {
+    return impedance.at({0.0, frequency}).topLeftCorner<2, 2>();
+  };
   const std::vector<CriticalMass> found =
       critical_masses(at, probed_whirls.front() * std::abs(speed), probed_whirls.back() * std::abs(speed));
   return found.empty() ? std::nullopt : std::optional(found.front());

@@ -3,30 +3,47 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "bumpfoil/results/quantity.hpp"
-#include "experiments/vibration/vibration_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
 
-std::vector<WhirlQuantity> make_whirl_quantities() {
+/// Motions of the journal: displacements and slopes along X and Y.
+constexpr std::string_view letters = "xyab";
+
+/// The unit of a derivative of a force or, where the row says so, a moment, by a displacement or a slope.
+std::string unit_of(Eigen::Index row, Eigen::Index column, bool damping) {
+  const bool moment = row > 1;
+  const bool slope = column > 1;
+  const std::string force = moment && slope ? "N m" : "N";  // N m over m is N
+  const std::string time = damping ? " s" : "";
+  return force + time + (moment == slope ? (slope ? "/rad" : "/m") : (slope ? "/rad" : ""));
+}
+
+std::vector<WhirlQuantity> make_whirl_quantities(Eigen::Index motions) {
   std::vector<WhirlQuantity> quantities;
   for (const bool stuck : {false, true}) {
     const auto impedance = stuck ? &FilmWhirl::stuck_impedance : &FilmWhirl::impedance;
     const char* contacts = stuck ? "full stick" : "sliding contacts keep sliding";
     for (const bool damping : {false, true}) {
-      for (const auto& [axes, row, column] : matrix_entries) {
-        const std::string motion = damping ? fmt::format("d(d{}/dt)", axes[1]) : fmt::format("d{}", axes[1]);
-        quantities.push_back({.axes = std::string(axes),
+      for (Eigen::Index entry = 0; entry < motions * motions; ++entry) {
+        const Eigen::Index row = entry / motions;
+        const Eigen::Index column = entry % motions;
+        const char to = letters[static_cast<std::size_t>(column)];
+        const std::string motion = damping ? fmt::format("d(d{}/dt)", to) : fmt::format("d{}", to);
+        const std::string force = row < 2 ? fmt::format("F_{}", letters[static_cast<std::size_t>(row)])
+                                          : fmt::format("M_{}", letters[static_cast<std::size_t>(row) - 2]);
+        quantities.push_back({.axes = {letters[static_cast<std::size_t>(row)], to},
                               .damping = damping,
                               .suffix = stuck ? "_stuck" : "",
-                              .unit = damping ? "N s/m" : "N/m",
-                              .long_name = fmt::format("dF_{}/{} at the frequency, {}", axes[0], motion, contacts),
-                              .value = [=, i = row, j = column](const FilmWhirl& whirl) {
+                              .unit = unit_of(row, column, damping),
+                              .long_name = fmt::format("d{}/{} at the frequency, {}", force, motion, contacts),
+                              .value = [=](const FilmWhirl& whirl) {
                                 if (!(whirl.*impedance)) return absent;
-                                const std::complex<double> Z = (*(whirl.*impedance))(i, j);
+                                const std::complex<double> Z = (*(whirl.*impedance))(row, column);
                                 return damping ? Z.imag() / whirl.frequency : Z.real();
                               }});
       }
@@ -37,9 +54,10 @@ std::vector<WhirlQuantity> make_whirl_quantities() {
 
 }  // namespace
 
-const std::vector<WhirlQuantity>& whirl_quantities() {
-  static const std::vector<WhirlQuantity> quantities = make_whirl_quantities();
-  return quantities;
+const std::vector<WhirlQuantity>& whirl_quantities(Eigen::Index motions) {
+  static const std::vector<WhirlQuantity> in_plane = make_whirl_quantities(2);
+  static const std::vector<WhirlQuantity> with_tilt = make_whirl_quantities(4);
+  return motions == 2 ? in_plane : with_tilt;
 }
 
 std::vector<double> common_frequencies(const EquilibriumSettings& settings, const EquilibriumResult& result) {
@@ -61,7 +79,7 @@ void add_whirls(const EquilibriumSettings& settings, const EquilibriumResult& re
   const std::size_t count = frequencies.size();
   data.add_dimension({"frequency", "rad/s", "angular frequency of small motions about the state"}, frequencies);
   dims.emplace_back("frequency");
-  for (const WhirlQuantity& quantity : whirl_quantities()) {
+  for (const WhirlQuantity& quantity : whirl_quantities(result.bearing->motions())) {
     std::vector<double> values(result.states.size() * count, absent);
     for (std::size_t i = 0; i < result.states.size(); ++i) {
       if (!result.states[i].found()) continue;

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 
 struct WhirlQuantity {
-  std::string axes;    ///< "xy" of dF_x/dy
+  std::string axes;    ///< "xy" of dF_x/dy; "a" and "b" of the slopes of the axis towards X and Y, and the moments
   bool damping;        ///< or stiffness
   std::string suffix;  ///< "" where slipping contacts slip on, "_stuck"
   std::string unit;    ///< SI
@@ -26,7 +26,8 @@ struct WhirlQuantity {
 };
 
 /// In the order of coefficients.csv: stiffness, then damping, of further motion; the same of stuck contacts.
-const std::vector<WhirlQuantity>& whirl_quantities();
+/// @param motions  of the journal: 2, or 4 where it may tilt
+const std::vector<WhirlQuantity>& whirl_quantities(Eigen::Index motions);
 
 /// Frequencies that all states have in common, rad/s: those of the case or, where it names none, those tabulated; none
 /// where there are neither.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -52,6 +53,10 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
               "of gas that is fed to the free ends of the foils; default: ambient, as behind the foils", "101.8 kPa",
               pressure},
              &film.inlet_pressure);
+  keys.value({"side_pressure", optional, "Side pressure",
+              "of gas at the sides z < 0 and z > 0, as of a cooling flow; default: ambient, as behind the foils",
+              "[\"102 kPa\", \"101.325 kPa\"]", pressure},
+             &film.side_pressure);
   keys.choice({"wall", defaulted, "Bearing surface",
                "bearing surface instead of the foils, for the command film; or \"springs\": an elastic foundation, or "
                "\"rigid_across\": an axially uniform one"},
@@ -63,9 +68,24 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
 }
 
 void describe(CaseVisitor& keys, WidthSettings& width) {
-  keys.value({"modes", Presence::defaulted, "Modes over the width",
-              "of the foils: 1, uniform; 2, with a parabola, for the command equilibrium"},
+  using enum Presence;
+  keys.value({"modes", defaulted, "Modes over the width",
+              "of the displacement of the foils, for the command equilibrium: 1, uniform; 2, linear, too, as under a "
+              "tilted journal; 3, with a parabola"},
              &width.modes);
+  keys.value({"tilt", defaulted, "Tilt",
+              "misalignment, for the commands equilibrium and film: slope of the axis of the journal towards X and Y",
+              "[\"0.2 mrad\", \"0 mrad\"]", Dimension::angle},
+             &width.tilt);
+  keys.value({.name = "moment",
+              .presence = optional,
+              .title = "Moment",
+              .text = "on the journal instead, for the command equilibrium, of forces along X and Y about the "
+                      "mid-plane: the journal tilts until the bearing balances it",
+              .example = "[\"50 N mm\", \"0 N mm\"]",
+              .dimension = Dimension::moment,
+              .instead = true},
+             &width.moment);
 }
 
 void describe(CaseVisitor& keys, AsperitySettings& asperity) {
@@ -100,8 +120,8 @@ void describe_film(CaseVisitor& keys, Case& input) {
                   input.gas, [](CaseVisitor& inner, GasSettings& gas) { describe(inner, gas); });
   defaulted_table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film,
                   [](CaseVisitor& inner, FilmSettings& film) { describe(inner, film); });
-  defaulted_table(keys, {"width", defaulted, "Width", "how the foils deflect over the width under a film"}, input.width,
-                  [](CaseVisitor& inner, WidthSettings& width) { describe(inner, width); });
+  defaulted_table(keys, {"width", defaulted, "Width", "how journal and foils vary over the width under a film"},
+                  input.width, [](CaseVisitor& inner, WidthSettings& width) { describe(inner, width); });
   optional_table(keys,
                  {"asperity", optional, "Mixed contact",
                   "rough surfaces of journal and top foil that touch where the film is thin, for all commands with "
@@ -137,7 +157,8 @@ void judge_gas(Judge& judge, const GasSettings& gas) {
 constexpr std::array film_commands{"equilibrium", "film", "stability", "unbalance"};
 
 /// @param bumps  their number, 0 where that is not usable
-void judge_film(Judge& judge, const FilmSettings& film, int bumps) {
+/// @param tilts  the journal: twice as many rows then
+void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool tilts) {
   const int columns = film.columns_per_pitch;
   const bool columns_right = judge.require(
       columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
@@ -146,12 +167,13 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps) {
       judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
                     "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
   if (columns_right && rows_right) {
-    const double bytes = static_cast<double>(bumps) * film.rows * film.rows *
-                         (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
+    const int rows = tilts || !film.has_equal_sides() ? 2 * film.rows : film.rows;
+    const double bytes =
+        static_cast<double>(bumps) * rows * rows * (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
     for (const char* const command : film_commands) {
       judge.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
                         fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
-                                    columns * bumps, film.rows, 1e-9 * bytes),
+                                    columns * bumps, rows, 1e-9 * bytes),
                         fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
     }
   }
@@ -163,6 +185,14 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps) {
   if (film.wall_stiffness) judge.within("film.wall_stiffness", *film.wall_stiffness, {1e3, 1e18, "Pa/m"});
   judge.within("film.h_floor", film.h_floor, {0.0, 1e-3, "m"});
   if (film.inlet_pressure) judge.within("film.inlet_pressure", *film.inlet_pressure, ambient_range);
+  if (!film.side_pressure.empty() &&
+      judge.require(film.side_pressure.size() == 2, "film.side_pressure",
+                    fmt::format("{} numbers", film.side_pressure.size()), "is not a pressure at each side",
+                    "give those at z < 0 and z > 0, such as [\"102 kPa\", \"101.325 kPa\"]")) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      judge.within(fmt::format("film.side_pressure[{}]", i + 1), film.side_pressure[i], ambient_range);
+    }
+  }
   if (film.h_lift_off && judge.within("film.h_lift_off", *film.h_lift_off, {1e-9, 1e-3, "m"})) {
     judge.require(*film.h_lift_off > film.h_floor, "film.h_lift_off", quantity(*film.h_lift_off, "m"),
                   fmt::format("is not above film.h_floor, {:.6g} m, the contact threshold", film.h_floor),
@@ -193,28 +223,73 @@ void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
                 "give the radius of the peaks such as \"10 um\", or pressure_factor such as \"250 MPa\"");
 }
 
-/// What is not computed yet with foils that vary over the width.
+constexpr double most_slope = 0.05;  // rad
+constexpr double most_moment = 1e6;  // N m
+
+/// A pair of components along X and Y.
+void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, double most, const char* unit,
+                const char* example) {
+  if (!judge.require(pair.size() == 2, key, fmt::format("{} numbers", pair.size()), "is not a pair along X and Y",
+                     fmt::format("give two components such as {}", example))) {
+    return;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string entry = fmt::format("{}[{}]", key, i + 1);
+    if (!judge.finite(entry, pair[i], unit)) continue;
+    judge.require(std::abs(pair[i]) <= most, entry, quantity(pair[i], unit), "is unphysical",
+                  fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
+  }
+}
+
+/// Commands without a film.
+bool is_dry(std::string_view command) {
+  return command == "cycle" || command == "path" || command == "vibration";
+}
+
+/// And of pressures that differ from side to side: both need the whole width.
+void judge_tilt(Judge& judge, const Case& input) {
+  const WidthSettings& width = input.width;
+  judge_pair(judge, "width.tilt", width.tilt, most_slope, "rad", "[\"0.2 mrad\", \"0 mrad\"]");
+  if (!width.moment.empty())
+    judge_pair(judge, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
+  judge.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
+                    "give width.tilt, or run equilibrium");
+  if (!width.tilts() && input.film.has_equal_sides()) return;
+  const char* const key = !width.moment.empty() ? "width.moment" : width.tilts() ? "width.tilt" : "film.side_pressure";
+  for (const char* const command :
+       {"cycle", "path", "vibration", "stability", "unbalance", "transient", "montecarlo"}) {
+    if (!width.tilts() && is_dry(command)) continue;
+    judge.require_for(command, false, key, "", "is supported by the commands equilibrium and film alone",
+                      fmt::format("remove {}: the command computes what is the same on both halves of the width", key));
+  }
+  judge.require_for("equilibrium", !input.asperity, key, "", "is not supported with mixed contact",
+                    fmt::format("remove {}, or [asperity]", key));
+}
+
+/// What is not computed yet where the film varies over the width.
 void judge_width(Judge& judge, const Case& input) {
-  const std::string modes = std::to_string(input.width.modes);
-  if (!judge.require(input.width.modes == 1 || input.width.modes == 2, "width.modes", modes,
-                     "is not a number of modes over the width", "give 1, uniform, or 2, with a parabola") ||
-      input.width.modes == 1) {
+  judge_tilt(judge, input);
+  const int modes = input.width.modes;
+  if (!judge.require(modes >= 1 && modes <= 3, "width.modes", std::to_string(modes),
+                     "is not a number of modes over the width",
+                     "give 1, uniform, 2, linear, too, or 3, with a parabola") ||
+      modes == 1) {
     return;
   }
   const std::string advice = "set width.modes = 1, which computes foils that are uniform over the width";
   for (const char* const command : {"film", "stability", "unbalance", "transient", "montecarlo"}) {
-    judge.require_for(command, false, "width.modes", modes, "is supported by the command equilibrium alone", advice);
+    judge.require_for(command, false, "width.modes", std::to_string(modes),
+                      "is supported by the command equilibrium alone", advice);
   }
-  judge.require_for("equilibrium", input.pads.empty(), "width.modes", modes, "is not supported with pads", advice);
-  judge.require_for("equilibrium", !input.asperity, "width.modes", modes, "is not supported with mixed contact",
-                    advice + ", or remove [asperity]");
+  judge.require_for("equilibrium", !input.asperity, "width.modes", std::to_string(modes),
+                    "is not supported with mixed contact", advice + ", or remove [asperity]");
 }
 
 void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge_width(judge, input);
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);
-  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0);
+  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.width.tilts());
   judge.require_for("film", !input.asperity, "asperity", "",
                     "is of journal and top foil, but film has walls in its place",
                     "remove [asperity], or run equilibrium");

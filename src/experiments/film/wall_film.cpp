@@ -5,6 +5,7 @@
 
 #include "bearing/wall_impedance.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "experiments/equilibrium/small_motions.hpp"
@@ -38,10 +39,11 @@ void find_motions(const FilmBearing& bearing, const Foundation& foundation, cons
   for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
   const std::optional<FilmImpedance> impedance = wall_impedance(bearing, foundation, *found.last, rates);
   if (!impedance) return;
-  found.stiffness = impedance->at(0.0).real();
+  found.stiffness = bearing.by_slopes(JournalMatrix(impedance->at(0.0).real()));
   for (const double frequency : frequencies) {
-    found.whirls.push_back(
-        {.frequency = frequency, .impedance = impedance->at({0.0, frequency}), .stuck_impedance = {}});
+    found.whirls.push_back({.frequency = frequency,
+                            .impedance = bearing.by_slopes(impedance->at({0.0, frequency})),
+                            .stuck_impedance = {}});
   }
   found.critical_mass = least_critical_mass(*impedance, speed);
 }
@@ -50,7 +52,7 @@ void find_motions(const FilmBearing& bearing, const Foundation& foundation, cons
 FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const FilmBearing& bearing,
                      BearingState& state) {
   const Matrix centred = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
-  const Matrix there = bearing.undeformed_thickness(state.position);
+  const Matrix there = bearing.undeformed_thickness(bearing.journal_of(state));
   FilmReport report = solver.solve(equation, centred, state.film);
   if (report.status != Status::converged) return report;
   return report += solver.follow(equation, centred, there, state.film);
@@ -80,11 +82,11 @@ FilmBearing make_wall_bearing(const Case& input) {
   bearing.scales = {gas_of(input.gas), R, film_thickness_scale(input.bearing.radial_clearance)};
   bearing.placed = place_pads(input);
   FilmPad& pad = bearing.pads.emplace_back();
-  pad.foil.mesh = input.film.closed
-                      ? make_closed_mesh(columns, input.film.rows, half_width)
-                      : make_slotted_mesh(columns, input.film.rows, half_width, bearing.placed.front().arc);
-  if (input.film.inlet_pressure)
-    bearing.surroundings.inlet_pressure = *input.film.inlet_pressure / input.gas.ambient_pressure;
+  const WidthPart width = resolution_of(input).width;
+  const int rows = width == WidthPart::half ? input.film.rows : 2 * input.film.rows;
+  pad.foil.mesh = input.film.closed ? make_closed_mesh(columns, rows, half_width, width)
+                                    : make_slotted_mesh(columns, rows, half_width, bearing.placed.front().arc, width);
+  bearing.surroundings = surroundings_of(input, input.gas.ambient_pressure);
   pad.wrap_sign = bearing.placed.front().sense();
   bearing.clearance = input.bearing.radial_clearance;
   const Vector angles = pad.foil.mesh.angles();
@@ -118,12 +120,10 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       const auto begin = std::chrono::steady_clock::now();
       BearingState state;
       state.position = found.asked.journal;
+      state.tilt = bearing.surroundings.tilt.value;
       state.speed = speed;
       const Matrix undeformed = Matrix::Zero(1, bearing.columns());
-      state.film = {{input.film.closed ? bearing.field(1.0) : bearing.resting_pressure(), {}},
-                    undeformed,
-                    undeformed,
-                    Matrix::Zero(0, bearing.columns())};
+      state.film = {{bearing.resting_pressure(), {}}, undeformed, undeformed, Matrix::Zero(0, bearing.columns())};
       found.report = find_film(solver, film_equation(bearing, bearing.pads.front(), speed), bearing, state);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (!found.found()) continue;

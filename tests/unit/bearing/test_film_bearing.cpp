@@ -43,13 +43,14 @@ TEST(FilmBearing, TakesTheBumpFoilWithoutTheTopFoil) {
 TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   const FilmBearing bearing = film_reference_bearing(coarse);
   // The weld is at -X, and theta runs clockwise: column 26 of 104 stands near +Y, 52 near +X.
-  const Matrix H = bearing.undeformed_thickness({0.5 * bearing.clearance, 0.0});
+  const Matrix H = bearing.undeformed_thickness(Eigen::Vector2d(0.5 * bearing.clearance, 0.0));
   EXPECT_NEAR(H(0, 0), 1.5, 1e-12);
   EXPECT_NEAR(H.minCoeff(), 0.5, 1e-3);
-  EXPECT_NEAR(bearing.undeformed_thickness({0.0, 0.5 * bearing.clearance}).col(26).minCoeff(), 0.5, 1e-3);
+  EXPECT_NEAR(bearing.undeformed_thickness(Eigen::Vector2d(0.0, 0.5 * bearing.clearance)).col(26).minCoeff(), 0.5,
+              1e-3);
   Case tapered = film_reference_case(coarse);
   tapered.bearing.taper = 3.18e-6;  // a tenth of the clearance
-  const Matrix wider = make_film_bearing(tapered).undeformed_thickness({0.5 * bearing.clearance, 0.0});
+  const Matrix wider = make_film_bearing(tapered).undeformed_thickness(Eigen::Vector2d(0.5 * bearing.clearance, 0.0));
   EXPECT_NEAR(wider(0, 0), 1.5, 1e-12);
   EXPECT_NEAR(wider(2, 104) - H(2, 104), 0.1, 1e-12);
   EXPECT_LT(bearing.surface_speed(bearing.pads.front(), 100.0), 0.0);
@@ -166,8 +167,8 @@ TEST(FilmBearing, FindsTheThinnestPlaceOfAllPads) {
   input.bearing.weld_angle = 0.0;
   input.pads.resize(2);
   const FilmBearing bearing = make_film_bearing(input);
-  BearingState state = resting(bearing, {0.0, 0.5 * bearing.clearance}, 100.0);  // to the second pad
-  state.contacts.normal_force[2 * (9 + 2)] = 3.0;                                // top_bump of its third bump
+  BearingState state = resting(bearing, Eigen::Vector2d(0.0, 0.5 * bearing.clearance), 100.0);  // to the second pad
+  state.contacts.normal_force[2 * (9 + 2)] = 3.0;  // top_bump of its third bump
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   EXPECT_EQ(outcome.thinnest_pad, 1);
   EXPECT_NEAR(outcome.thinnest.thickness, 0.5, 1e-2);

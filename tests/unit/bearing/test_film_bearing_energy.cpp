@@ -11,7 +11,7 @@ namespace {
 
 TEST(BearingEnergy, OfGasAtRestIsNone) {
   const FilmBearing bearing = film_reference_bearing({4, 3});
-  const BearingEnergy energy = bearing_energy(bearing, resting(bearing, {0.0, 0.0}, 0.0));
+  const BearingEnergy energy = bearing_energy(bearing, resting(bearing, Eigen::Vector2d(0.0, 0.0), 0.0));
   EXPECT_EQ(energy.total(), 0.0);
 }
 
@@ -49,10 +49,12 @@ TEST(BearingEnergy, AsperitiesHoldWhatTheirPressuresWouldDo) {
   Case input = film_reference_case({4, 3});
   input.asperity = AsperitySettings{.sigma = 0.5e-6, .pressure_factor = 2e8};
   const FilmBearing bearing = make_film_bearing(input);
-  const auto energy_at = [&](double x) { return bearing_energy(bearing, resting(bearing, {x, 0.0}, 0.0)).asperities; };
+  const auto energy_at = [&](double x) {
+    return bearing_energy(bearing, resting(bearing, Eigen::Vector2d(x, 0.0), 0.0)).asperities;
+  };
   const double x = 30.5e-6;
   const double dx = 1e-10;
-  const BearingState state = resting(bearing, {x, 0.0}, 0.0);
+  const BearingState state = resting(bearing, Eigen::Vector2d(x, 0.0), 0.0);
   const double force = asperity_force(bearing, asperity_pressures(bearing, state.film.thickness), 0.0).x();
   EXPECT_GT(force, 1.0);
   EXPECT_NEAR((energy_at(x + dx) - energy_at(x - dx)) / (2.0 * dx), force, 1e-6 * force);

@@ -53,7 +53,7 @@ TEST(ReducedForces, AreNotGivenWhereTheSpaceCannotHoldThem) {
   // What is stored at a third node never shows, and yet one direction is all that there is: no solution at s = shift
   // + 1.
   const auto stored = [](const Vector& w) { return FilmAnswer{w, Eigen::Vector2d::Zero()}; };
-  EXPECT_FALSE(reduce_forces({Vector::Ones(3), {1.0, 0.0}}, stored, {{1.0, 0.0}}).has_value());
+  EXPECT_FALSE(reduce_forces({Vector::Ones(3), Eigen::Vector2d(1.0, 0.0)}, stored, {{1.0, 0.0}}).has_value());
 }
 
 /// The journal whirls by a nanometre, and the equations themselves are marched in time by BDF2. In steps dt the

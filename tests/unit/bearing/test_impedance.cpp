@@ -9,7 +9,7 @@ using Complex = std::complex<double>;
 
 /// One direction: w = start / (1 - e H).
 TEST(ReducedForces, AnswerAtAnyRate) {
-  const ReducedForces reduced{.moved = {3.0, -1.0},
+  const ReducedForces reduced{.moved = Eigen::Vector2d(3.0, -1.0),
                               .start = 2.0,
                               .hessenberg = Matrix::Constant(1, 1, -0.5),
                               .forces = Eigen::Matrix2Xd::Constant(2, 1, 4.0)};
@@ -20,12 +20,12 @@ TEST(ReducedForces, AnswerAtAnyRate) {
 }
 
 TEST(FilmImpedance, HasAColumnForEachDirection) {
-  ReducedForces along{.moved = {1.0, 2.0},
+  ReducedForces along{.moved = Eigen::Vector2d(1.0, 2.0),
                       .start = 1.0,
                       .hessenberg = Matrix::Constant(1, 1, -1.0),
                       .forces = Eigen::Matrix2Xd::Zero(2, 1)};
   FilmImpedance impedance{.shift = 3.0, .squeeze_time = 0.5, .along = {along, along}};
-  impedance.along[1].moved = {5.0, 7.0};
+  impedance.along[1].moved = Eigen::Vector2d(5.0, 7.0);
   impedance.along[1].forces.setConstant(1.0);
   const Complex e = 0.5 * Complex(0.0, 8.0) - 3.0;
   Eigen::Matrix2cd expected;

@@ -19,8 +19,10 @@ TEST(JointLaw, AddsWhatAllJournalsCarry) {
   left << 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
   Eigen::Matrix2Xd right(2, 3);
   right << 1.0, 4.0, 0.0, 0.0, 2.0, 0.0;
-  law.journals = {{left, left.transpose(), {0.0, 0.0}}, {right, right.transpose(), {1.0, 0.0}}};
-  const Eigen::VectorXd lacking = law.residual(Eigen::Vector3d(1.0, 1.0, 1.0), {{2.0, 3.0}, {5.0, 7.0}});
+  law.journals = {{left, left.transpose(), Eigen::Vector2d(0.0, 0.0)},
+                  {right, right.transpose(), Eigen::Vector2d(1.0, 0.0)}};
+  const Eigen::VectorXd lacking =
+      law.residual(Eigen::Vector3d(1.0, 1.0, 1.0), {Eigen::Vector2d(2.0, 3.0), Eigen::Vector2d(5.0, 7.0)});
   // (0, 1, 2) - (2, 3, 0) - (4, 4 * 4 + 2 * 7, 0)
   EXPECT_EQ(lacking, Eigen::Vector3d(-6.0, -32.0, 2.0));
   Eigen::Matrix2d K;
@@ -36,11 +38,12 @@ TEST(JointLaw, OfOneBearingIsThatOfItsJournal) {
   const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).scales;
   const Eigen::Vector2d q(3e-6, -1e-6);
   const Eigen::Vector2d F(20.0, 5.0);
-  for (const JournalLaw& one : {held_journal({5e-6, 2e-6}, scales), loaded_journal({50.0, 0.0}, scales)}) {
+  for (const JournalLaw& one :
+       {held_journal(Eigen::Vector2d(5e-6, 2e-6), scales), loaded_journal(Eigen::Vector2d(50.0, 0.0), scales)}) {
     const JointLaw law = law_of_one(one);
     EXPECT_EQ(law.residual(q, {F}), one.residual(q, F));
     EXPECT_EQ(law.holds_place(), one.holds_position());
-    EXPECT_EQ(law.units, Eigen::Vector2d::Constant(one.unit));
+    EXPECT_EQ(law.units, one.units);
     EXPECT_EQ(law.longest_step, one.longest_step);
   }
 }
@@ -61,7 +64,8 @@ TEST(SolveTogether, LetsBearingsShareALoad) {
   }
   const std::vector<BearingState> held = states;
 
-  JointMove move{.law = law_of_one(loaded_journal({40.0, 0.0}, smooth.bearing().scales)), .speed = speed};
+  JointMove move{.law = law_of_one(loaded_journal(Eigen::Vector2d(40.0, 0.0), smooth.bearing().scales)),
+                 .speed = speed};
   move.law.journals.push_back(move.law.journals.front());
   move.law.journals.back().force.setZero();
   Eigen::VectorXd y = begin;

@@ -28,6 +28,25 @@ TEST(JournalLaw, IsAPositionOrALoad) {
   EXPECT_EQ(loaded.matrix(K), K);
 }
 
+TEST(JournalLaw, MayHoldThePlaceInTheMidPlaneAndTheTiltInTwoWays) {
+  const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).scales;
+  const Eigen::Vector2d load(50.0, -3.0);
+  const Eigen::Vector2d tilt(2e-6, 1e-6);
+  const JournalLaw law = with_tilt(loaded_journal(load, scales), held_journal(tilt, scales));
+  const Eigen::Vector4d q(3e-6, -1e-6, 4e-6, 5e-6);
+  const Eigen::Vector4d F(20.0, 5.0, 7.0, 9.0);
+  const Eigen::Vector4d lacking(30.0, -8.0, -2e-6, -4e-6);
+  EXPECT_LT((law.residual(q, F) - lacking).norm(), 1e-14);
+  EXPECT_FALSE(law.holds_position());
+  EXPECT_TRUE(with_tilt(held_journal(load, scales), held_journal(tilt, scales)).holds_position());
+  const Eigen::Matrix4d K = Eigen::Matrix4d::Random();
+  Eigen::Matrix4d expected;
+  expected << K.topRows(2), Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Identity();
+  EXPECT_EQ(law.matrix(K), expected);
+  EXPECT_EQ(law.units[0], scales.force());
+  EXPECT_EQ(law.units[3], held_journal(tilt, scales).units[0]);
+}
+
 /// A journal on springs that stand at q*: the film carries F* + k (q* - q).
 TEST(JournalLaw, MayBeThatOfASpring) {
   const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 3}));
@@ -35,7 +54,7 @@ TEST(JournalLaw, MayBeThatOfASpring) {
   FilmStepper stepper(bearing, {.newton = {.step_tolerance = 1e-10}});
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, Status::converged);
-  JournalLaw spring = loaded_journal({10.0, 2.0}, bearing->scales);
+  JournalLaw spring = loaded_journal(Eigen::Vector2d(10.0, 2.0), bearing->scales);
   spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, of the order of the bearing's stiffness
   spring.position = state.position;
   ASSERT_EQ(stepper.advance(Move{spring, speed}, state).status, Status::converged);

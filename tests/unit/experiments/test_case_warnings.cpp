@@ -25,6 +25,16 @@ TEST(CaseWarnings, SayWhatFormingDoes) {
   EXPECT_NE(warnings_of_ratio(1.5).front().find("trends"), std::string::npos);
 }
 
+TEST(CaseWarnings, SayWhatFoilsAreNotOverTheWidth) {
+  Case input = reference_case();
+  input.width.tilt = {1e-4, 0.0};
+  EXPECT_TRUE(has(case_warnings(input), "resist the tilt"));
+  input.width.modes = 3;
+  EXPECT_TRUE(case_warnings(input).empty());
+  input.bearing.axial_length *= 2.0;
+  EXPECT_TRUE(has(case_warnings(input), "2 times as long"));
+}
+
 TEST(CaseWarnings, NamePadsAndKeepRemarks) {
   Case input = reference_case();
   input.remarks = {"a remark"};

@@ -71,6 +71,7 @@ TEST(ResultSchema, HasWhatOnlySomeResultsHave) {
   EXPECT_EQ(run_with("equilibrium", "asperity_pressure", found), 3);
   EXPECT_EQ(run_with("equilibrium", "h_min_z", found), 4);
   EXPECT_EQ(run_with("equilibrium", "film_top_parabola", found), 4);
+  EXPECT_EQ(run_with("equilibrium", "moment_x", found), 4);
   EXPECT_EQ(run_with("film", "film_thickness", found), 0);
   EXPECT_EQ(found.at("dims"), json({"state", "row", "column"}));
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace bumpfoil {
@@ -20,6 +21,29 @@ double area(const FilmMesh& mesh) {
 TEST(FilmMesh, VolumesFillTheFilm) {
   EXPECT_NEAR(area(make_closed_mesh(7, 3, 0.4)), 2.0 * std::numbers::pi * 0.4, 1e-14);
   EXPECT_NEAR(area(make_slotted_mesh(7, 3, 0.4, 5.5)), 5.5 * 0.4, 1e-14);
+}
+
+TEST(FilmMesh, CoversHalfTheWidthOrAllOfIt) {
+  const FilmMesh half = make_slotted_mesh(7, 3, 0.4, 5.5);
+  const FilmMesh whole = make_slotted_mesh(7, 6, 0.4, 5.5, WidthPart::whole);
+  EXPECT_NEAR(whole.copies() * area(whole), half.copies() * area(half), 1e-14);
+  EXPECT_NEAR(whole.dzeta, half.dzeta, 1e-16);
+  for (const FilmMesh& mesh : {half, whole}) {
+    EXPECT_NEAR(mesh.half_width(), 0.4, 1e-16);
+    EXPECT_EQ(mesh.zeta(mesh.rows), 1.0);
+    // Pressures are given at the sides, and nowhere else.
+    for (int j = 0; j <= mesh.rows; ++j) {
+      const bool unknown = j >= mesh.first_unknown_row() && j < mesh.first_unknown_row() + mesh.unknown_rows();
+      EXPECT_EQ(unknown, !mesh.is_side(j));
+      EXPECT_EQ(mesh.is_side(j), std::abs(mesh.zeta(j)) == 1.0);
+    }
+    Matrix field = mesh.field(0.0);
+    mesh.unknown(field).setOnes();
+    EXPECT_EQ(field.sum(), mesh.unknown_rows() * mesh.unknown_columns());
+    EXPECT_EQ(field.row(mesh.rows).sum() + field.col(0).sum(), 0.0);
+  }
+  EXPECT_EQ(half.zeta(0), 0.0);
+  EXPECT_EQ(whole.zeta(0), -1.0);
 }
 
 TEST(FilmMesh, ClosedFilmsHaveNoEdgeAlongTheta) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/film/film_energy.hpp"
+#include "bumpfoil/film/film_integrals.hpp"
 #include "support/film_cases.hpp"
 
 namespace bumpfoil {
@@ -51,7 +53,8 @@ TEST(FilmSolver, CutsStepsThatTakeTooMuch) {
 }
 
 TEST(FilmSolver, SolvesTheEquations) {
-  for (const FilmMesh& mesh : {slotted, make_closed_mesh(40, 5, 1.0), make_closed_mesh(40, 8, 0.5)}) {
+  for (const FilmMesh& mesh : {slotted, make_closed_mesh(40, 5, 1.0), make_closed_mesh(40, 8, 0.5),
+                               make_closed_mesh(40, 7, 0.5, WidthPart::whole)}) {
     for (const FoundationKind kind : {FoundationKind::rigid, FoundationKind::pointwise, FoundationKind::axial_mean}) {
       const Foundation foundation{kind, 0.3};
       FilmSolver solver(mesh, foundation);
@@ -63,14 +66,45 @@ TEST(FilmSolver, SolvesTheEquations) {
       EXPECT_LE(report.iterations, 9);  // quadratic at the end: a wrong derivative needs more
       Matrix residual;
       reynolds_residual(equation, film, residual);
-      EXPECT_LT(residual.block(0, mesh.first_unknown(), mesh.rows, mesh.unknown_columns()).cwiseAbs().maxCoeff(),
-                1e-14);
+      EXPECT_LT(mesh.unknown(residual).cwiseAbs().maxCoeff(), 1e-14);
       Matrix H = rigid;
       add_yield(foundation, mesh, film.pressure - mesh.field(1.0), H);
       EXPECT_LT((H - film.thickness).cwiseAbs().maxCoeff(), 1e-14);
       EXPECT_GT(film.pressure.minCoeff(), 0.0);
     }
   }
+}
+
+/// On the whole width the halves of a film that is the same on both are mirror images, and its integrals are those of
+/// one half counted twice.
+TEST(FilmSolver, FindsHalvesThatAreAlikeOnTheWholeWidth) {
+  const FilmMesh half = make_slotted_mesh(30, 5, 1.0, 5.5);
+  const FilmMesh whole = make_slotted_mesh(30, 10, 1.0, 5.5, WidthPart::whole);
+  const auto solved = [](const FilmMesh& mesh) {
+    FilmSolver solver(mesh, {FoundationKind::axial_mean, 0.3});
+    const ReynoldsEquation equation{.mesh = mesh, .bearing_number = 3.0, .knudsen = 0.01};
+    FilmState film{mesh.field(1.0), {}};
+    EXPECT_EQ(solver.solve(equation, eccentric_thickness(mesh, 0.6, 0.3), film).status, Status::converged);
+    return film;
+  };
+  const FilmState film = solved(half);
+  const FilmState both = solved(whole);
+  EXPECT_LT((both.pressure.bottomRows(6) - film.pressure).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((both.pressure - both.pressure.colwise().reverse()).cwiseAbs().maxCoeff(), 1e-12);
+  const auto sums = [](const FilmMesh& mesh, const FilmState& state) {
+    const ReynoldsEquation equation{.mesh = mesh, .bearing_number = 3.0, .knudsen = 0.01};
+    const FilmIntegrals integrals = film_integrals(equation, state);
+    Matrix residual;
+    reynolds_residual(equation, state, residual);
+    const FilmFlows flows = film_flows(mesh, residual);
+    const FilmPowers powers = film_powers(equation, state);
+    return Vector{{integrals.cosine, integrals.sine, integrals.couette, integrals.poiseuille, integrals.dissipation,
+                   flows.start, flows.end, flows.sides, powers.entrained, powers.dissipated, powers.supplied,
+                   free_energy(mesh, state)}};
+  };
+  const Vector expected = sums(half, film);
+  EXPECT_LT((sums(whole, both) - expected).cwiseAbs().maxCoeff(), 1e-11 * expected.cwiseAbs().maxCoeff());
+  EXPECT_GT(expected.cwiseAbs().head(8).minCoeff(), 1e-2);
 }
 
 TEST(FilmSolver, KeepsTheGivenPressuresAtTheEdges) {

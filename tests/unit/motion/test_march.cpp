@@ -80,7 +80,7 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.5 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   state.time = 0.0;
-  const OperatingPoint begin = point_of(bearing, state, Control::displacement);
+  const OperatingPoint begin = point_of(bearing, state, {});
   const OperatingPoint further = OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, 0.9 * speed);
   const OperatingPoint loaded = OperatingPoint::loaded_by({30.0, 0.0}, 0.9 * speed);
   constexpr double dt = 1e-5;  // s
@@ -118,7 +118,7 @@ TEST(FilmMarch, AStepInTimeThatFailsIsTakenInParts) {
   ASSERT_EQ(cold_start(patient, {0.5 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
   const auto moved = [&](FilmStepper& stepper, double way, int steps, BearingState& state) {
     const OperatingPoint to = OperatingPoint::held_at({(0.5 + way) * bearing.clearance, 0.0}, speed);
-    Program program{ramp(point_of(bearing, state, Control::displacement), to, steps)};
+    Program program{ramp(point_of(bearing, state, {}), to, steps)};
     program.back().dt = 1e-4 / steps;
     Step step;
     const bool all = march(stepper, program, state, step,

@@ -120,7 +120,7 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
   const pressure = (): number[] => {
     const state = states.stateAt(selection.place);
     const ambient = states.variable('ambient_pressure')?.at({}) ?? NaN;
-    return angles().map((_, column) => (state < 0 ? NaN : (states.variable('pressure')?.at({ state, row: 0, column }) ?? NaN) - ambient));
+    return angles().map((_, column) => (state < 0 ? NaN : (states.variable('pressure')?.at({ state, row: states.midRow, column }) ?? NaN) - ambient));
   };
   const film = (): number[] => states.along('film_thickness', 'column', selection.place);
   const onCircle = (angle: number, radius: number): Place => ({ x: centre + radius * Math.cos(angle), y: centre - radius * Math.sin(angle) });

@@ -62,18 +62,54 @@ function whereText(angle: number, { name }: Pick<PadColumns, 'name'>): string {
   return `${angle.toFixed(1)}° from the weld${name === '' ? '' : ` of ${name}`}`;
 }
 
-/** Of the pressure, in which the map has parts of as many colours. */
+/** In how many colours a scale is drawn. */
 const shades = 24;
+
+/** What a map shows at every node. */
+interface Field {
+  name: string;
+  unit: string;
+  title: string;
+  /** What its file is called. */
+  what: string;
+  told: (range: [number, number]) => string;
+  tips: (value: number) => [string, string][];
+}
 
 /** Pressure at every node, over the unwrapped foil and its whole width. */
 export function pressureMap(states: States, selection: GridSelection): HTMLElement {
-  const across = (): number[] => numbersOf(states, 'z');
   const ambient = (): number => states.variable('ambient_pressure')?.at({}) ?? NaN;
+  return filmMap(states, selection, {
+    name: 'pressure',
+    unit: 'Pa',
+    title: 'Pressure',
+    what: 'pressure',
+    told: (range) => `${range.map((value) => formatQuantity(value, 'Pa')).join(' to ')}, ambient ${formatQuantity(ambient(), 'Pa')}`,
+    tips: (value) => [['Gauge pressure', formatQuantity(value - ambient(), 'Pa', 3)]],
+  });
+}
+
+/** Film thickness at every node, where it is not the same over the width. */
+export function thicknessMap(states: States, selection: GridSelection): HTMLElement[] {
+  if (!states.variable('film_thickness')?.has('row')) return [];
+  const told = ([least, most]: [number, number]): string => {
+    const z = states.numberAt('h_min_z', selection.place);
+    const place = Number.isFinite(z) ? `, ${formatQuantity(z, 'm', 3)} from the mid-plane,` : '';
+    return `${formatQuantity(least, 'm')}${place} to ${formatQuantity(most, 'm')}`;
+  };
+  return [filmMap(states, selection, { name: 'film_thickness', unit: 'm', title: 'Film thickness', what: 'film-thickness-map', told, tips: () => [] })];
+}
+
+/** A field over the unwrapped foil and its whole width. */
+function filmMap(states: States, selection: GridSelection, field: Field): HTMLElement {
+  const across = (): number[] => numbersOf(states, 'z');
+  // On half the width the film is symmetric about its mid-plane.
+  const isHalf = (): boolean => across().every((z) => z >= 0);
   const read = (): number[][] => {
     const state = states.stateAt(selection.place);
-    const pressure = states.variable('pressure');
+    const variable = states.variable(field.name);
     const columns = [...Array(states.size('column')).keys()];
-    return across().map((_, row) => columns.map((column) => (state < 0 ? NaN : (pressure?.at({ state, row, column }) ?? NaN))));
+    return across().map((_, row) => columns.map((column) => (state < 0 ? NaN : (variable?.at({ state, row, column }) ?? NaN))));
   };
   const range = (): [number, number] => {
     const all = read().flat().filter(Number.isFinite);
@@ -93,8 +129,8 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
           const fraction = most > least ? (value - least) / (most - least) : 0;
           const [left, right] = half(angles, i).map((side) => begin + side) as [number, number];
           const [lower, upper] = half(z, j).map((side) => side * scale.factor) as [number, number];
-          // The film is symmetric about its mid-plane.
-          return [[left, right, lower, upper, fraction, value, pad], [left, right, -upper, -lower, fraction, value, pad]];
+          const cell = [left, right, lower, upper, fraction, value, pad];
+          return isHalf() ? [cell, [left, right, -upper, -lower, fraction, value, pad]] : [cell];
         }),
       ),
     );
@@ -114,17 +150,17 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
         formatter: ({ dataIndex }: { dataIndex: number }) => {
           const [left = 0, right = 0, lower = 0, upper = 0, , value, number = 0] = drawn[dataIndex] ?? [];
           const pad = at(pads, number);
-          return tooltipBox(formatQuantity(value, 'Pa'), [
+          return tooltipBox(formatQuantity(value, field.unit), [
             ['Along the foil', whereText(0.5 * (left + right) - pad.begin, pad)],
             ['Across the width', formatQuantity((0.5 * (lower + upper)) / scale.factor, 'm', 3)],
-            ['Gauge pressure', formatQuantity((value ?? NaN) - ambient(), 'Pa', 3)],
+            ...field.tips(value ?? NaN),
           ]);
         },
       }),
       series: [
         {
           type: 'custom',
-          name: 'pressure',
+          name: field.name,
           clip: true,
           // All at once: prints and pictures do not wait for the rest.
           progressive: 0,
@@ -140,19 +176,19 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
     };
   };
   return statePanel(states, selection, {
-    title: states.pads === 1 ? 'Pressure over the unwrapped foil' : 'Pressure over the unwrapped pads',
-    what: 'pressure',
-    told: () => (states.isFound(selection.place) ? `${range().map((value) => formatQuantity(value, 'Pa')).join(' to ')}, ambient ${formatQuantity(ambient(), 'Pa')}` : unknown),
+    title: `${field.title} over the unwrapped ${states.pads === 1 ? 'foil' : 'pads'}`,
+    what: field.what,
+    told: () => (states.isFound(selection.place) ? field.told(range()) : unknown),
     legend: () => [
       {
         width: 5 * shades,
         draw: (current) => Array.from({ length: shades }, (_, i) => svg('rect', { x: 5 * i, y: 1, width: 5.5, height: 10, fill: rampColour(current, i / (shades - 1)) })),
-        text: states.isFound(selection.place) ? range().map((value) => formatQuantity(value, 'Pa')).join(' to ') : 'pressure',
+        text: states.isFound(selection.place) ? range().map((value) => formatQuantity(value, field.unit)).join(' to ') : field.title.toLowerCase(),
       },
     ],
     csv: () => {
       const [theta, z, pads] = [columnsOf(states), across(), padCells(states)];
-      return toCsv([...(states.pads > 1 ? ['pad'] : []), 'theta_deg', 'z_m', 'pressure_Pa'], read().flatMap((row, j) => row.map((value, i) => [...at(pads, i), theta[i], z[j], value])));
+      return toCsv([...(states.pads > 1 ? ['pad'] : []), 'theta_deg', 'z_m', `${field.name}_${field.unit}`], read().flatMap((row, j) => row.map((value, i) => [...at(pads, i), theta[i], z[j], value])));
     },
     option,
   });

@@ -114,12 +114,19 @@ export class States extends Grid {
     return Number.isFinite(this.numberAt('h_min', place));
   }
 
-  /** Values along a dimension at a state. */
+  /** Row of the mid-plane: the first one of half the width. */
+  get midRow(): number {
+    const across = numbersOf(this, 'z').map(Math.abs);
+    return Math.max(0, across.indexOf(Math.min(...across)));
+  }
+
+  /** Values along a dimension at a state, in the mid-plane. */
   along(name: string, dimension: string, place: Place): number[] {
     const state = this.stateAt(place);
     const variable = this.variable(name);
     if (state < 0 || !variable?.has(dimension)) return [];
-    return Array.from({ length: this.size(dimension) }, (_, i) => variable.at({ state, [dimension]: i }));
+    const row = this.midRow;
+    return Array.from({ length: this.size(dimension) }, (_, i) => variable.at({ state, row, [dimension]: i }));
   }
 
   get pads(): number {

@@ -14,11 +14,12 @@
 
 namespace bumpfoil {
 
-/// How a state answers to small motions of the journal at a frequency, as FilmStepper::impedances() tells: K = Re
+/// How a state answers to small motions of the journal at a frequency, as FilmStepper::impedances() tells, by
+/// displacements and slopes (FilmBearing::by_slopes()): K = Re
 /// Z, C = Im Z / frequency. Of further motion, and with all closed contacts stuck; absent where the system is singular.
 struct FilmWhirl {
   double frequency{};  ///< rad/s
-  std::optional<Eigen::Matrix2cd> impedance, stuck_impedance;
+  std::optional<JournalMatrixC> impedance, stuck_impedance;
 };
 
 /// Estimated error of a state by the mesh of the film, see estimate_mesh_errors().
@@ -84,8 +85,9 @@ struct RunningState {
   /// the way, if any was; its opening is not zero where the clearance had not closed yet.
   std::optional<BearingState> last;
   std::optional<FilmBearingOutcome> outcome;  ///< of it
-  /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
-  std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
+  /// FilmBearing::by_slopes() of dF/dq of it: of further motion, and with all closed contacts stuck; absent where they
+  /// are singular.
+  std::optional<JournalMatrix> stiffness, stuck_stiffness;
   std::optional<double> foil_response;  ///< SlowMotion::foil_response, the larger one of both
   HeldMotions held;                     ///< of it
   int light_contacts{};                 ///< closed ones that carry less than 1 mN

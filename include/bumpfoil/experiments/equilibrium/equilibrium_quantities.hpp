@@ -30,10 +30,13 @@ inline constexpr Tags of_limits = 2 * of_pads;         ///< known where limits w
 inline constexpr Tags is_bump = 2 * of_limits;         ///< the number of one, through all pads
 /// Known of states that were not found, too: what was asked for, and how that ended.
 inline constexpr Tags asked = 2 * is_bump;
-inline constexpr Tags demand = 2 * asked;               ///< speed and load that were asked for
-inline constexpr Tags of_asperities = 2 * demand;       ///< not of smooth surfaces
-inline constexpr Tags of_width = 2 * of_asperities;     ///< not of foils that are uniform over the width
-inline constexpr Tags of_uniform_foils = 2 * of_width;  ///< of those alone
+inline constexpr Tags demand = 2 * asked;              ///< speed and load that were asked for
+inline constexpr Tags of_asperities = 2 * demand;      ///< not of smooth surfaces
+inline constexpr Tags of_width = 2 * of_asperities;    ///< not of films that are uniform over the width
+inline constexpr Tags of_uniform_film = 2 * of_width;  ///< of those alone
+inline constexpr Tags of_tilt = 2 * of_uniform_film;   ///< where the journal may tilt
+inline constexpr Tags of_slope = 2 * of_tilt;          ///< of foils whose displacement may be linear over the width
+inline constexpr Tags of_parabola = 2 * of_slope;      ///< ... a parabola
 
 }  // namespace tag
 
@@ -55,7 +58,11 @@ double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, con
 using ColumnQuantity = Quantity<Vector (*)(const FilmBearing&, const BearingState&)>;
 std::span<const ColumnQuantity> column_quantities();
 
-/// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end, pad after pad.
+/// Whether the displacement of the foils has the mode P_k over the width.
+bool has_mode(const FilmBearing& bearing, int k);
+
+/// p at all nodes, Pa: rows from the mid-plane or a side to the side, columns from the weld to the free end, pad after
+/// pad.
 Matrix film_pressure(const FilmBearing& bearing, const BearingState& state);
 
 /// A bump (from 0, through all pads) as tables call it: "3"; of several pads "2.3", the third of pad 2.

@@ -20,7 +20,7 @@ struct Example {
   Example() {
     state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
     state.report.status = Status::converged;
-    state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
+    state.last = resting(bearing, Eigen::Vector2d(10e-6, 0.0), 1000.0);
     state.last->film.pressure.block(0, 40, 4, 2).setConstant(1.5);
     state.last->contacts.normal_force[2 * 3] = 4.0;  // top_bump of bump 4
     state.outcome = film_bearing_outcome(bearing, *state.last);
@@ -108,7 +108,7 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   RunningState state;
   state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
   state.report.status = Status::converged;
-  state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
+  state.last = resting(bearing, Eigen::Vector2d(10e-6, 0.0), 1000.0);
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);   // neither presses any
   state.last->contacts.normal_force[2 * 4] = 1.0;        // bump 5 of pad 1
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 8);   // all of pad 2

@@ -55,7 +55,7 @@ TEST(FindFaults, JudgesRoughSurfaces) {
   EXPECT_EQ(resting(by_factor), Keys{});
 }
 
-/// A foil that varies over the width is computed under the film of `equilibrium` alone, and of one foil.
+/// A foil that varies over the width is computed under the film of `equilibrium` alone.
 TEST(FindFaults, JudgesTheModesOverTheWidth) {
   const auto with_modes = [](
                               int modes, const std::function<void(Case&)>& change = [](Case&) {}) {
@@ -67,8 +67,9 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
   };
   EXPECT_EQ(with_modes(1), Keys{});
   EXPECT_EQ(with_modes(2), Keys{});
+  EXPECT_EQ(with_modes(3), Keys{});
   EXPECT_EQ(with_modes(0), Keys{"width.modes"});
-  EXPECT_EQ(with_modes(3), Keys{"width.modes"});
+  EXPECT_EQ(with_modes(4), Keys{"width.modes"});
   const auto on_peaks = [](Case& input) {
     input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
   };
@@ -79,7 +80,7 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
     input.pads.resize(3);
   };
   EXPECT_EQ(with_modes(1, pads), Keys{});
-  EXPECT_EQ(with_modes(2, pads), Keys{"width.modes"});
+  EXPECT_EQ(with_modes(3, pads), Keys{});
   // Other commands with films.
   Case input = reference_case();
   input.width.modes = 2;
@@ -89,6 +90,50 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
         << command;
   }
   EXPECT_TRUE(find_faults(input, {"cycle"}).empty());
+}
+
+/// A journal that is tilted, or free to tilt, is computed by `equilibrium` and, where the tilt is given, by `film`.
+TEST(FindFaults, JudgesTheTilt) {
+  const auto width = [](const std::function<void(WidthSettings&)>& change, const std::string& command) {
+    Case input = reference_case();
+    input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}};
+    change(input.width);
+    Keys keys;
+    for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
+    return keys;
+  };
+  const auto tilt = [](WidthSettings& settings) { settings.tilt = {1e-4, 0.0}; };
+  const auto moment = [](WidthSettings& settings) { settings.moment = {0.0, 0.0}; };
+  EXPECT_EQ(width(tilt, "equilibrium"), Keys{});
+  EXPECT_EQ(width([](WidthSettings& settings) { settings.tilt = {0.0, -1e-4}; }, "equilibrium"), Keys{});
+  EXPECT_EQ(width(moment, "equilibrium"), Keys{});
+  EXPECT_EQ(width(tilt, "film"), Keys{});
+  EXPECT_EQ(width(moment, "film"), Keys{"width.moment"});
+  EXPECT_EQ(width(tilt, "stability"), Keys{"width.tilt"});
+  EXPECT_EQ(width(tilt, "cycle"), Keys{"width.tilt"});
+  EXPECT_EQ(width(moment, "montecarlo"), Keys{"width.moment"});
+  const auto between = [](const std::vector<double>& pressures, const std::string& command) {
+    Case input = reference_case();
+    input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}};
+    input.film.side_pressure = pressures;
+    Keys keys;
+    for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
+    return keys;
+  };
+  EXPECT_EQ(between({1.1e5, 1.1e5}, "montecarlo"), Keys{});
+  EXPECT_EQ(between({1.1e5, 1.0e5}, "equilibrium"), Keys{});
+  EXPECT_EQ(between({1.1e5, 1.0e5}, "montecarlo"), Keys{"film.side_pressure"});
+  EXPECT_EQ(between({1.1e5, 1.0e5}, "cycle"), Keys{});  // it has no film
+  EXPECT_EQ(between({1.1e5}, "film"), Keys{"film.side_pressure"});
+  EXPECT_EQ(between({1.1e5, -1.0}, "film"), Keys{"film.side_pressure[2]"});
+  EXPECT_EQ(width([](WidthSettings& settings) { settings.tilt = {1e-4}; }, "equilibrium"), Keys{"width.tilt"});
+  EXPECT_EQ(width([](WidthSettings& settings) { settings.tilt = {1e-4, 1.0}; }, "equilibrium"), Keys{"width.tilt[2]"});
+  EXPECT_EQ(width(
+                [](WidthSettings& settings) {
+                  settings.moment = {nan, 0.0};
+                },
+                "equilibrium"),
+            Keys{"width.moment[1]"});
 }
 
 TEST(FindFaults, JudgesTheGas) {

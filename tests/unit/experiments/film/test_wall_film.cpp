@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bumpfoil/core/error.hpp"
 #include "support/film_bearing_cases.hpp"
@@ -50,6 +51,62 @@ TEST(WallFilm, IsFedAtItsFreeEnd) {
   EXPECT_NE(fed.states[0].outcome->flows.end, outflow);
   input.film.closed = true;
   EXPECT_THROW(run_wall_films(input), Error);
+}
+
+/// Around a journal in the centre gas flows from side to side, at ambient pressure 2 pi R h^3 (p_l^2 - p_r^2) / (24 mu
+/// L p_a), and with it p^2 falls linearly.
+TEST(WallFilm, LetsGasFlowFromSideToSide) {
+  Case input = wall_case();
+  input.film.closed = true;
+  input.equilibrium->positions = {{0.0, 0.0}};
+  const double ambient = input.gas.ambient_pressure;
+  input.film.side_pressure = {1.3 * ambient, 1.1 * ambient};
+  const EquilibriumResult result = run_wall_films(input);
+  ASSERT_TRUE(result.converged());
+  const RunningState& state = result.states.front();
+  const double R = input.bearing.radius;
+  const double h = input.bearing.radial_clearance;
+  const double flow = 2.0 * std::numbers::pi * R * h * h * h * (1.3 * 1.3 - 1.1 * 1.1) * ambient /
+                      (24.0 * *input.gas.viscosity * input.bearing.axial_length);
+  const FilmFlows& flows = state.outcome->flows;
+  EXPECT_NEAR(flows.right_side, flow, 1e-9 * flow);
+  EXPECT_NEAR(flows.sides, 0.0, 1e-9 * flow);
+  const Matrix& P = state.last->film.pressure;
+  EXPECT_NEAR(P(0, 5), 1.3, 1e-15);
+  EXPECT_NEAR(P(6, 5) * P(6, 5), 0.5 * (1.3 * 1.3 + 1.1 * 1.1), 1e-9);
+  EXPECT_NEAR(P(12, 5), 1.1, 1e-15);
+  // The same at both sides: half the width is enough.
+  input.film.side_pressure = {1.3 * ambient, 1.3 * ambient};
+  const EquilibriumResult fed = run_wall_films(input);
+  EXPECT_FALSE(fed.bearing->tilts());
+  EXPECT_NEAR(fed.states.front().last->film.pressure.minCoeff(), 1.3, 1e-9);
+}
+
+/// What the stiffness says of a small further tilt, and of the place, is what films find that are tilted so.
+TEST(WallFilm, IsTiltedByMoments) {
+  Case input = wall_case();
+  input.equilibrium->positions = {{12e-6, 3e-6}};
+  constexpr double slope = 3e-4;
+  constexpr double h = 1e-8;
+  const auto outcome = [&](double a, double b) {
+    Case tilted = input;
+    tilted.width.tilt = {a, b};
+    return run_wall_films(tilted).states.front();
+  };
+  const RunningState state = outcome(slope, 0.5 * slope);
+  ASSERT_TRUE(state.found() && state.stiffness);
+  EXPECT_GT(state.outcome->moment.x(), 0.0);  // against the tilt
+  EXPECT_LT((outcome(-slope, -0.5 * slope).outcome->moment + state.outcome->moment).norm(),
+            1e-9 * state.outcome->moment.norm());
+  for (const Eigen::Index axis : {0, 1}) {
+    const Eigen::Vector2d step = h * Eigen::Vector2d::Unit(axis);
+    const FilmBearingOutcome plus = *outcome(slope + step.x(), 0.5 * slope + step.y()).outcome;
+    const FilmBearingOutcome minus = *outcome(slope - step.x(), 0.5 * slope - step.y()).outcome;
+    Eigen::Vector4d change;
+    change << plus.force - minus.force, plus.moment - minus.moment;
+    const Eigen::Vector4d column = state.stiffness->col(2 + axis);
+    EXPECT_LT((change / (2.0 * h) - column).norm(), 1e-5 * column.norm());
+  }
 }
 
 TEST(WallFilm, HasSmoothWalls) {
