@@ -16,6 +16,9 @@ from pathlib import Path
 ROOT = Path(sys.argv[1]).resolve()
 PROGRAM = Path(sys.argv[2]).resolve()
 PACKAGE = PROGRAM.parent / "python"  # where it was built
+sys.path.insert(0, str(ROOT / "docs/site"))
+import sources
+
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -53,6 +56,11 @@ class Documents(unittest.TestCase):
             cited |= set(re.findall(r"\[([A-Z][A-Za-z]+(?:19|20)\d\d)\b", file.read_text(encoding="utf-8")))
         self.assertIn("Arghir2019", cited)
         self.assertEqual(cited, known)
+
+    def test_list_of_references_is_that_of_the_bibliography(self):
+        """`docs/site/sources.py` writes it. Every citation leads to its entry there, as keys are its headings."""
+        entries = sources.page_of((ROOT / "docs/references.bib").read_text(encoding="utf-8"))
+        self.assertEqual((ROOT / "docs/references.md").read_text(encoding="utf-8"), entries)
 
     def test_pages_write_folders_of_their_own(self):
         """Who goes through all pages in one place is refused nowhere."""
