@@ -62,6 +62,16 @@ class Documents(unittest.TestCase):
         entries = sources.page_of((ROOT / "docs/references.bib").read_text(encoding="utf-8"))
         self.assertEqual((ROOT / "docs/references.md").read_text(encoding="utf-8"), entries)
 
+    def test_theory_goes_from_the_problem_to_the_limits(self):
+        order = ["Problem", "Model", "Equations", "Method", "Check", "Limits"]
+        others = {"conventions", "notation", "limits", "paper_errors"}
+        pages = [page for page in (ROOT / "docs/theory").glob("*.md") if page.stem not in others]
+        self.assertGreater(len(pages), 10)
+        for page in pages:
+            headings = re.findall(r"^## (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+            self.assertEqual(headings, [heading for heading in order if heading in headings], page.name)
+            self.assertEqual((headings[0], headings[-2:]), ("Problem", ["Check", "Limits"]), page.name)
+
     def test_pages_write_folders_of_their_own(self):
         """Who goes through all pages in one place is refused nowhere."""
         pages = {}
