@@ -4,6 +4,7 @@ Usage: test_documents.py REPOSITORY PROGRAM [CLASS OF TESTS ...]
 """
 
 import json
+import math
 import os
 import re
 import shlex
@@ -106,6 +107,46 @@ class Documents(unittest.TestCase):
         self.assertIn(f"version: {version}\n", (ROOT / "CITATION.cff").read_text(encoding="utf-8"))
         changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
         self.assertEqual(version, re.search(r"^## \[(\d[\d.]*)\] - \d{4}-\d\d-\d\d$", changelog, re.MULTILINE).group(1))
+
+
+class Introduction(unittest.TestCase):
+    """The example by hand of docs/introduction.md, computed again; `Pages` runs the same case with the program."""
+
+    PAGE = (ROOT / "docs/introduction.md").read_text(encoding="utf-8")
+
+    def by_hand(self):
+        k1, k2, inclination, friction, full = 150.0, 5.0, math.radians(16), 0.3, 10.0  # MN/m, which is N/um; um
+        cotangent = 1 / math.tan(inclination)
+        stuck = 1 / (2 * k1 * math.sin(inclination) ** 2)
+        pressed, released = (stuck + cotangent * (cotangent + sign * friction) / (4 * k2) for sign in (-1, 1))
+        force = full / pressed
+        back = (force - full / released) / (1 / stuck - 1 / released)
+        force_back = (full - back) / released
+        energy = ((full - back) * force - full * force_back) / 2
+        figures = {f"{1 / pressed:.4f}", f"{1 / stuck:.3f}", f"{1 / released:.4f}", f"{back:.4f}", f"{force:.3f}"}
+        return figures | {f"{force_back:.3f}", f"{energy:.2f}"}, (force, 1 / pressed, 1 / stuck, energy / 1e3)
+
+    def test_figures_by_hand(self):
+        figures, _ = self.by_hand()
+        for figure in figures:
+            self.assertIn(figure, self.PAGE)
+        drawn = (ROOT / "docs/images/one_bump_loop.svg").read_text(encoding="utf-8")
+        for text in ("16.68 N at 10 µm", "14.03 N at 9.88 µm", "1.668 MN/m", "1.420 MN/m"):
+            self.assertIn(text, drawn)
+
+    def test_program_prints_them(self):
+        printed = re.search(r"```text\n(.*?)```", self.PAGE, re.DOTALL).group(1).splitlines()
+        _, expected = self.by_hand()
+        for line, figure in zip(printed, expected, strict=True):
+            self.assertAlmostEqual(float(line.split()[-1]) / figure, 1, delta=1e-4, msg=line)
+
+    def test_forces_of_strips_are_those_of_finite_elements(self):
+        table = (ROOT / "docs/verification/strip.md").read_text(encoding="utf-8")
+        rows = re.findall(r"^\| (\d+) \| ([\d.]+) N \| ([\d.]+) N \|$", self.PAGE, re.MULTILINE)
+        self.assertEqual(len(rows), 3)
+        for bumps, free, rubbing in rows:
+            for friction, force in (("0", free), ("0.1", rubbing)):
+                self.assertIn(f"| {bumps} | {friction} | small | {force} |", table)
 
 
 class InADirectory(unittest.TestCase):
