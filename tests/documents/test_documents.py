@@ -149,6 +149,32 @@ class Introduction(unittest.TestCase):
                 self.assertIn(f"| {bumps} | {friction} | small | {force} |", table)
 
 
+class Validation(unittest.TestCase):
+    PAGE = (ROOT / "docs/validation.md").read_text(encoding="utf-8")
+
+    def test_coefficients_are_those_of_the_loads(self):
+        """Load over area, diameter and speed, in pounds, inches and thousands of revolutions per minute."""
+        rows = re.findall(r"^\| \d \|(.*)\|$", self.PAGE, re.MULTILINE)
+        self.assertEqual(len(rows), 4)
+        for row in rows:
+            cells = [float(re.match(r"[\d.]+", cell.strip()).group(0)) for cell in row.split("|")]
+            for speed, load, coefficient in zip((15, 30, 45), cells[::2], cells[1::2], strict=True):
+                self.assertAlmostEqual(load / 4.4482 / 1.5**3 / speed, coefficient, delta=0.006, msg=row)
+
+    def test_load_of_the_table_is_what_the_program_prints(self):
+        """`Pages` runs the program."""
+        printed = float(re.search(r"load capacity at 45000 rpm: ([\d.]+) N", self.PAGE).group(1))
+        self.assertIn(f"| {printed:.0f} | 0.26 |", re.search(r"^\| 3 \|.*$", self.PAGE, re.MULTILINE).group(0))
+
+    def test_claims_are_those_of_the_page_of_the_paper(self):
+        paper = (ROOT / "docs/verification/paper.md").read_text(encoding="utf-8")
+        verdicts = re.findall(r"^\| \d+ \|[^|]*\| ([a-z ]+) \|", paper, re.MULTILINE)
+        claims, stated = re.search(r"^\| (\d+) claims of the paper \|[^|]*\|([^|]*)\|", self.PAGE, re.MULTILINE).groups()
+        self.assertEqual(len(verdicts), int(claims))
+        for verdict in set(verdicts):
+            self.assertIn(f" {verdicts.count(verdict)} {verdict}", stated)
+
+
 class InADirectory(unittest.TestCase):
     """Runs commands where nothing else is, with the program on the path."""
 
