@@ -175,6 +175,45 @@ class Validation(unittest.TestCase):
             self.assertIn(f" {verdicts.count(verdict)} {verdict}", stated)
 
 
+class English(unittest.TestCase):
+    """Phrases that were translated word by word, or ask riddles; what engineers write stands in their places."""
+
+    PHRASES = """
+        how the foils answer | force that holds the journal | results are told | that was right | height is: overall
+        least film thickness | highest pressure | lowest pressure | highest stress | pressure beyond ambient
+        in a row where gas enters | states are come to | when it turns | hardly carries | knows no | knows neither
+        there is no load to carry | an angle is due | is no known key | holds results already | holds no number
+        take the journal along | make the program as | find where the journal | tell how far | who runs a | who wants
+        going on in their modes | slip on or stick | than that before | sense of winding | quantity over key
+        rotor of one's own | way of the journal | keep the limits | what was drawn makes | bearing at work
+        where the journal is | whirl coefficients | bed stiffness | pressing body | what is asked | nobody asked
+        of which some | the begin of | its begin | from the begin | is told by | are told by | what it comes to
+        what the bearings stand on | all that is recorded | unless told | a step is vain
+    """.replace("\n", "|").split("|")
+
+    def texts(self):
+        """Documents and cases as they are, and the texts of the sources: help, messages, labels."""
+        for path in [*documents(), *(ROOT / "examples").glob("*.toml"), *(ROOT / "studies").rglob("*.toml")]:
+            if path.name != "CHANGELOG.md":
+                yield path, path.read_text(encoding="utf-8")
+        for folder, kinds in (("src", "cpp hpp"), ("apps", "cpp"), ("web/src", "ts"), ("python/bumpfoil", "py")):
+            for kind in kinds.split():
+                for path in (ROOT / folder).rglob(f"*.{kind}"):
+                    code = re.sub(r"^\s*(//|#|\*|/\*).*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+                    joined = re.sub(r'"\s*\n\s*"', "", code)
+                    yield path, "\n".join(re.findall(r'"(?:[^"\\\n]|\\.)*"', joined))
+
+    def test_no_phrase_comes_back(self):
+        phrases = [" ".join(phrase.split()) for phrase in self.PHRASES if phrase.strip()]
+        pattern = re.compile(r"\b(" + "|".join(map(re.escape, phrases)) + r"|some \d[\d.,]*)(?!\w)")
+        read = 0
+        for path, text in self.texts():
+            found = pattern.findall(" ".join(text.lower().split()))
+            self.assertEqual(found, [], path)
+            read += 1
+        self.assertGreater(read, 300)
+
+
 class InADirectory(unittest.TestCase):
     """Runs commands where nothing else is, with the program on the path."""
 
