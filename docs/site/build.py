@@ -11,7 +11,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import sources
 from headers import page_of
 
 HERE = Path(__file__).resolve().parent
@@ -33,10 +32,6 @@ def describe(pages):
     python = ["Python reference", "================", "", ".. automodule:: bumpfoil", "   :members:", "   :imported-members:"]
     python += ["", ".. automodule:: bumpfoil.figures", "   :members:", "   :imported-members:"]
     (folder / "python.rst").write_text("\n".join(python), encoding="utf-8")
-
-
-def list_sources(page):
-    page.write_text(sources.page_of((ROOT / "docs/references.bib").read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def run_doxygen(html, tags):
@@ -93,7 +88,6 @@ def main():
     pages = output / "pages"
     lay_out(pages)
     describe(pages)
-    list_sources(pages / "docs/reference/sources.md")
     run_doxygen(output / "html/cpp", output / "cpp.tags")
     (pages / "docs/reference/cpp.rst").write_text(page_of(output / "cpp.tags"), encoding="utf-8")
     list_variables(pages / "docs/reference/variables.md", environment)

@@ -10,7 +10,7 @@ from sources import with_links
 # Pages that only the site has.
 MADE = {
     "Begin here": [f"/docs/notebooks/{page}" for page in ("first_steps", "rotor_in_time")],
-    "Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp", "sources")],
+    "Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp")],
 }
 
 # Pages about what a case shows.

@@ -28,7 +28,7 @@ class Instant:
     position : ndarray, (2,)
         Of the journal, m.
     force : ndarray, (2,)
-        Applied force that holds the journal against film and asperities, N.
+        Applied force on the journal, which balances film and asperities, N.
     film_thickness : float
         Minimum film thickness, m.
     power : float

@@ -117,7 +117,7 @@ void describe(CaseVisitor& keys, ShaftSection& section) {
 void describe(CaseVisitor& keys, ShaftDisc& disk) {
   using enum Presence;
   using enum Dimension;
-  keys.value({"at", required, "Place", "of its centre of mass, from the begin of the shaft", "150 mm", length},
+  keys.value({"at", required, "Place", "of its centre of mass, from the start of the shaft", "150 mm", length},
              &disk.z);
   keys.value({"mass", required, "Mass", "", "0.3 kg", mass}, &disk.mass);
   keys.value(
@@ -134,19 +134,19 @@ void describe(CaseVisitor& keys, RotorUnbalance& one) {
   keys.value({.name = "grade",
               .presence = optional,
               .title = "Balance quality grade",
-              .text = "of ISO 21940-11: all that the grade allows the whole rotor, in this plane",
+              .text = "of ISO 21940-11: the whole amount that it allows for the rotor, in this plane",
               .example = "2.5 mm/s",
               .dimension = velocity,
               .instead = true},
              &one.grade);
-  keys.value({"grade_speed", optional, "Speed of the grade", "for which it is", "60000 rpm", frequency},
+  keys.value({"grade_speed", optional, "Speed of the grade", "at which it applies", "60000 rpm", frequency},
              &one.grade_speed);
   keys.value(
-      {"at", defaulted, "Place", "of its plane along the axis, measured as those of the bearings", "0 mm", length},
+      {"at", defaulted, "Place", "of its plane along the axis, measured like those of the bearings", "0 mm", length},
       &one.at);
-  keys.value({"phase", defaulted, "Phase", "of the heavy place, from X towards Y, when the rotor stands at angle 0",
-              "0 deg", angle},
-             &one.phase);
+  keys.value(
+      {"phase", defaulted, "Phase", "of the heavy spot, from X towards Y, with the rotor at angle 0", "0 deg", angle},
+      &one.phase);
 }
 
 void describe(CaseVisitor& keys, MatrixPlace& place) {
@@ -161,14 +161,13 @@ void describe(CaseVisitor& keys, RotorMatrices& matrices) {
   using enum Presence;
   constexpr std::string_view example = "[1.0, 0.0, 0.0, ...]";
   keys.value({"M", required, "Mass matrix", "M of M y'' + (Omega G + C) y' + K y, symmetric", example}, &matrices.mass);
-  keys.value({"C", required, "Damping matrix", "of what does not turn with the rotor, symmetric", example},
-             &matrices.damping);
+  keys.value({"C", required, "Damping matrix", "of parts that do not rotate, symmetric", example}, &matrices.damping);
   keys.value({"G", required, "Gyroscopic matrix", "antisymmetric; positive speeds turn X to Y", example},
              &matrices.gyroscopic);
   keys.value({"K", required, "Stiffness matrix", "symmetric", example}, &matrices.stiffness);
-  list_of_tables(keys, {"bearing", required, "Bearing", "place of a bearing"}, matrices.bearings,
+  list_of_tables(keys, {"bearing", required, "Bearing", "position of a bearing"}, matrices.bearings,
                  [](CaseVisitor& inner, MatrixPlace& place) { describe(inner, place); });
-  list_of_tables(keys, {"station", optional, "Station", "another place that results tell of, or with an unbalance"},
+  list_of_tables(keys, {"station", optional, "Station", "another position that results include, or with an unbalance"},
                  matrices.stations, [](CaseVisitor& inner, MatrixPlace& place) { describe(inner, place); });
 }
 
@@ -181,11 +180,12 @@ void describe(CaseVisitor& keys, RotorSettings& rotor) {
       &rotor.mass);
   keys.value({"gravity", defaulted, "Gravity", "along X and Y", "[\"0 m/s2\", \"-9.81 m/s2\"]", acceleration},
              &rotor.gravity);
-  keys.value({"bearings", optional, "Bearings",
-              "places along the axis, of a rotor that tilts: from the centre of mass of a rigid one, from the begin of "
-              "a shaft",
-              "[\"-50 mm\", \"60 mm\"]", length},
-             &rotor.bearings);
+  keys.value(
+      {"bearings", optional, "Bearings",
+       "positions along the axis, for a rotor that tilts: from the centre of mass of a rigid one, from the start "
+       "of a shaft",
+       "[\"-50 mm\", \"60 mm\"]", length},
+      &rotor.bearings);
   keys.value(
       {"transverse_inertia", optional, "Transverse inertia",
        "of a rigid rotor that tilts, about a diameter through its centre of mass", "9e-3 kg m2", moment_of_inertia},
@@ -193,19 +193,20 @@ void describe(CaseVisitor& keys, RotorSettings& rotor) {
   keys.value({"polar_inertia", optional, "Polar inertia", "of a rigid rotor that tilts, about its axis", "1.1e-3 kg m2",
               moment_of_inertia},
              &rotor.polar_inertia);
-  list_of_tables(keys, {"shaft", optional, "Shaft", "a piece of a flexible shaft, one after the other"}, rotor.shaft,
+  list_of_tables(keys, {"shaft", optional, "Shaft", "a section of a flexible shaft, one after the other"}, rotor.shaft,
                  [](CaseVisitor& inner, ShaftSection& section) { describe(inner, section); });
   list_of_tables(keys, {"disk", optional, "Disk", "rigid, on the shaft"}, rotor.disks,
                  [](CaseVisitor& inner, ShaftDisc& disk) { describe(inner, disk); });
   keys.file({"matrices", optional, "File of matrices",
-             "of any rotor that nothing holds, in place of all of these: a JSON file beside this one with M, C, G, K, "
-             "bearing and station",
+             "of a free rotor, instead of all of these: a JSON file beside this one with M, C, G, K, bearing and "
+             "station",
              "\"rotor.json\""},
             "matrix", [&rotor](const std::string& path) {
               rotor.matrices.emplace();  // of this kind, even where the file is wrong
               rotor.matrices = read_rotor_matrices(path);
             });
-  optional_table(keys, {"matrix", optional, "Matrices", "of a rotor, what the file holds: row by row, in SI units"},
+  optional_table(keys,
+                 {"matrix", optional, "Matrices", "of a rotor, the contents of the file: row by row, in SI units"},
                  rotor.matrices, [](CaseVisitor& inner, RotorMatrices& matrices) { describe(inner, matrices); });
   list_of_tables(keys, {"unbalance", optional, "Unbalance", "in one plane, for the command unbalance"},
                  rotor.unbalances, [](CaseVisitor& inner, RotorUnbalance& one) { describe(inner, one); });
@@ -216,8 +217,8 @@ void describe_bearings(CaseVisitor& keys, Case& input) {
   list_of_tables(
       keys,
       {"bearing", Presence::optional, "Bearing of the rotor",
-       "one for each of the places in bearings, in their order: what it has otherwise than the tables of the "
-       "case; one that is like them is empty"},
+       "one for each entry of bearings, in the same order: its keys that differ from the tables of the case; "
+       "empty if none does"},
       input.rotor_bearings, [&input](CaseVisitor& inner, RotorBearing& own) {
         describe_own_design(inner, input, own);
         describe_own_film(inner, input, own);
@@ -249,7 +250,7 @@ bool judge_shaft(Judge& judge, const RotorSettings& rotor) {
   const double end = length_of(rotor.shaft);
   const auto lies_on_it = [&](const std::string& key, double z) {
     return judge.require(z >= 0.0 && z <= end * (1.0 + round_off), key, quantity(z, "m"), "is not on the shaft",
-                         fmt::format("give a place from its begin, 0 m, to its end, {:.6g} m", end));
+                         fmt::format("give a position between its start, 0 m, and its end, {:.6g} m", end));
   };
   for (std::size_t i = 0; i < rotor.disks.size(); ++i) {
     const ShaftDisc& disk = rotor.disks[i];
@@ -287,7 +288,7 @@ bool judge_unbalances(Judge& judge, const RotorSettings& rotor) {
     } else if (rotor.is_flexible()) {
       right &= judge.require(one.at >= 0.0 && one.at <= end * (1.0 + round_off), name + ".at", quantity(one.at, "m"),
                              "is not on the shaft",
-                             fmt::format("give a place from its begin, 0 m, to its end, {:.6g} m", end));
+                             fmt::format("give a position between its start, 0 m, and its end, {:.6g} m", end));
     } else {
       right &= judge.finite(name + ".at", one.at, "m");
       right &= judge.require(rotor.tilts() || one.at == 0.0, name + ".at", quantity(one.at, "m"),
@@ -404,15 +405,14 @@ const RotorSettings& rotor_settings_of(const Case& input) {
 void describe_rotor(CaseVisitor& keys, Case& input) {
   const RotorSettings* const held = input.settings.find<RotorSettings>();
   RotorSettings rotor = held == nullptr ? RotorSettings{} : *held;
-  keys.table(
-      {"rotor", Presence::optional, "Rotor",
-       "that the bearing carries with an equal one: a mass; with bearings and inertias a rigid rotor that tilts; "
-       "with pieces of a shaft a flexible one; or any rotor by its matrices"},
-      held != nullptr, [&](CaseVisitor& inner) {
-        describe(inner, rotor);
-        input.settings.set(rotor);
-        describe_bearings(inner, input);
-      });
+  keys.table({"rotor", Presence::optional, "Rotor",
+              "carried by this bearing and an equal one: a mass; with bearings and inertias a rigid rotor that tilts; "
+              "with sections of a shaft a flexible one; or any rotor by its matrices"},
+             held != nullptr, [&](CaseVisitor& inner) {
+               describe(inner, rotor);
+               input.settings.set(rotor);
+               describe_bearings(inner, input);
+             });
 }
 
 void judge_rotor(Judge& judge, const Case& input) {

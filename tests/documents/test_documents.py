@@ -4,6 +4,7 @@ Usage: test_documents.py REPOSITORY PROGRAM [CLASS OF TESTS ...]
 """
 
 import json
+import math
 import os
 import re
 import shlex
@@ -16,6 +17,9 @@ from pathlib import Path
 ROOT = Path(sys.argv[1]).resolve()
 PROGRAM = Path(sys.argv[2]).resolve()
 PACKAGE = PROGRAM.parent / "python"  # where it was built
+sys.path.insert(0, str(ROOT / "docs/site"))
+import sources
+
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -54,6 +58,21 @@ class Documents(unittest.TestCase):
         self.assertIn("Arghir2019", cited)
         self.assertEqual(cited, known)
 
+    def test_list_of_references_is_that_of_the_bibliography(self):
+        """`docs/site/sources.py` writes it. Every citation leads to its entry there, as keys are its headings."""
+        entries = sources.page_of((ROOT / "docs/references.bib").read_text(encoding="utf-8"))
+        self.assertEqual((ROOT / "docs/references.md").read_text(encoding="utf-8"), entries)
+
+    def test_theory_goes_from_the_problem_to_the_limits(self):
+        order = ["Problem", "Model", "Equations", "Method", "Check", "Limits"]
+        others = {"conventions", "notation", "limits", "paper_errors"}
+        pages = [page for page in (ROOT / "docs/theory").glob("*.md") if page.stem not in others]
+        self.assertGreater(len(pages), 10)
+        for page in pages:
+            headings = re.findall(r"^## (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+            self.assertEqual(headings, [heading for heading in order if heading in headings], page.name)
+            self.assertEqual((headings[0], headings[-2:]), ("Problem", ["Check", "Limits"]), page.name)
+
     def test_pages_write_folders_of_their_own(self):
         """Who goes through all pages in one place is refused nowhere."""
         pages = {}
@@ -88,6 +107,111 @@ class Documents(unittest.TestCase):
         self.assertIn(f"version: {version}\n", (ROOT / "CITATION.cff").read_text(encoding="utf-8"))
         changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
         self.assertEqual(version, re.search(r"^## \[(\d[\d.]*)\] - \d{4}-\d\d-\d\d$", changelog, re.MULTILINE).group(1))
+
+
+class Introduction(unittest.TestCase):
+    """The example by hand of docs/introduction.md, computed again; `Pages` runs the same case with the program."""
+
+    PAGE = (ROOT / "docs/introduction.md").read_text(encoding="utf-8")
+
+    def by_hand(self):
+        k1, k2, inclination, friction, full = 150.0, 5.0, math.radians(16), 0.3, 10.0  # MN/m, which is N/um; um
+        cotangent = 1 / math.tan(inclination)
+        stuck = 1 / (2 * k1 * math.sin(inclination) ** 2)
+        pressed, released = (stuck + cotangent * (cotangent + sign * friction) / (4 * k2) for sign in (-1, 1))
+        force = full / pressed
+        back = (force - full / released) / (1 / stuck - 1 / released)
+        force_back = (full - back) / released
+        energy = ((full - back) * force - full * force_back) / 2
+        figures = {f"{1 / pressed:.4f}", f"{1 / stuck:.3f}", f"{1 / released:.4f}", f"{back:.4f}", f"{force:.3f}"}
+        return figures | {f"{force_back:.3f}", f"{energy:.2f}"}, (force, 1 / pressed, 1 / stuck, energy / 1e3)
+
+    def test_figures_by_hand(self):
+        figures, _ = self.by_hand()
+        for figure in figures:
+            self.assertIn(figure, self.PAGE)
+        drawn = (ROOT / "docs/images/one_bump_loop.svg").read_text(encoding="utf-8")
+        for text in ("16.68 N at 10 µm", "14.03 N at 9.88 µm", "1.668 MN/m", "1.420 MN/m"):
+            self.assertIn(text, drawn)
+
+    def test_program_prints_them(self):
+        printed = re.search(r"```text\n(.*?)```", self.PAGE, re.DOTALL).group(1).splitlines()
+        _, expected = self.by_hand()
+        for line, figure in zip(printed, expected, strict=True):
+            self.assertAlmostEqual(float(line.split()[-1]) / figure, 1, delta=1e-4, msg=line)
+
+    def test_forces_of_strips_are_those_of_finite_elements(self):
+        table = (ROOT / "docs/verification/strip.md").read_text(encoding="utf-8")
+        rows = re.findall(r"^\| (\d+) \| ([\d.]+) N \| ([\d.]+) N \|$", self.PAGE, re.MULTILINE)
+        self.assertEqual(len(rows), 3)
+        for bumps, free, rubbing in rows:
+            for friction, force in (("0", free), ("0.1", rubbing)):
+                self.assertIn(f"| {bumps} | {friction} | small | {force} |", table)
+
+
+class Validation(unittest.TestCase):
+    PAGE = (ROOT / "docs/validation.md").read_text(encoding="utf-8")
+
+    def test_coefficients_are_those_of_the_loads(self):
+        """Load over area, diameter and speed, in pounds, inches and thousands of revolutions per minute."""
+        rows = re.findall(r"^\| \d \|(.*)\|$", self.PAGE, re.MULTILINE)
+        self.assertEqual(len(rows), 4)
+        for row in rows:
+            cells = [float(re.match(r"[\d.]+", cell.strip()).group(0)) for cell in row.split("|")]
+            for speed, load, coefficient in zip((15, 30, 45), cells[::2], cells[1::2], strict=True):
+                self.assertAlmostEqual(load / 4.4482 / 1.5**3 / speed, coefficient, delta=0.006, msg=row)
+
+    def test_load_of_the_table_is_what_the_program_prints(self):
+        """`Pages` runs the program."""
+        printed = float(re.search(r"load capacity at 45000 rpm: ([\d.]+) N", self.PAGE).group(1))
+        self.assertIn(f"| {printed:.0f} | 0.26 |", re.search(r"^\| 3 \|.*$", self.PAGE, re.MULTILINE).group(0))
+
+    def test_claims_are_those_of_the_page_of_the_paper(self):
+        paper = (ROOT / "docs/verification/paper.md").read_text(encoding="utf-8")
+        verdicts = re.findall(r"^\| \d+ \|[^|]*\| ([a-z ]+) \|", paper, re.MULTILINE)
+        claims, stated = re.search(r"^\| (\d+) claims of the paper \|[^|]*\|([^|]*)\|", self.PAGE, re.MULTILINE).groups()
+        self.assertEqual(len(verdicts), int(claims))
+        for verdict in set(verdicts):
+            self.assertIn(f" {verdicts.count(verdict)} {verdict}", stated)
+
+
+class English(unittest.TestCase):
+    """Phrases that were translated word by word, or ask riddles; what engineers write stands in their places."""
+
+    PHRASES = """
+        how the foils answer | force that holds the journal | results are told | that was right | height is: overall
+        least film thickness | highest pressure | lowest pressure | highest stress | pressure beyond ambient
+        in a row where gas enters | states are come to | when it turns | hardly carries | knows no | knows neither
+        there is no load to carry | an angle is due | is no known key | holds results already | holds no number
+        take the journal along | make the program as | find where the journal | tell how far | who runs a | who wants
+        going on in their modes | slip on or stick | than that before | sense of winding | quantity over key
+        rotor of one's own | way of the journal | keep the limits | what was drawn makes | bearing at work
+        where the journal is | whirl coefficients | bed stiffness | pressing body | what is asked | nobody asked
+        of which some | the begin of | its begin | from the begin | is told by | are told by | what it comes to
+        what the bearings stand on | all that is recorded | unless told | a step is vain
+    """.replace("\n", "|").split("|")
+
+    def texts(self):
+        """Documents and cases as they are, and the texts of the sources: help, messages, labels."""
+        for path in [*documents(), *(ROOT / "examples").glob("*.toml"), *(ROOT / "studies").rglob("*.toml")]:
+            if path.name != "CHANGELOG.md":
+                yield path, path.read_text(encoding="utf-8")
+        for folder, kinds in (("src", "cpp hpp"), ("apps", "cpp"), ("web/src", "ts"), ("python/bumpfoil", "py")):
+            for kind in kinds.split():
+                for path in (ROOT / folder).rglob(f"*.{kind}"):
+                    code = re.sub(r"^\s*(//|#|\*|/\*).*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+                    joined = re.sub(r'"\s*\n\s*"', "", code)
+                    yield path, "\n".join(re.findall(r'"(?:[^"\\\n]|\\.)*"', joined))
+
+    def test_no_phrase_comes_back(self):
+        phrases = [" ".join(phrase.split()) for phrase in self.PHRASES if phrase.strip()]
+        pattern = re.compile(r"\b(" + "|".join(map(re.escape, phrases)) + r"|some \d[\d.,]*)(?!\w)")
+        read = 0
+        for path, text in self.texts():
+            found = pattern.findall(" ".join(text.lower().split()))
+            self.assertEqual(found, [], path)
+            read += 1
+        self.assertGreater(read, 300)
 
 
 class InADirectory(unittest.TestCase):

@@ -63,7 +63,7 @@ class Site(unittest.TestCase):
 
     def test_citations_lead_to_their_source(self):
         links = self.pages[self.html / "docs/theory/top_foil.html"].links
-        self.assertIn("../reference/sources.html#arghir2019", links)
+        self.assertIn("../references.html#arghir2019", links)
 
     def test_loads_nothing_from_elsewhere(self):
         self.assertGreater(len(self.pages), 40)

@@ -14,17 +14,17 @@ constexpr double most_turning_speed = 1e6;  // rad/s
 void describe(CaseVisitor& keys, SpeedPhase& phase) {
   using enum Presence;
   using enum Dimension;
-  keys.value({"from", optional, "From", "speed at its begin; without it that at the end of the one before, or `to`",
+  keys.value({"from", optional, "From", "speed at its start; default: that at the end of the previous entry, or `to`",
               "24000 rpm", frequency},
              &phase.from);
   keys.value({"to", required, "To", "speed at its end; positive turns X to Y", "6000 rpm", frequency}, &phase.to);
-  keys.value({"time", required, "Time", "that it takes", "0.2 s", duration}, &phase.time);
+  keys.value({"time", required, "Time", "its duration", "0.2 s", duration}, &phase.time);
 }
 
 void describe(CaseVisitor& keys, RotorPulse& pulse) {
   using enum Presence;
   using enum Dimension;
-  keys.value({"force", required, "Force", "at its largest, along X and Y", "[\"0 N\", \"20 N\"]", force}, &pulse.force);
+  keys.value({"force", required, "Force", "peak value, along X and Y", "[\"0 N\", \"20 N\"]", force}, &pulse.force);
   keys.value({"begin", required, "Begin", "", "0.01 s", duration}, &pulse.begin);
   keys.value({"duration", required, "Duration", "of half a sine wave", "2 ms", duration}, &pulse.duration);
   keys.value({"at", defaulted, "Place", "by name: a bearing, an end, a disk or an unbalance of the rotor"}, &pulse.at);
@@ -33,13 +33,13 @@ void describe(CaseVisitor& keys, RotorPulse& pulse) {
 void describe(CaseVisitor& keys, BaseMotion& base) {
   using enum Presence;
   using enum Dimension;
-  keys.value({"acceleration", required, "Acceleration", "of the base at its largest, along X and Y",
-              "[\"0 m/s2\", \"30 m/s2\"]", acceleration},
+  keys.value({"acceleration", required, "Acceleration", "peak value, along X and Y", "[\"0 m/s2\", \"30 m/s2\"]",
+              acceleration},
              &base.acceleration);
   keys.value({"begin", required, "Begin", "", "0.01 s", duration}, &base.begin);
   keys.value({"duration", required, "Duration", "", "11 ms", duration}, &base.duration);
   keys.value(
-      {"frequency", optional, "Frequency", "of a sine wave; without it half of one: a shock", "50 Hz", frequency},
+      {"frequency", optional, "Frequency", "of a sine wave; default: half a sine wave, a shock", "50 Hz", frequency},
       &base.frequency);
 }
 
@@ -48,19 +48,19 @@ void describe(CaseVisitor& keys, TransientSettings& transient) {
   using enum Dimension;
   list_of_tables(keys, {"speed", required, "Speed", "one entry, or several one after the other"}, transient.speed,
                  [](CaseVisitor& inner, SpeedPhase& phase) { describe(inner, phase); });
-  keys.value({"steps_per_revolution", defaulted, "Steps per revolution",
-              "in time: 100 leave 0.3 % of error in an amplitude beyond the critical speed, 200 a quarter of it"},
-             &transient.steps_per_revolution);
   keys.value(
-      {"longest_step", optional, "Longest step",
-       "in time, where the rotor turns slowly; without it that of a tenth of the highest speed", "0.1 ms", duration},
-      &transient.longest_step);
+      {"steps_per_revolution", defaulted, "Steps per revolution",
+       "in time: with 100 the error of an amplitude above the critical speed is 0.3 %, with 200 a quarter of it"},
+      &transient.steps_per_revolution);
+  keys.value({"longest_step", optional, "Longest step",
+              "in time, at low speed; default: that of a tenth of the highest speed", "0.1 ms", duration},
+             &transient.longest_step);
   list_of_tables(keys, {"pulse", optional, "Pulse", "a force on the rotor, half a sine wave in time"}, transient.pulses,
                  [](CaseVisitor& inner, RotorPulse& pulse) { describe(inner, pulse); });
-  list_of_tables(keys, {"base", optional, "Base motion", "acceleration of what the bearings stand on"}, transient.base,
-                 [](CaseVisitor& inner, BaseMotion& base) { describe(inner, base); });
+  list_of_tables(keys, {"base", optional, "Base motion", "acceleration of the foundation of the bearings"},
+                 transient.base, [](CaseVisitor& inner, BaseMotion& base) { describe(inner, base); });
   keys.value({"revolutions_per_spectrum", defaulted, "Revolutions per spectrum",
-              "of the waterfall: its orders are a revolution over these apart"},
+              "of the waterfall: its resolution in orders is 1 over this number"},
              &transient.revolutions_per_spectrum);
 }
 
