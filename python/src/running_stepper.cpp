@@ -82,7 +82,9 @@ SharedInstant RunningStepper::advance(const ReachedInstant& from, double dt, con
   if (!(std::isfinite(dt) && dt > 0.0)) refuse_argument("dt", "is no length of a step", "give a time in s above 0");
   const std::scoped_lock lock(mutex_);
   ReachedInstant instant{.state = from.state, .outcome = {}};
-  instant.status = stepper_.advance(stepper_.move_to(to, dt), instant.state).status;
+  OperatingPoint tilted = to;
+  tilted.tilt = bearing_->surroundings.tilt;
+  instant.status = stepper_.advance(stepper_.move_to(tilted, dt), instant.state).status;
   if (instant.status != Status::converged) return failed(from, instant.status);
   instant.outcome = film_bearing_outcome(*bearing_, instant.state);
   instant.span = bdf2(dt, from.state.last_step.dt).span;
@@ -91,11 +93,14 @@ SharedInstant RunningStepper::advance(const ReachedInstant& from, double dt, con
 
 std::optional<Eigen::Matrix2d> RunningStepper::tangent(const ReachedInstant& instant) {
   const std::scoped_lock lock(mutex_);
-  if (instant.span == 0.0) return stepper_.stiffness(instant.state);
+  if (instant.span == 0.0) {
+    const auto stiffness = stepper_.stiffness(instant.state);
+    return stiffness ? std::optional<Eigen::Matrix2d>(stiffness->topLeftCorner<2, 2>()) : std::nullopt;
+  }
   // What a step does to all that has a rate is what e^{s t} does at s = 1 / span.
   const auto impedances = stepper_.impedances(instant.state, {1.0 / instant.span});
   if (!impedances) return std::nullopt;
-  return impedances->front().real();
+  return impedances->front().real().topLeftCorner<2, 2>();
 }
 
 void add_running_stepper(py::module_& m) {

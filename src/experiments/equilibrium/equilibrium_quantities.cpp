@@ -425,11 +425,12 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      csv | asked | of_foils | of_limits},
 });
 
-/// Of the displacement by P_k over the width, at zeta = 1.
+/// Of the displacement by P_k over the width, at zeta = 1: 0 of foils without that mode.
 template <int k>
 Vector mode_of_top_foil(const FilmBearing& bearing, const BearingState& state) {
   const WidthLines& lines = bearing.pads.front().foil.lines;
   const auto place = std::find(lines.orders.begin(), lines.orders.end(), k) - lines.orders.begin();
+  if (place == std::ssize(lines.orders)) return Vector::Zero(bearing.columns());
   return bearing.scales.thickness * (lines.to_modes.row(place) * state.film.lift).transpose();
 }
 

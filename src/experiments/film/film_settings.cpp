@@ -75,7 +75,7 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
              &width.modes);
   keys.value({"tilt", defaulted, "Tilt",
               "misalignment, for the commands equilibrium and film: slope of the axis of the journal towards X and Y",
-              "[\"0.2 mrad\", \"0 mrad\"]", Dimension::angle},
+              "[\"0 mrad\", \"0 mrad\"]", Dimension::angle},
              &width.tilt);
   keys.value({.name = "moment",
               .presence = optional,

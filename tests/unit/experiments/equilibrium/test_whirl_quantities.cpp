@@ -17,21 +17,42 @@ FilmWhirl whirl_at(double frequency) {
 }
 
 double value_of(const std::string& name, const FilmWhirl& whirl) {
-  const auto& all = whirl_quantities();
+  const auto& all = whirl_quantities(2);
   return std::find_if(all.begin(), all.end(), [&](const WhirlQuantity& one) { return one.name() == name; })
       ->value(whirl);
 }
 
 TEST(WhirlQuantities, AreTheRealAndTheImaginaryPart) {
-  ASSERT_EQ(whirl_quantities().size(), 16U);
+  ASSERT_EQ(whirl_quantities(2).size(), 16U);
   EXPECT_EQ(value_of("kyx", whirl_at(2.0)), 6.0);
   EXPECT_EQ(value_of("cxx", whirl_at(2.0)), 8.0);
   EXPECT_EQ(value_of("cyx", whirl_at(2.0)), -4.0);
   EXPECT_TRUE(std::isnan(value_of("kyx_stuck", whirl_at(2.0))));
-  const WhirlQuantity& last = whirl_quantities().back();
+  const WhirlQuantity& last = whirl_quantities(2).back();
   EXPECT_EQ(last.name("_at_frequency"), "cyy_at_frequency_stuck");
   EXPECT_EQ(last.unit, "N s/m");
   EXPECT_EQ(last.long_name, "dF_y/d(dy/dt) at the frequency, full stick");
+}
+
+/// Forces and moments by displacements and slopes: the unit of each follows.
+TEST(WhirlQuantities, AreSixteenOfEachWhereTheJournalMayTilt) {
+  const std::vector<WhirlQuantity>& all = whirl_quantities(4);
+  ASSERT_EQ(all.size(), 64U);
+  const auto unit_of = [&](const std::string& name) {
+    return std::find_if(all.begin(), all.end(), [&](const WhirlQuantity& one) { return one.name() == name; })->unit;
+  };
+  EXPECT_EQ(unit_of("kxy"), "N/m");
+  EXPECT_EQ(unit_of("kxa"), "N/rad");
+  EXPECT_EQ(unit_of("kbx"), "N");
+  EXPECT_EQ(unit_of("kba"), "N m/rad");
+  EXPECT_EQ(unit_of("cxa"), "N s/rad");
+  EXPECT_EQ(unit_of("cbx"), "N s");
+  EXPECT_EQ(unit_of("cab"), "N m s/rad");
+  FilmWhirl whirl{.frequency = 2.0, .impedance = JournalMatrixC::Zero(4, 4), .stuck_impedance = std::nullopt};
+  (*whirl.impedance)(3, 2) = {5.0, 8.0};
+  const auto found = std::find_if(all.begin(), all.end(), [](const WhirlQuantity& one) { return one.name() == "cba"; });
+  EXPECT_EQ(found->value(whirl), 4.0);
+  EXPECT_EQ(found->long_name, "dM_y/d(da/dt) at the frequency, sliding contacts keep sliding");
 }
 
 /// Two states, of which the second was not found.
