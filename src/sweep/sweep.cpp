@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -336,6 +337,28 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].values.empty()) {
+std::string bytes_of(const SweepPoint& point) {
+  const auto all = nlohmann::json::array({point.status, point.extents, point.values, point.rows, point.coefficients,
+                                          point.lists, point.failures, point.warnings});
+  std::string bytes;
+  nlohmann::json::to_msgpack(all, bytes);  // numbers to the last bit, and those that are none
+  return bytes;
+}
+
+SweepPoint point_of_bytes(const std::string& bytes) {
+  const nlohmann::json all = nlohmann::json::from_msgpack(bytes);
+  SweepPoint point;
+  all.at(0).get_to(point.status);
+  all.at(1).get_to(point.extents);
+  all.at(2).get_to(point.values);
+  all.at(3).get_to(point.rows);
+  all.at(4).get_to(point.coefficients);
+  all.at(5).get_to(point.lists);
+  all.at(6).get_to(point.failures);
+  all.at(7).get_to(point.warnings);
+  return point;
+}
+
       points[i] = sweep_point(sweep, sweep.experiment->sweeping->not_begun(sweep.cases[i]));
     }
   }
