@@ -27,6 +27,8 @@ constexpr std::string_view over_option = "--over";
 constexpr std::size_t most_sweep_faults = 50;
 /// The list that is swept one value at a point.
 constexpr std::string_view swept_list = "equilibrium.speeds";
+/// What all points have in common: their spectra have one axis.
+constexpr std::string_view never_swept = "transient.revolutions_per_spectrum";
 /// What keys hold that are a length or a force, as their unit tells.
 constexpr std::string_view either_kind = "length or force";
 
@@ -104,6 +106,7 @@ class OptionReader {
       if (const auto nearest = nearest_name(key, paths); likely.empty() && nearest) likely = {*nearest};
       return fault(key, "unknown key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
     }
+    if (listed->path == never_swept) return fault(key, "is the same at all points", "set it by --set");
     const bool is_list = listed->path == swept_list;
     if (!is_list && !holds_number(*listed)) return fault(key, "is not numeric", "sweep over numeric keys");
     const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };
@@ -334,9 +337,6 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
   return sweep_point(sweep, sweep.experiment->sweeping->run(sweep.cases[point], progress));
 }
 
-void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].values.empty()) {
 std::string bytes_of(const SweepPoint& point) {
   const auto all = nlohmann::json::array({point.status, point.extents, point.values, point.rows, point.coefficients,
                                           point.lists, point.failures, point.warnings});
@@ -359,6 +359,9 @@ SweepPoint point_of_bytes(const std::string& bytes) {
   return point;
 }
 
+void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].values.empty()) {
       points[i] = sweep_point(sweep, sweep.experiment->sweeping->not_begun(sweep.cases[i]));
     }
   }
