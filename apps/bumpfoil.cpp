@@ -7,7 +7,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "command_line.hpp"
-#include "ensemble_ranks.hpp"
+#include "commands.hpp"
 #include "output.hpp"
 
 namespace bumpfoil {
@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   try {
     const Ranks ranks;
     if (ranks.rank() > 0) {
-      help(ranks);
+      help(ranks, shared_commands());
       return static_cast<int>(ExitCode::done);
     }
     const Dismissal dismissal(ranks);

@@ -183,9 +183,6 @@ std::string command_line(int argc, char** argv) {
   return out;
 }
 
-/// The only command that supports several ranks.
-constexpr const char* command_for_ranks = "montecarlo";
-
 }  // namespace
 
 ExitCode run_command_line(int argc, char** argv, const Ranks& ranks) {
@@ -193,9 +190,14 @@ ExitCode run_command_line(int argc, char** argv, const Ranks& ranks) {
   CLI::App program;
   describe_program(program, session);
   program.parse_complete_callback([&] {
-    if (ranks.size() == 1 || program.got_subcommand(command_for_ranks)) return;
+    if (ranks.size() == 1) return;
+    std::vector<std::string> names;
+    for (const SharedCommand& one : shared_commands()) {
+      if (program.got_subcommand(one.name)) return;
+      names.push_back(fmt::format("'{}'", one.name));
+    }
     throw Error(ErrorKind::input, {{"", 0, "mpirun -n", std::to_string(ranks.size()),
-                                    fmt::format("only '{}' supports several ranks", command_for_ranks),
+                                    fmt::format("only {} support several ranks", fmt::join(names, " and ")),
                                     "start this command without mpirun"}});
   });
   try {

@@ -7,6 +7,7 @@
 
 #include "command_line.hpp"
 #include "ranks.hpp"
+#include "shared_runs.hpp"
 
 namespace bumpfoil {
 
@@ -31,6 +32,13 @@ void add_sweep_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
 void add_designer_command(CLI::App& program, Session& session);
+
+// What other ranks do of a command.
+RunOfOrder samples_of_order(const std::string& order);
+RunOfOrder points_of_order(const std::string& order);
+
+/// Commands that share their runs with other ranks.
+std::vector<SharedCommand> shared_commands();
 
 /// Writes a text to a file and says so; prints it where no file is named.
 /// @throws Error (file) if the file exists, unless it is forced, or if writing fails

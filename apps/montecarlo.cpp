@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,12 +20,13 @@
 #include "bumpfoil/ensemble/parallel_runs.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/results/row_log.hpp"
+#include "bumpfoil/results/run_identity.hpp"
 #include "commands.hpp"
-#include "ensemble_ranks.hpp"
 #include "experiment.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
+#include "shared_runs.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -69,11 +70,15 @@ CLI::Validator positive_number() {
           "positive"};
 }
 
-/// How evenly the work was distributed.
-std::string shares_text(std::vector<std::size_t> shares, std::size_t samples) {
-  shares.front() = samples - std::min(samples, std::accumulate(shares.begin(), shares.end(), std::size_t{0}));
-  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
-  return fmt::format("\n{} ranks ran {} to {} samples each\n", shares.size(), *least, *most);
+// A row travels as its numbers lie in memory.
+std::string bytes_of_row(const std::vector<double>& row) {
+  return {reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double)};
+}
+
+std::vector<double> row_of(const std::string& bytes) {
+  std::vector<double> row(bytes.size() / sizeof(double));
+  std::memcpy(row.data(), bytes.data(), row.size() * sizeof(double));
+  return row;
 }
 
 /// The case with options applied as keys. Errors in them are reported for the option that was typed.
@@ -119,7 +124,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   RowLog log = open_ensemble_log(checkpoint, resumes, input, layout.width());
   bool finished = false;
   const std::size_t before = log.rows();
-  std::vector<std::size_t> shares;  // by rank
+  std::string shares;
   {
     const bool has_log = session.ranks.size() > 1;
     ProgressBar bar(!session.quiet, static_cast<double>(before) / input.montecarlo->samples, has_log);
@@ -131,13 +136,17 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
       bar.show(done / input.montecarlo->samples, rate.text(done));
       return !guard.interrupted();
     };
-    EnsembleHelpers helpers(session.ranks, input, options.threads);
+    RankHelpers helpers(session.ranks, {"montecarlo", options.threads, run_identity(input)});
+    const auto share = [&](RunFlow& flow) {
+      helpers.share([&](std::size_t count) { return runs_in(flow.take(count)); },
+                    [&](const SharedRun& run) { flow.put(run.number, row_of(run.bytes)); });
+    };
     finished = run_ensemble(input, layout, log,
                             {.threads = options.threads.value_or(available_threads()),
                              .progress = progress,
                              .enough = enough,
-                             .share = [&](SampleFlow& flow) { helpers.share(flow); }});
-    shares = helpers.samples();
+                             .share = share});
+    shares = helpers.shares_text(log.rows() - before, "samples");
   }
 
   const EnsembleStatistics statistics = make_ensemble_statistics(input, layout, log);
@@ -151,7 +160,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
     print_output(ensemble_table(layout, statistics));
     print_output(yield_text(yields));
     print_some("warning: ", warning_lines(input, layout, statistics));
-    if (shares.size() > 1) print_output(shares_text(std::move(shares), log.rows() - before));
+    print_output(shares);
     print_output(fmt::format("\n{} samples; results in {} (summary.json, ensemble.nc)\n", statistics.samples, place));
   }
   print_some("bumpfoil: ", failure_lines(layout, statistics));
@@ -167,6 +176,20 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
 }
 
 }  // namespace
+
+RunOfOrder samples_of_order(const std::string& order) {
+  struct Ensemble {
+    explicit Ensemble(Case of_all) : input(std::move(of_all)) {}
+    Case input;
+    EnsembleLayout layout{make_ensemble_layout(input)};
+    EnsembleSampler sampler{input, layout};
+  };
+  return [ensemble = std::make_shared<Ensemble>(case_of_same_program(order))](
+             const SharedRun& run, const ProgressCallback& progress) -> std::optional<std::string> {
+    const auto row = ensemble->sampler.run(run.number, progress);
+    return row ? std::optional(bytes_of_row(*row)) : std::nullopt;
+  };
+}
 
 void add_montecarlo_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<MonteCarloOptions>();

@@ -17,6 +17,10 @@
 
 namespace bumpfoil {
 
+std::vector<SharedCommand> shared_commands() {
+  return {{"montecarlo", samples_of_order}, {"sweep", points_of_order}};
+}
+
 void write_text(const std::filesystem::path& path, const std::string& text, bool force, const Session& session) {
   if (path.empty()) return print_output(text);
   write_file(path, text, force ? Existing::replace : Existing::refuse);

@@ -7,11 +7,11 @@ namespace bumpfoil {
 
 /// Subject of a message between ranks.
 enum class Subject {
-  order,    ///< to help with an ensemble
-  samples,  ///< to run
-  rows,     ///< of samples that were run
+  order,    ///< to help
+  runs,     ///< to be done
+  done,     ///< what runs gave, and how many are wanted next
   refusal,  ///< why this rank cannot help
-  enough,   ///< of this ensemble
+  enough,   ///< of this order
   end,      ///< of all
 };
 

@@ -1,16 +1,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/ensemble/parallel_runs.hpp"
+#include "bumpfoil/ensemble/run_flow.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/results/run_identity.hpp"
 #include "bumpfoil/sweep/sweep.hpp"
 #include "bumpfoil/sweep/sweep_files.hpp"
 #include "bumpfoil/sweep/sweep_table.hpp"
@@ -19,6 +26,7 @@
 #include "interruption.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
+#include "shared_runs.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -29,10 +37,15 @@ struct SweepOptions {
   std::string command{"cycle"};
   std::vector<std::string> over;
   std::vector<std::string> overrides;
-  unsigned threads{available_threads()};
+  std::optional<unsigned> threads;
   bool limits{};
   bool force{};
 };
+
+/// What all points of a sweep have in common.
+std::string order_of(const Sweep& sweep) {
+  return fmt::format("{} {}", sweep.with_loops ? 1 : 0, sweep.experiment->name);
+}
 
 ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   // Read once: the case written with the results is the one that they came from.
@@ -44,15 +57,36 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, sweep_file_names(sweep));
 
   std::vector<SweepPoint> points(sweep.cases.size());
+  std::string shares;
   {
-    ProgressBar bar(!session.quiet);
+    ProgressBar bar(!session.quiet, 0.0, session.ranks.size() > 1);
+    RunFlow flow(0, points.size(), points.size());
+    std::vector<std::atomic<double>> parts(points.size());  // that are done
+    const auto keep = [&](std::size_t i, SweepPoint point) {
+      points[i] = std::move(point);
+      parts[i] = 1.0;
+      flow.put(i, {});
+    };
+    RankHelpers helpers(session.ranks, {"sweep", options.threads, order_of(sweep)});
+    const auto hand_out = [&](std::size_t count) {
+      std::vector<SharedRun> runs = runs_in(flow.take(count));
+      for (SharedRun& run : runs) run.bytes = run_identity(sweep.cases[run.number]);
+      return runs;
+    };
     run_in_parallel(
-        points.size(), options.threads,
-        [&](std::size_t i, const ProgressCallback& progress) { points[i] = run_point(sweep, i, progress); },
-        [&](double fraction) {
-          bar.show(fraction);
+        flow, std::min(options.threads.value_or(available_threads()), static_cast<unsigned>(points.size())),
+        [&](std::size_t i, const ProgressCallback& goes_on) {
+          keep(i, run_point(sweep, i, [&](double part) {
+                 parts[i] = part;
+                 return goes_on(part);
+               }));
+        },
+        [&] {
+          helpers.share(hand_out, [&](const SharedRun& run) { keep(run.number, point_of_bytes(run.bytes)); });
+          bar.show(std::accumulate(parts.begin(), parts.end(), 0.0) / static_cast<double>(parts.size()));
           return !guard.interrupted();
         });
+    shares = helpers.shares_text(points.size(), "points");
   }
   complete(sweep, points);
 
@@ -66,6 +100,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
                              fmt::join(sweep_file_names(sweep), ", ")));
     if (!sweep.with_loops) print_message("warning: sweep.nc does not contain the loops: there are too many");
     print_some("warning: ", warning_lines(sweep, points));
+    print_output(shares);
   }
   print_some("bumpfoil: ", failure_lines(sweep, points));
   const RunStatus status = status_of(points);
@@ -81,6 +116,17 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
 }
 
 }  // namespace
+
+RunOfOrder points_of_order(const std::string& order) {
+  const ExperimentInfo& experiment = experiment_named(std::string_view(order).substr(2));
+  const bool with_loops = order.front() == '1';
+  return [&experiment, with_loops](const SharedRun& run, const ProgressCallback& progress) {
+    const Sweep sweep{
+        .experiment = &experiment, .axes = {}, .cases = {case_of_same_program(run.bytes)}, .with_loops = with_loops};
+    const SweepPoint point = run_point(sweep, 0, progress);
+    return point.status == RunStatus::interrupted ? std::nullopt : std::optional(bytes_of(point));
+  };
+}
 
 void add_sweep_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<SweepOptions>();

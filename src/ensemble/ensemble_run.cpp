@@ -20,7 +20,7 @@ constexpr std::size_t smallest_window = 1024;
 /// Takes rows from the flow to the log, and asks after whole rounds whether these are enough.
 class Writer {
  public:
-  Writer(SampleFlow& flow, std::size_t window, RowLog& log, const std::function<bool()>& enough)
+  Writer(RunFlow& flow, std::size_t window, RowLog& log, const std::function<bool()>& enough)
       : flow_(flow), window_(window), log_(log), enough_(enough), is_enough_(log.rows() > 0 && asks()) {}
 
   [[nodiscard]] bool is_enough() const { return is_enough_; }
@@ -42,7 +42,7 @@ class Writer {
  private:
   [[nodiscard]] bool asks() const { return enough_ && log_.rows() % ensemble_round == 0 && enough_(); }
 
-  SampleFlow& flow_;
+  RunFlow& flow_;
   std::size_t window_;
   RowLog& log_;
   const std::function<bool()>& enough_;
@@ -101,7 +101,7 @@ void EnsembleSampler::give_back(std::unique_ptr<SampleRunner> runner) {
 bool run_ensemble(const Case& input, const EnsembleLayout& layout, RowLog& log, const EnsembleRun& run) {
   const auto samples = static_cast<std::size_t>(input.montecarlo->samples);
   const std::size_t window = std::max(smallest_window, buffer_bytes / (layout.width() * sizeof(double)));
-  SampleFlow flow(log.rows(), std::max(samples, log.rows()), window);
+  RunFlow flow(log.rows(), std::max(samples, log.rows()), window);
   Writer writer(flow, window, log, run.enough);
   if (writer.is_enough()) return true;
   EnsembleSampler sampler(input, layout);

@@ -10,20 +10,20 @@ namespace bumpfoil {
 namespace {
 
 /// Numbers of a chunk of a compressed variable, a megabyte, unless its last dimension alone has more. Of variables that
-/// grow, whose last chunks are all in memory, half of it.
+/// are written some rows at a time, whose last chunks are all in memory, half of it.
 constexpr std::size_t most_in_chunk = 131'072;
-constexpr std::size_t most_in_growing_chunk = most_in_chunk / 2;
+constexpr std::size_t most_in_chunk_of_rows = most_in_chunk / 2;
 
 /// Entries of the first dimension of a variable with rows that are in memory at a time; entries of a chunk along a
 /// dimension of unknown size.
 constexpr std::size_t entries_at_once = 10'000;
 
-/// One chunk holds whole rows of the last dimensions, as many as fit. @param grows  the first one does
-std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& extents, bool grows) {
+/// One chunk holds whole rows of the last dimensions, as many as fit. @param by_rows  some are written at a time
+std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& extents, bool by_rows) {
   std::vector<std::size_t> chunk(extents.size(), 1);
-  std::size_t room = grows ? most_in_growing_chunk : most_in_chunk;
+  std::size_t room = by_rows ? most_in_chunk_of_rows : most_in_chunk;
   for (std::size_t i = extents.size(); i-- > 0 && room > 0;) {
-    const bool whole = i + 1 == extents.size() && !(grows && i == 0);
+    const bool whole = i + 1 == extents.size() && !(by_rows && i == 0);
     chunk[i] = whole ? extents[i] : std::min(extents[i], room);
     if (chunk[i] < extents[i]) break;
     room /= std::max<std::size_t>(chunk[i], 1);
@@ -84,7 +84,7 @@ void DatasetNetcdf::add(const Dataset& dataset, const Variable& variable) {
   if (variable.compressed) {
     std::vector<std::size_t> shape = extents;
     if (is_open(dataset, variable)) shape.front() = entries_at_once;
-    file_.compress(added, chunk_of(shape, dataset.grows(variable)));
+    file_.compress(added, chunk_of(shape, dataset.grows(variable) || variable.rows));
   }
   if (!dataset.grows(variable)) put_all(added, variable, std::move(extents));
 }

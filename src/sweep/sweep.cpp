@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -26,6 +27,8 @@ constexpr std::string_view over_option = "--over";
 constexpr std::size_t most_sweep_faults = 50;
 /// The list that is swept one value at a point.
 constexpr std::string_view swept_list = "equilibrium.speeds";
+/// What all points have in common: their spectra have one axis.
+constexpr std::string_view never_swept = "transient.revolutions_per_spectrum";
 /// What keys hold that are a length or a force, as their unit tells.
 constexpr std::string_view either_kind = "length or force";
 
@@ -103,6 +106,7 @@ class OptionReader {
       if (const auto nearest = nearest_name(key, paths); likely.empty() && nearest) likely = {*nearest};
       return fault(key, "unknown key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
     }
+    if (listed->path == never_swept) return fault(key, "is the same at all points", "set it by --set");
     const bool is_list = listed->path == swept_list;
     if (!is_list && !holds_number(*listed)) return fault(key, "is not numeric", "sweep over numeric keys");
     const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };
@@ -331,6 +335,28 @@ SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome) {
 
 SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress) {
   return sweep_point(sweep, sweep.experiment->sweeping->run(sweep.cases[point], progress));
+}
+
+std::string bytes_of(const SweepPoint& point) {
+  const auto all = nlohmann::json::array({point.status, point.extents, point.values, point.rows, point.coefficients,
+                                          point.lists, point.failures, point.warnings});
+  std::string bytes;
+  nlohmann::json::to_msgpack(all, bytes);  // numbers to the last bit, and those that are none
+  return bytes;
+}
+
+SweepPoint point_of_bytes(const std::string& bytes) {
+  const nlohmann::json all = nlohmann::json::from_msgpack(bytes);
+  SweepPoint point;
+  all.at(0).get_to(point.status);
+  all.at(1).get_to(point.extents);
+  all.at(2).get_to(point.values);
+  all.at(3).get_to(point.rows);
+  all.at(4).get_to(point.coefficients);
+  all.at(5).get_to(point.lists);
+  all.at(6).get_to(point.failures);
+  all.at(7).get_to(point.warnings);
+  return point;
 }
 
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {

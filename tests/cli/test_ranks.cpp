@@ -1,4 +1,4 @@
-// `mpirun -n R bumpfoil montecarlo` as users and batch systems meet it.
+// `mpirun -n R bumpfoil montecarlo` and `sweep` as users and batch systems meet it.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -83,10 +83,37 @@ TEST_F(Ranks, MakeNoDifference) {
   }
 }
 
+/// One thread each, so that neither rank is done before the other has begun.
+TEST_F(Ranks, ShareTheirPointsOfASweep) {
+  const auto sweep = [&](const std::string& folder) {
+    return std::vector<std::string>{"sweep",     case_path_,
+                                    "--over",    "friction.coefficient=0:0.39:0.01",
+                                    "-o",        (folder_.path() / folder).string(),
+                                    "--set",     "cycle.steps=100",
+                                    "--threads", "1"};
+  };
+  ASSERT_EQ(run(sweep("alone")).exit_code, 0);
+  const ProgramOutcome together = run(sweep("ranks"), mpirun(2));
+  ASSERT_EQ(together.exit_code, 0) << together.errors;
+  EXPECT_EQ(count(together.output, "40 points; results in"), 1) << together.output;
+  std::smatch shares;
+  ASSERT_TRUE(std::regex_search(together.output, shares, std::regex("2 ranks ran (\\d+) to (\\d+) points each")));
+  EXPECT_GT(std::stoi(shares[1]), 0);
+  // What a sweep keeps of each point, all digits of it, but for the time that it took.
+  const auto points = [&](const std::string& folder) {
+    json all = summary_of(folder).at("points");
+    for (json& point : all) {
+      for (json& cycle : point.at("cycles")) cycle.erase("wall_time_s");
+    }
+    return all;
+  };
+  EXPECT_EQ(points("ranks"), points("alone"));
+}
+
 TEST_F(Ranks, AreToldOnceWhatIsWrong) {
   const ProgramOutcome other = run(cycle_, mpirun(3));
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_EQ(count(other.errors, "only 'montecarlo' supports several ranks"), 1) << other.errors;
+  EXPECT_EQ(count(other.errors, "only 'montecarlo' and 'sweep' support several ranks"), 1) << other.errors;
   EXPECT_FALSE(wrote_results());
   const ProgramOutcome nothing_scatters = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"}, mpirun(2));
   EXPECT_EQ(nothing_scatters.exit_code, 2);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, saved, stripFile, withReport } from './support.mjs';
+import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rotorFile, rowsOf, run, saved, stripFile, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> & <b>bold</b>';
 /** In the order of sweep.nc. */
@@ -27,6 +27,9 @@ before(() => {
   const running = ['equilibrium.speeds=["30000 rpm", "45000 rpm"]', 'equilibrium.loads=[["30 N", "0 N"], ["50 N", "0 N"]]', 'film.rows=4', 'film.columns_per_pitch=4'];
   sweep('running', caseFile, ['bearing.radial_clearance=30 um:34 um:2 um'], ['--command', 'equilibrium', ...running.flatMap((pair) => ['--set', pair])]);
   report('running.html', 'running');
+  const spinning = ['film.rows=4', 'film.columns_per_pitch=4', 'transient.steps_per_revolution=30', 'transient.revolutions_per_spectrum=2', 'transient.speed=[{to="9000 rpm", time="30 ms"}]'];
+  run(['sweep', rotorFile, '-o', join(folder, 'spinning'), '--command', 'transient', '--over', 'transient.speed[1].to=9000 rpm:12000 rpm:1500 rpm', ...spinning.flatMap((pair) => ['--set', pair])]);
+  report('spinning.html', 'spinning');
   report('grid.html', 'grid');
   report('friction.html', 'friction');
   report('strips.html', 'strips');
@@ -74,6 +77,24 @@ test('the chart shows the quantity chosen over the key, a line for each value of
     assert.deepEqual(legend, [60, 70, 80, 90].map((size) => `Amplitude ${size} µm`));
     await page.getByRole('combobox', { name: 'Lines' }).selectOption('Direction');
     assert.deepEqual(await page.getByRole('region', { name: over }).locator('.legend li').allTextContents(), directions);
+  }));
+
+test('a waterfall has the last spectrum of every run in time, and a click on one selects its run', () =>
+  withReport('spinning.html', async (page) => {
+    const panel = page.getByRole('region', { name: 'Waterfall' });
+    assert.match(await panel.locator('.subject').textContent(), /^along X · 3 spectra of 2 revolutions each · largest .* · spinning$/);
+    const shown = rowsOf((await saved(page, 'Waterfall', /CSV/)).bytes.toString());
+    const once = shown.filter((row) => row.order === '1');
+    assert.equal(shown.length, 3 * new Set(shown.map((row) => row.order)).size);
+    const rpm = (row) => (Number(row.speed_rad_per_s) * 30) / Math.PI;
+    once.forEach((row, i) => near(rpm(row), 9000 + 1500 * i, 1e-6, 'speed'));
+    // The unbalance of 1 um is what moves these rotors, and their orbits are hardly larger.
+    for (const row of once) assert.ok(row.amplitude_m > 0.8e-6 && row.amplitude_m < 3e-6, row.amplitude_m);
+    assert.equal(await chooser(page, 'To').inputValue(), '12000 rpm');
+    assert.deepEqual(once.map((row) => Number(row.transient_speed_1_to_rpm).toFixed(3)), ['9000.000', '10500.000', '12000.000']);
+    const image = await (await plotsIn(panel)).locator('image').boundingBox();
+    await page.mouse.click(image.x + image.width / 2, image.y + image.height - 10);
+    assert.equal(await chooser(page, 'To').inputValue(), '9000 rpm');
   }));
 
 test('a click on a point looks at it, and its loop is the thick one', () =>

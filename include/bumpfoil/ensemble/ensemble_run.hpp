@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
+#include "bumpfoil/ensemble/run_flow.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
-#include "bumpfoil/ensemble/sample_flow.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/row_log.hpp"
 
@@ -27,7 +27,7 @@ struct EnsembleRun {
   /// Asked after every whole round.
   std::function<bool()> enough{};
   /// Called now and then to give samples of the flow to others, and to put back what came of them.
-  std::function<void(SampleFlow&)> share{};
+  std::function<void(RunFlow&)> share{};
 };
 
 /// Runs the samples of an ensemble, for several threads at once.

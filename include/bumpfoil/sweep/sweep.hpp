@@ -73,6 +73,10 @@ struct SweepPoint {
 /// Runs the command at a point. @throws as the command does
 SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress = {});
 
+/// A point as bytes, for other processes of the same program.
+std::string bytes_of(const SweepPoint& point);
+SweepPoint point_of_bytes(const std::string& bytes);
+
 /// What is kept of the result of a point.
 SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome);
 

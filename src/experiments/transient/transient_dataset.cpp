@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -80,12 +82,16 @@ void add_turns(const TransientReading& reading, Dataset& data) {
   }
 }
 
+void add_orders(const Waterfall& waterfall, Dataset& data) {
+  data.add_dimension({"order", "1", "frequency over that of rotation"}, waterfall.orders);
+  data.add_dimension({"axis", "", "direction", {Form::flag, spectrum_axes}}, numbers_from(0.0, spectrum_axes.size()));
+}
+
 void add_waterfall(const TransientReading& reading, Dataset& data) {
   const Waterfall& waterfall = reading.waterfall;
   data.add_dimension({"spectrum", "1", "spectrum of the motion over some revolutions", {Form::whole}},
                      numbers_from(1.0, waterfall.times.size()));
-  data.add_dimension({"order", "1", "frequency over that of rotation"}, waterfall.orders);
-  data.add_dimension({"axis", "", "direction", {Form::flag, spectrum_axes}}, numbers_from(0.0, spectrum_axes.size()));
+  add_orders(waterfall, data);
   data.add({"spectrum_time", "s", "middle of the spectrum"}, {"spectrum"}, waterfall.times);
   data.add({"spectrum_speed", "rad/s", "mean speed in the spectrum"}, {"spectrum"}, waterfall.speeds);
   Variable& amplitudes = data.add({"spectrum_amplitude", "m", "amplitude of a sine wave at the order"},
@@ -100,6 +106,24 @@ Dataset run_dataset(const TransientReading& reading) {
   for (const RunQuantity& quantity : run_quantities()) {
     data.add(quantity.meaning(), {}, std::vector<double>{quantity.value(reading)});
   }
+  return data;
+}
+
+Dataset swept_dataset(const TransientReading& reading) {
+  Dataset data = run_dataset(reading);
+  const Waterfall& waterfall = reading.waterfall;
+  const std::vector<RotorStation> places = reading.result.machine.places();
+  add_stations(places, data);
+  add_orders(waterfall, data);
+  const std::size_t size = places.size() * spectrum_axes.size() * waterfall.orders.size();
+  std::vector<double> last(size, absent);
+  if (!waterfall.times.empty()) {
+    std::copy(waterfall.amplitudes.end() - static_cast<std::ptrdiff_t>(size), waterfall.amplitudes.end(), last.begin());
+  }
+  data.add({"last_spectrum_speed", "rad/s", "mean speed in the last spectrum"}, {},
+           std::vector<double>{waterfall.speeds.empty() ? absent : waterfall.speeds.back()});
+  data.add({"last_spectrum_amplitude", "m", "amplitude of a sine wave at the order, in the last spectrum"},
+           {"station", "axis", "order"}, std::move(last));
   return data;
 }
 

@@ -78,7 +78,7 @@ Outcome transient_outcome(const Case& input, const SharedReading& reading) {
           .files = [=](const Provenance& provenance) { return transient_files(input, *reading, provenance); },
           .swept =
               [=](bool /*with_loops*/) {
-                return SweptResult{.dataset = run_dataset(*reading),
+                return SweptResult{.dataset = swept_dataset(*reading),
                                    .parts = {{"", 0}},
                                    .rows = run_csv(*reading),
                                    .lists = dump_json(transient_lists(*reading), -1)};

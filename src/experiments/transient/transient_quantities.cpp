@@ -153,7 +153,7 @@ constexpr auto run_quantity_table = std::to_array<RunQuantity>({
          return revolution.places[i].orbit.half_peak_to_peak.maxCoeff();
        });
      },
-     headline | csv | sampled, "largest half peak-to-peak", shown::micrometres},
+     headline | csv | sampled | leading, "largest half peak-to-peak", shown::micrometres},
     {"largest_amplitude_half", "m",
      "largest amplitude of a journal along X or Y at half of the frequency of rotation: half-speed whirl",
      [](const TransientReading& reading) {

@@ -46,14 +46,17 @@ std::vector<std::string> warning_lines(const Case& input, const TransientReading
 /// The run as a text table: a line for some of its turns, rubs, and the balance of energy.
 std::string transient_table(const TransientReading& reading);
 
-/// The run as a whole, as sweeps keep it.
+/// The run as a whole.
 Dataset run_dataset(const TransientReading& reading);
 
 /// The same in a line under its header.
 std::string run_csv(const TransientReading& reading);
 
-/// The same and all else over the dimensions step, revolution, station, bearing, spectrum and order. It lives as long
-/// as the reading.
+/// The same and the last spectrum of the run, as sweeps keep them.
+Dataset swept_dataset(const TransientReading& reading);
+
+/// The run as a whole and all else over the dimensions step, revolution, station, bearing, spectrum and order. It lives
+/// as long as the reading.
 Dataset transient_dataset(const TransientReading& reading);
 
 /// Contents of transient.csv: a line for each station and revolution.

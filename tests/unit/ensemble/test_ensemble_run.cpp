@@ -87,8 +87,8 @@ TEST_F(EnsembleRuns, ShareTheirSamplesWithOthers) {
   ASSERT_TRUE(run_ensemble(input_, layout_, whole, {.threads = 2}));
   RowLog log = new_log("shared");
   std::size_t shared = 0;
-  const auto share = [&](SampleFlow& flow) {
-    const SampleRange range = flow.take(5);
+  const auto share = [&](RunFlow& flow) {
+    const RunRange range = flow.take(5);
     for (std::size_t i = range.count; i > 0; --i) {  // they come back in any order
       const std::size_t number = range.first + i - 1;
       flow.put(number, *EnsembleSampler(input_, layout_).run(number, [](double) { return true; }));
@@ -102,8 +102,8 @@ TEST_F(EnsembleRuns, ShareTheirSamplesWithOthers) {
 
 TEST_F(EnsembleRuns, WaitForThoseWhoTookSamples) {
   RowLog log = new_log("late");
-  SampleRange taken;
-  const auto share = [&](SampleFlow& flow) {
+  RunRange taken;
+  const auto share = [&](RunFlow& flow) {
     if (taken.count == 0) taken = flow.take(1);
     if (taken.count == 1 && flow.done() == 59) {
       flow.put(taken.first, std::vector<double>(layout_.width()));

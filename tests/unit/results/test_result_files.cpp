@@ -58,6 +58,29 @@ TEST_F(StagedResultFiles, HoldRowsThatAreReadInPieces) {
   EXPECT_EQ(summary.at("files").at("numbers.nc").at("xxh3_128"), xxh3_128(bytes));
 }
 
+/// A column of a million rows is not in memory as a whole, and no more of it than half a megabyte once it is written.
+TEST_F(StagedResultFiles, TakeNoMemoryForRows) {
+  constexpr std::size_t rows = 1'000'000;
+  constexpr std::size_t columns = 6;
+  Dataset dataset;
+  dataset.dims.push_back({.name = "step", .size = rows, .grows = true});
+  for (std::size_t i = 0; i < columns; ++i) {
+    Variable& variable = dataset.add({fmt::format("x{}", i), "m", "a column"}, {"step"});
+    variable.compressed = true;
+    variable.rows = [](std::size_t first, std::size_t count) {
+      return numbers_from(static_cast<double>(first), count);
+    };
+  }
+  const auto most_memory = [] {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return used.ru_maxrss;  // kB
+  };
+  const auto before = most_memory();
+  stage(dataset);
+  EXPECT_LT(most_memory() - before, 20'000);  // all of them are 48 MB
+}
+
 TEST_F(StagedResultFiles, AreRefusedWhereTheDiskHasNoRoom) {
   Dataset dataset;
   dataset.dims = {{"sample", std::size_t{1} << 50U}};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,35 @@ TEST(Sweep, CasesAreThoseOfOverrides) {
                           "friction.coefficient=" + sweep.axes[1].swept.values[at[1]]};
     EXPECT_EQ(sweep.cases[point], parse_case(case_template("gen1"), "case.toml", {overrides, {"cycle"}}));
   }
+}
+
+/// Another process of the program sends what it has run.
+TEST(Sweep, PointsAreTheSameAsBytes) {
+  SweepPoint point{.status = RunStatus::failed,
+                   .extents = {2, 0},
+                   .values = {{0.1, absent}, {}, {-0.0, 1.0 / 3.0, 5e-324, 7.0}},
+                   .rows = "a,b\n1,2\n",
+                   .coefficients = "k\n",
+                   .lists = R"({"x": 1})",
+                   .failures = {"one"},
+                   .warnings = {"two", "three"}};
+  const SweepPoint same = point_of_bytes(bytes_of(point));
+  EXPECT_EQ(same.status, point.status);
+  EXPECT_EQ(same.extents, point.extents);
+  ASSERT_EQ(same.values.size(), 3U);
+  EXPECT_EQ(same.values[0][0], 0.1);
+  EXPECT_TRUE(std::isnan(same.values[0][1]));
+  EXPECT_EQ(same.values[2], point.values[2]);
+  EXPECT_TRUE(std::signbit(same.values[2][0]));
+  EXPECT_EQ(same.rows + same.coefficients + same.lists, point.rows + point.coefficients + point.lists);
+  EXPECT_EQ(same.failures, point.failures);
+  EXPECT_EQ(same.warnings, point.warnings);
+}
+
+TEST(Sweep, SpectraHaveOneAxis) {
+  const std::vector<Fault> faults = faults_of({"transient.revolutions_per_spectrum=[8, 16]"}, {}, "transient");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].what, "is the same at all points");
 }
 
 TEST(Sweep, TablesOfAListAreCounted) {

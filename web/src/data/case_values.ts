@@ -38,6 +38,11 @@ export function labelOf(keys: CaseKeys, path: string): CaseKeys[string] | undefi
   return keys[first] ?? keys[first.replace(/^rotor\.bearing\[1\]\./, '').replace(/^pad\[1\]\./, '')];
 }
 
+/** Of keys of angular frequency, as they are written or with underscores in place of dots: whether it is that of a rotation. */
+export function isSpeed(path: string): boolean {
+  return path.includes('speed');
+}
+
 /** Unit that the numbers of a key, SI, are shown in; of one that takes lengths or forces, which of both the keys beside it are. */
 export function unitOf(keys: CaseKeys, path: string, entries: Map<string, CaseValue>): string {
   const table = groupOf(path);
@@ -47,7 +52,7 @@ export function unitOf(keys: CaseKeys, path: string, entries: Map<string, CaseVa
   if (path === `${table}.preload`) return entries.has(`${table}.load`) ? 'N' : 'm';
   const unit = labelOf(keys, path)?.unit ?? '';
   // As they are written.
-  if (unit === 'rad/s') return path.endsWith('speeds') ? 'rpm' : 'Hz';
+  if (unit === 'rad/s') return isSpeed(path) ? 'rpm' : 'Hz';
   return unit;
 }
 

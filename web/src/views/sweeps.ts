@@ -1,12 +1,13 @@
 import { FamilyPanel, type Loops } from '../charts/family';
 import { OverPanel, type Measure } from '../charts/over';
-import { valueText } from '../data/case_values';
+import { sweptWaterfall } from '../charts/waterfall';
+import { isSpeed, valueText } from '../data/case_values';
 import type { CaseKeys, GridData, Quantity, ResultData } from '../data/format';
 import { Grid, numbersOf, vectorText, type Coordinate, type Place, type Variable } from '../data/grid';
 import { kinds } from '../data/kinds';
 import { gridWarnings } from '../data/outcome';
 import { at, capital } from '../data/run';
-import { formatQuantity } from '../data/units';
+import { formatQuantity, scaleFor } from '../data/units';
 import { inRevolutions } from '../data/whirls';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
@@ -32,13 +33,15 @@ function keysOf(grid: Grid): Coordinate[] {
   const names = (grid.variable('status')?.dims ?? []).filter((name) => !partDimensions.includes(name));
   return names.map((name) => {
     const numbers = numbersOf(grid, name);
-    const { text = name, unit = '' } = grid.variable(name) ?? {};
-    return { name, title: text, numbers, texts: numbers.map((number) => valueText(number, unit)), unit };
+    const { text = name, unit: si = '' } = grid.variable(name) ?? {};
+    const unit = si === 'rad/s' && isSpeed(name) ? 'rpm' : si;
+    const { factor } = unit === 'rpm' ? scaleFor(1, unit) : { factor: 1 };
+    return { name, title: text, numbers: numbers.map((number) => number * factor), texts: numbers.map((number) => valueText(number, unit)), unit };
   });
 }
 
 function isOfRotors(grid: Grid): boolean {
-  return ['stability', 'unbalance'].includes(grid.attribute('swept_command'));
+  return ['stability', 'unbalance', 'transient'].includes(grid.attribute('swept_command'));
 }
 
 /** Of running bearings: speeds, and loads or positions; of rotors, speeds. */
@@ -56,6 +59,10 @@ function operatingPointsOf(grid: Grid): Coordinate[] {
 
 /** What tells the parts of a point apart. */
 function partsOf(grid: Grid): Coordinate[] {
+  if (grid.variable('station')) {
+    const places = numbersOf(grid, 'station_z').map((z) => formatQuantity(z, 'm'));
+    return [{ name: 'station', title: 'Station', texts: numbersOf(grid, 'station').map((number, i) => `station ${number} at ${places[i] ?? ''}`), unit: '' }];
+  }
   if (grid.variable('speed')) return operatingPointsOf(grid);
   const kind = kinds[grid.attribute('swept_command')];
   const name = ['direction', 'cycle'].find((one) => grid.variable(one));
@@ -135,7 +142,8 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const quantities = quantitiesOf(grid);
   const loops = loopsOf(grid);
   const over = new OverPanel('Result vs. parameter', measuresOf(quantities), selection, grid.label);
-  const charts = loops ? [over.root, new FamilyPanel(loops, selection, grid.label).root] : [over.root];
+  const spectra = grid.variable('last_spectrum_speed')?.values.some(Number.isFinite) ? [sweptWaterfall(grid, selection)] : [];
+  const charts = [over.root, ...(loops ? [new FamilyPanel(loops, selection, grid.label).root] : []), ...spectra];
   const compared = { several: false, focus: [grid], shown: [grid], names: grid.label, onChange: () => undefined };
   const tableOf = (name: string, those: SweptQuantity[], along: Coordinate[]): HTMLElement =>
     gridTable({ title: name, label: grid.label, coordinates: along, columns: those.map((quantity) => ({ ...quantity, words: quantity.variable.words })), main: namesOfFirst(those) });
@@ -149,7 +157,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
       `${id}-points`,
       title('Points'),
       ...(ofPoints.length > 0 ? [tableOf('Results by point', ofPoints, keys)] : []),
-      tableOf(ofPoints.length > 0 ? 'Results by point and speed' : 'Results by point', ofParts, coordinates),
+      ...(ofParts.length > 0 ? [tableOf(ofPoints.length > 0 ? 'Results by point and speed' : 'Results by point', ofParts, coordinates)] : []),
     ),
     part(
       `${id}-case`,

@@ -102,12 +102,14 @@ function chartsOf(run: TimeRun): { title: string; measures: Measure[] }[] {
     ),
   );
   const mean = measure('Mean position', 'm', stationParts(run, [['mean_x', 'X'], ['mean_y', 'Y']]));
+  // Points of a Poincare section: one level where orbits repeat themselves, several where they take several revolutions.
+  const section = measure('Position at the end of a revolution', 'm', stationParts(run, [['section_x', 'X'], ['section_y', 'Y']]));
   const phase = measure('Phase at 1x (°)', '', stationParts(run, [['phase_x', 'X'], ['phase_y', 'Y']]));
   const single = (name: string, text: string, unit: string): Measure[] => measure(text, unit, wholeParts(run, [name]));
   const speed = single('revolution_speed', 'Speed', 'rpm').map((one) => ({ ...one, parts: one.parts.map((own): Part => ({ ...own, value: (place: Place) => Math.abs(own.value(place)) })) }));
   const balance = ['revolution_force_work', 'revolution_film_work', 'revolution_rubbing_work', 'revolution_friction_loss', 'revolution_rotor_damping_loss', 'revolution_stored_energy', 'energy_defect'];
   return [
-    { title: 'Motion', measures: [...amplitudes, ...mean, ...phase] },
+    { title: 'Motion', measures: [...amplitudes, ...mean, ...section, ...phase] },
     { title: 'Film', measures: [...bearingMeasure(run, 'thinnest_film'), ...bearingMeasure(run, 'largest_asperity_load')] },
     { title: 'Speed and losses', measures: [...speed, ...bearingMeasure(run, 'mean_power')] },
     {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
@@ -204,6 +205,27 @@ TEST(Transient, ShowsAWaveAtItsOrderWithItsAmplitude) {
     }
   }
   EXPECT_NEAR(waterfall.speeds[0], 2.0 * std::numbers::pi / 0.032, 1e-9);
+}
+
+/// A sweep keeps the last spectrum of each run, and of those without one that there is none.
+TEST(Transient, LeavesItsLastSpectrumToASweep) {
+  const TransientReading none(transient_not_begun(marched_case({turning(12000.0, 1.0)})));
+  TransientResult result = synthetic(0.5, 2e-6);
+  result.machine = none.result.machine;
+  const TransientReading reading(std::move(result));
+  const Dataset swept = swept_dataset(reading);
+  const auto values = [](const Dataset& data, const std::string& name) {
+    const auto found = std::find_if(data.variables.begin(), data.variables.end(),
+                                    [&](const Variable& one) { return one.meaning.name == name; });
+    return found->values();
+  };
+  const std::vector<double> last = values(swept, "last_spectrum_amplitude");
+  ASSERT_EQ(last.size(), 2U * 33U);
+  EXPECT_NEAR(last[33 + 2], 2e-6, 1e-14);
+  EXPECT_TRUE(std::equal(last.begin(), last.end(), reading.waterfall.amplitudes.end() - 2 * 33));
+  EXPECT_EQ(values(swept, "last_spectrum_speed"), std::vector<double>{reading.waterfall.speeds.back()});
+  const std::vector<double> absent_ones = values(swept_dataset(none), "last_spectrum_amplitude");
+  EXPECT_TRUE(std::all_of(absent_ones.begin(), absent_ones.end(), [](double one) { return std::isnan(one); }));
 }
 
 TEST(Transient, TellsRubsApart) {

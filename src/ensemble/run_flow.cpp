@@ -1,4 +1,4 @@
-#include "bumpfoil/ensemble/sample_flow.hpp"
+#include "bumpfoil/ensemble/run_flow.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,44 +7,44 @@
 
 namespace bumpfoil {
 
-SampleFlow::SampleFlow(std::size_t begin, std::size_t end, std::size_t window)
+RunFlow::RunFlow(std::size_t begin, std::size_t end, std::size_t window)
     : end_(end), window_(window), next_(begin), first_(begin) {
   BUMPFOIL_ASSERT(begin <= end && window > 0);
 }
 
-std::optional<std::size_t> SampleFlow::next() {
+std::optional<std::size_t> RunFlow::next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return closed_ || room() > 0 || first_ + rows_.size() == end_; });
   if (closed_ || room() == 0) return std::nullopt;
   return next_++;
 }
 
-void SampleFlow::close() {
+void RunFlow::close() {
   const std::lock_guard lock(mutex_);
   closed_ = true;
   changed_.notify_all();
 }
 
-bool SampleFlow::closed() const {
+bool RunFlow::closed() const {
   const std::lock_guard lock(mutex_);
   return closed_;
 }
 
-SampleRange SampleFlow::take(std::size_t count) {
+RunRange RunFlow::take(std::size_t count) {
   const std::lock_guard lock(mutex_);
-  const SampleRange range{next_, closed_ ? 0 : std::min(count, room())};
+  const RunRange range{next_, closed_ ? 0 : std::min(count, room())};
   next_ += range.count;
   return range;
 }
 
-void SampleFlow::put(std::size_t number, std::vector<double> row) {
+void RunFlow::put(std::size_t number, std::vector<double> row) {
   const std::lock_guard lock(mutex_);
   BUMPFOIL_ASSERT(number >= first_ && number < next_ && !rows_.contains(number));
   rows_.emplace(number, std::move(row));
   if (first_ + rows_.size() == end_) changed_.notify_all();
 }
 
-std::vector<double> SampleFlow::leave(std::size_t count) {
+std::vector<double> RunFlow::leave(std::size_t count) {
   const std::lock_guard lock(mutex_);
   std::vector<double> left;
   for (auto row = rows_.begin(); count > 0 && row != rows_.end() && row->first == first_; --count) {
@@ -56,17 +56,17 @@ std::vector<double> SampleFlow::leave(std::size_t count) {
   return left;
 }
 
-std::size_t SampleFlow::done() const {
+std::size_t RunFlow::done() const {
   const std::lock_guard lock(mutex_);
   return first_ + rows_.size();
 }
 
-std::size_t SampleFlow::waiting() const {
+std::size_t RunFlow::waiting() const {
   const std::lock_guard lock(mutex_);
   return rows_.size();
 }
 
-std::size_t SampleFlow::room() const {
+std::size_t RunFlow::room() const {
   return std::min(end_, first_ + window_) - next_;
 }
 

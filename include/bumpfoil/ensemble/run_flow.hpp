@@ -11,21 +11,21 @@
 
 namespace bumpfoil {
 
-/// Samples with consecutive numbers.
-struct SampleRange {
+/// Runs with consecutive numbers.
+struct RunRange {
   std::size_t first{}, count{};
 };
 
-/// Distributes samples to the threads that run them: numbers go out in their order, rows come back in any, and leave in
-/// the order of their numbers again. For several threads at once.
+/// Distributes runs to the threads that do them: numbers go out in their order, rows of what they found come back in
+/// any, and leave in the order of their numbers again. For several threads at once.
 ///
-/// Threads run independently: one waits only where a sample takes so long that others would be a window ahead of it.
-/// That bounds the memory.
-class SampleFlow : public RunQueue {
+/// Threads run independently: one waits only where a run takes so long that others would be a window ahead of it. That
+/// bounds the memory.
+class RunFlow : public RunQueue {
  public:
-  /// @param begin, end  numbers of the samples: end is none of them
-  /// @param window      samples, from the first that is missing, that may be out or back
-  SampleFlow(std::size_t begin, std::size_t end, std::size_t window);
+  /// @param begin, end  numbers of the runs: end is none of them
+  /// @param window      runs, from the first that is missing, that may be out or back
+  RunFlow(std::size_t begin, std::size_t end, std::size_t window);
 
   /// Waits for room in the window, and in the end until all rows are back or the flow is closed.
   std::optional<std::size_t> next() override;
@@ -34,16 +34,16 @@ class SampleFlow : public RunQueue {
   [[nodiscard]] bool closed() const;
 
   /// As many as there is room for, at most `count`; for those who must not wait.
-  SampleRange take(std::size_t count);
+  RunRange take(std::size_t count);
 
-  /// The row of a sample that went out comes back.
+  /// The row of a run that went out comes back.
   void put(std::size_t number, std::vector<double> row);
 
-  /// Rows that are back, one behind the other, from the first sample that has not left yet to before the first that is
+  /// Rows that are back, one behind the other, from the first run that has not left yet to before the first that is
   /// missing; at most `count`.
   std::vector<double> leave(std::size_t count);
 
-  /// Samples that came back or were there before, and those that wait to leave.
+  /// Runs that came back or were there before, and those that wait to leave.
   [[nodiscard]] std::size_t done() const;
   [[nodiscard]] std::size_t waiting() const;
 

@@ -1,4 +1,4 @@
-#include "bumpfoil/ensemble/sample_flow.hpp"
+#include "bumpfoil/ensemble/run_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ namespace {
 using Rows = std::vector<double>;
 using namespace std::chrono_literals;
 
-TEST(SampleFlow, RowsLeaveInTheOrderOfTheirNumbers) {
-  SampleFlow flow(10, 14, 100);
+TEST(RunFlow, RowsLeaveInTheOrderOfTheirNumbers) {
+  RunFlow flow(10, 14, 100);
   for (std::size_t number = 10; number < 14; ++number) EXPECT_EQ(flow.next(), number);
   flow.put(12, {12.0, 0.5});
   EXPECT_EQ(flow.leave(9), Rows{});
@@ -30,9 +30,9 @@ TEST(SampleFlow, RowsLeaveInTheOrderOfTheirNumbers) {
   EXPECT_EQ(flow.waiting(), 0U);
 }
 
-TEST(SampleFlow, NothingGoesOutBeyondTheWindow) {
-  SampleFlow flow(0, 100, 4);
-  SampleRange range = flow.take(3);
+TEST(RunFlow, NothingGoesOutBeyondTheWindow) {
+  RunFlow flow(0, 100, 4);
+  RunRange range = flow.take(3);
   EXPECT_EQ(range.first, 0U);
   EXPECT_EQ(range.count, 3U);
   range = flow.take(3);
@@ -49,7 +49,7 @@ TEST(SampleFlow, NothingGoesOutBeyondTheWindow) {
 
 /// Whether somebody who asks for a sample waits until something is done.
 template <typename Something>
-void expect_waits_until(SampleFlow& flow, std::optional<std::size_t> then, Something something) {
+void expect_waits_until(RunFlow& flow, std::optional<std::size_t> then, Something something) {
   std::atomic<bool> answered{false};
   std::thread asks([&] {
     EXPECT_EQ(flow.next(), then);
@@ -61,8 +61,8 @@ void expect_waits_until(SampleFlow& flow, std::optional<std::size_t> then, Somet
   asks.join();
 }
 
-TEST(SampleFlow, WaitsForRoomAndForTheLastRow) {
-  SampleFlow flow(0, 2, 1);
+TEST(RunFlow, WaitsForRoomAndForTheLastRow) {
+  RunFlow flow(0, 2, 1);
   EXPECT_EQ(flow.next(), 0U);
   flow.put(0, {});
   expect_waits_until(flow, 1, [&] { flow.leave(1); });
@@ -70,8 +70,8 @@ TEST(SampleFlow, WaitsForRoomAndForTheLastRow) {
   EXPECT_EQ(flow.next(), std::nullopt);
 }
 
-TEST(SampleFlow, ClosedItGivesNothingMore) {
-  SampleFlow flow(0, 2, 1);
+TEST(RunFlow, ClosedItGivesNothingMore) {
+  RunFlow flow(0, 2, 1);
   EXPECT_FALSE(flow.closed());
   EXPECT_EQ(flow.next(), 0U);
   expect_waits_until(flow, std::nullopt, [&] { flow.close(); });
@@ -81,8 +81,8 @@ TEST(SampleFlow, ClosedItGivesNothingMore) {
   EXPECT_EQ(flow.leave(1), Rows{1.0});
 }
 
-TEST(SampleFlow, OfNoSamplesIsAtItsEnd) {
-  SampleFlow flow(7, 7, 5);
+TEST(RunFlow, OfNoSamplesIsAtItsEnd) {
+  RunFlow flow(7, 7, 5);
   EXPECT_EQ(flow.next(), std::nullopt);
   EXPECT_EQ(flow.take(3).count, 0U);
   EXPECT_EQ(flow.done(), 7U);
