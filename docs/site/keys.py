@@ -166,6 +166,15 @@ MEANINGS = {
     "peaks[].station": "place of the largest orbit",
     "reduction_error": "largest error of a natural frequency of the reduced shaft in the range of interest",
     "station": "place on the rotor, by its name",
+    "parameters": "one object per fitted parameter",
+    "parameters[].key": "key of the case file",
+    "parameters[].unit": "its SI unit; 1 of a plain number",
+    "parameters[].start": "given start",
+    "parameters[].correlations": "with all parameters, in their order; null where it is not known",
+    "loops": "one object per measured loop",
+    "loops[].points": "parts of equal arc length in which it has readings",
+    "minima": "minima that are nearly as deep as the best, which is the first",
+    "minima[].fitted_values": "of the parameters, in their order",
 }
 
 
