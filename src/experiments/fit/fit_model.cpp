@@ -121,9 +121,9 @@ std::optional<ReadLoop> read_loop(LoopRunner& runner, const MeasuredCurve& curve
     if (!(amplitude > 0.0)) return std::nullopt;
     const auto loop = runner.run(amplitude);
     if (!loop) return std::nullopt;
-    const auto by_displacement = [](const auto& a, const auto& b) { return a.displacement < b.displacement; };
-    const auto top = std::max_element(loop->begin(), loop->end(), by_displacement);
-    const auto bottom = swings ? std::min_element(top, loop->end(), by_displacement) : loop->end() - 1;
+    const auto displaced_less = [](const auto& a, const auto& b) { return a.displacement < b.displacement; };
+    const auto top = std::max_element(loop->begin(), loop->end(), displaced_less);
+    const auto bottom = swings ? std::min_element(top, loop->end(), displaced_less) : loop->end() - 1;
     const double pressing = swings ? 0.5 * (top->force - bottom->force) : top->force;
     const double read = amplitude + compliance * pressing;
     if (std::abs(read - reach) <= amplitude_tolerance * curve.displacement_range()) {

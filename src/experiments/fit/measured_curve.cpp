@@ -10,8 +10,9 @@ namespace {
 constexpr double std_over_median = 1.4826;
 /// Deviations from the mean of both neighbours have 1 + 1/4 + 1/4 times the variance of one reading.
 constexpr double variance_of_differences = 1.5;
-/// Below this part of the range of the force nothing is known of noise: loops that were computed have none.
-constexpr double least_scatter = 1e-6;
+/// Part of the range of the force below which readings are not trusted, as of load cells of class 0.05: loops that were
+/// computed, or filtered, have less scatter.
+constexpr double least_scatter = 5e-4;
 
 /// Mean of `value` over entries of a list.
 template <typename Value>
