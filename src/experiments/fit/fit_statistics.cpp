@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bumpfoil/results/quantity.hpp"
+#include "bumpfoil/results/dataset.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -22,6 +22,7 @@ constexpr double least_part = 0.2;
 constexpr double near_one = 0.2;
 
 std::string joined(const std::vector<std::string>& names) {
+  if (names.size() == 1) return names.front();
   const auto last = names.end() - 1;
   return fmt::format("{} and {}", fmt::join(names.begin(), last, ", "), *last);
 }
@@ -33,14 +34,11 @@ std::string with_unit(double number, const std::string& unit) {
 /// @param change  of the parameters, SI, that the data hardly tell
 std::string words_of(const std::vector<std::size_t>& which, const Eigen::VectorXd& change,
                      const std::vector<FitParameter>& parameters, const std::vector<std::string>& units) {
-  std::vector<std::string> names;
-  for (const std::size_t i : which) names.push_back(parameters[i].key);
+  const std::vector<std::string> names = each(which, [&](std::size_t i) { return parameters[i].key; });
   if (which.size() != 2) {
-    std::vector<std::string> changes;
-    for (const std::size_t i : which) {
-      changes.push_back(
-          fmt::format("{} of {}", with_unit(change[static_cast<Eigen::Index>(i)], units[i]), parameters[i].key));
-    }
+    const std::vector<std::string> changes = each(which, [&](std::size_t i) {
+      return fmt::format("{} of {}", with_unit(change[static_cast<Eigen::Index>(i)], units[i]), parameters[i].key);
+    });
     return fmt::format("{} hardly change the loops together: {}", joined(names), fmt::join(changes, ", "));
   }
   const double first = change[static_cast<Eigen::Index>(which[0])];
