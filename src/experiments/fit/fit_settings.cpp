@@ -126,8 +126,8 @@ void describe_fit(CaseVisitor& keys, Case& input) {
 
 void judge_data(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
   const bool strip = data.experiment == FittedExperiment::strip;
-  judge.require_for("fit", strip == input.bearing.is_flat() || !strip || input.strip.has_value(), key + ".experiment",
-                    "strip", "needs the table [strip]", "add [strip] with its displacement");
+  judge.require_for("fit", !strip || input.strip.has_value(), key + ".experiment", "strip", "needs the table [strip]",
+                    "add [strip] with its displacement");
   judge.require_for("fit", data.displacements.size() == data.forces.size(), key + ".forces",
                     std::to_string(data.forces.size()),
                     fmt::format("are not as many as displacements, {}", data.displacements.size()),

@@ -184,6 +184,9 @@ TEST(Fit, IsReadFromCaseFiles) {
   EXPECT_NE(refusal("key = \"fit.data[2].force_origin\"\n" + numbers).find("not there"), std::string::npos);
   EXPECT_NE(refusal("key = \"fit.data[1].force_origin\"\nstart = 3\nlower = 0\nupper = 2\n").find("outside"),
             std::string::npos);
+  EXPECT_THROW(parse_case(text + "experiment = \"strip\"\n[[fit.parameter]]\n" + clearance, folder.path() / "case.toml",
+                          {.overrides = {}, .commands = {"fit"}}),
+               Error);
   EXPECT_NE(refusal("key = \"friction.coefficient\"\nstart = \"1 um\"\nlower = 0\nupper = 2\n").find("start"),
             std::string::npos);
 }
