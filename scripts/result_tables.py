@@ -63,6 +63,8 @@ def table_rows(name, experiments):
         "revolutions": lambda one: one["dims"][:1] == ["revolution"] and not is_dimension(one),
         "spectra": lambda one: "spectrum" in one["dims"] and not is_dimension(one),
         "orbits": lambda one: True,
+        "parameters": lambda one: {"parameter", "minimum"} & set(one["dims"]) and not is_dimension(one),
+        "loops": lambda one: "data" in one["dims"] and not is_dimension(one),
         "pads": lambda one: True,
         "rough": lambda one: "csv" not in one["tags"],
         "width": lambda one: True,

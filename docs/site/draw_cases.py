@@ -12,6 +12,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 COARSE = {"columns_per_pitch": 4, "rows": 6}
 # What each case is about; all others are cycles, shown by their loops.
 DRAWN = {
+    "fit": lambda case: figures.fitted(bumpfoil.fit(case, fit={"starts": 1})),
     "graded": lambda case: figures.bump_loads(bumpfoil.run_cycle(case), width="double"),
     "larsen-strip": lambda case: figures.loops(bumpfoil.run_strip(case)),
     "measured": lambda case: figures.foils(bumpfoil.run_cycle(case).cycles[0]),

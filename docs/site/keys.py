@@ -165,6 +165,15 @@ MEANINGS = {
     "peaks[].station": "station with the largest orbit",
     "reduction_error": "largest error of a natural frequency of the reduced shaft in the range of interest",
     "station": "name of the station on the rotor",
+    "parameters": "one object per fitted parameter",
+    "parameters[].key": "key of the case file",
+    "parameters[].unit": "its SI unit; 1 of a plain number",
+    "parameters[].start": "given start",
+    "parameters[].correlations": "with all parameters, in their order; null where it is not known",
+    "loops": "one object per measured loop",
+    "loops[].points": "parts of equal arc length in which it has readings",
+    "minima": "minima that are nearly as deep as the best, which is the first",
+    "minima[].fitted_values": "of the parameters, in their order",
 }
 
 

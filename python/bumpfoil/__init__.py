@@ -14,6 +14,7 @@ from .ross_rotor import write_ross_rotor
 from .running_stepper import Instant, RunningStepper
 from .runs import (
     check,
+    fit,
     properties,
     run,
     run_cycle,
@@ -45,6 +46,7 @@ __all__ = [
     "State",
     "Stepper",
     "check",
+    "fit",
     "load",
     "properties",
     "run",

@@ -33,6 +33,7 @@ __all__ = [
     "coefficients",
     "contacts",
     "ensemble",
+    "fitted",
     "foils",
     "loops",
     "orbits",
@@ -78,6 +79,39 @@ def loops(result: Result, *, width: str = "single") -> Figure:
         ax.set_ylim(least - 0.05 * (most - least), most + 0.05 * (most - least))
     sheet.entitle([_words(cycle) for cycle in result.cycles] if apart else [""])
     return sheet.finish([] if apart else None)
+
+
+@styled
+def fitted(result: Result, *, width: str = "double") -> Figure:
+    """Measured and fitted forces over displacement, and residuals in standard deviations: a row for each loop.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``fit``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    demand(result, "fitted loops")
+    data = result.to_xarray()
+    sheet = Sheet(width, *arranged(width, 2 * data.sizes["data"]), panel_height=50)
+    for number, (forces, residuals) in enumerate(zip(sheet.panels[::2], sheet.panels[1::2])):
+        loop = data.isel(data=number)
+        for branch, name in enumerate(("push", "pull")):
+            points = loop.where(loop.fit_branch == branch, drop=True)
+            displacement = 1e6 * points.measured_displacement
+            marks = {**_style(branch, marked=True), "linestyle": "none"}
+            forces.plot(displacement, points.measured_force, label=f"measured, {name}", **marks)
+            forces.plot(displacement, points.fitted_force, label=f"fitted, {name}", **_style(branch))
+            residuals.plot(displacement, points.force_residual / points.force_deviation, **marks)
+        for bound in (-2, 2):
+            residuals.axhline(bound, color="#888888", linewidth=0.6, linestyle=":")
+        for ax, words in ((forces, "force (N)"), (residuals, "residual / standard deviation")):
+            ax.set_xlabel("displacement (µm)")
+            ax.set_ylabel(words)
+    titles = [title for number in range(data.sizes["data"]) for title in (f"loop {number + 1}", f"loop {number + 1}, residuals")]
+    sheet.entitle(titles)
+    return sheet.finish(None)
 
 
 @styled

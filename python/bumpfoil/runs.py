@@ -219,6 +219,39 @@ def run_transient(case: Any, /, *, progress: Progress = None, **tables: Any) -> 
 
 @_documented(
     """
+    loops : sequence of mappings, optional
+        Measured loops, each with ``displacements`` and ``forces`` as arrays in SI, or with a ``file``, and other keys of
+        [[fit.data]]; in place of those of the case.
+    parameters : mapping, optional
+        By their keys ``start``, ``lower`` and ``upper`` of the keys that are fitted, and what else [[fit.parameter]]
+        has: ``{"friction.coefficient": {"start": 0.1, "lower": 0, "upper": 0.5}}``; in place of those of the case.
+    """
+)
+def fit(
+    case: Any,
+    /,
+    *,
+    loops: Sequence[Mapping[str, Any]] | None = None,
+    parameters: Mapping[str, Mapping[str, Any]] | None = None,
+    progress: Progress = None,
+    **tables: Any,
+) -> Result:
+    """Finds parameters of the case from measured loops, with standard errors, as specified in [fit].
+
+    ``summary["parameters"]`` has values and intervals, ``to_xarray()`` measured and fitted forces, ``files["case.toml"]``
+    the fitted case."""
+    given = dict(tables.get("fit", {}))
+    if loops is not None:
+        given["data"] = [dict(loop) for loop in loops]
+    if parameters is not None:
+        given["parameter"] = [{"key": key, **values} for key, values in parameters.items()]
+    if given:
+        tables["fit"] = given
+    return _run("fit", case, progress, tables)
+
+
+@_documented(
+    """
     over : mapping
         Values by their dotted keys: ``{"friction.coefficient": numpy.linspace(0, 0.5, 11)}``, pint quantities, or a
         range as for the program, ``"60 um:90 um:10 um"`` (end included). With ``equilibrium.speeds`` each point has

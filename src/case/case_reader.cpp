@@ -133,6 +133,11 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     if (input.montecarlo->limits) commands.emplace_back("limits");
     if (!input.solver.name) input.solver.name = ensemble_solver(input);
   }
+  // Loops by equal increments would differ from exact ones by more than rigs do.
+  const bool fits = std::find(commands.begin(), commands.end(), "fit") != commands.end();
+  if (fits && !input.solver.name && input.bump_foil.geometry == Geometry::linear) {
+    input.solver.name = SolverName::events;
+  }
   for (const std::string& command : commands) {
     const CaseTable* const own = table_of(command);
     const std::string table(own == nullptr ? command : own->needs);

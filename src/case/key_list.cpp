@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <variant>
 
+#include "bumpfoil/core/nearest_name.hpp"
 #include "case/case_json.hpp"
+#include "case/key_suggestion.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -196,12 +198,45 @@ class KeyLister final : public CaseVisitor {
 
 }  // namespace
 
+bool ListedKey::holds_number() const {
+  const std::string one = kind.substr(0, kind.find(','));
+  if (key.dimension) return name_of(*key.dimension).ends_with(" " + one);
+  return kind == "number" || kind == "whole number" || is_either();
+}
+
 std::vector<ListedKey> list_keys(const Case& input) {
   std::vector<ListedKey> list;
   KeyLister lister(list);
   Case copy = input;
   describe(lister, copy);
   return list;
+}
+
+const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path) {
+  const auto exact = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
+  if (exact != keys.end()) return &*exact;
+  const auto like = std::find_if(keys.begin(), keys.end(), [name = without_counts(path)](const ListedKey& one) {
+    return without_counts(one.path) == name;
+  });
+  if (like != keys.end()) return &*like;
+  // A table that says what differs from another has its keys: "pad[2].bump_foil.height" is like "bump_foil.height".
+  for (const ListedKey& one : keys) {
+    const std::string begin = without_counts(one.path) + '.';
+    if (one.key.presence != Presence::inherited || !without_counts(path).starts_with(begin)) continue;
+    const std::string_view table = one.key.name;
+    return find_key(keys, fmt::format("{}.{}", table, without_counts(path).substr(begin.size())));
+  }
+  return nullptr;
+}
+
+std::string advice_on_number(const std::vector<ListedKey>& keys, const std::string& path) {
+  std::vector<std::string> paths;
+  for (const ListedKey& one : keys) {
+    if (one.holds_number()) paths.push_back(one.path);
+  }
+  std::vector<std::string> likely = keys_with_words(path, paths);
+  if (const auto nearest = nearest_name(path, paths); likely.empty() && nearest) likely = {*nearest};
+  return likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely);
 }
 
 std::string without_counts(std::string_view path) {

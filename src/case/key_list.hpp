@@ -20,6 +20,10 @@ struct ListedKey {
   bool instead{};                ///< in place of another key, which is given
 
   [[nodiscard]] bool is_table() const { return kind.empty(); }
+  /// A length or a force, as its unit tells.
+  [[nodiscard]] bool is_either() const { return kind == "length or force"; }
+  /// One number, or one for all bumps though they may have one each.
+  [[nodiscard]] bool holds_number() const;
   [[nodiscard]] bool is_of_list() const { return path.ends_with(']'); }
   [[nodiscard]] std::string table() const {
     return path.substr(0, path.size() - std::min(path.size(), key.name.size() + 1));
@@ -28,6 +32,12 @@ struct ListedKey {
 
 /// All keys of the case file, in its order; those of tables that the case has not with their defaults.
 std::vector<ListedKey> list_keys(const Case& input);
+
+/// A key by its path; of a table that the case has not, the key of the first table of its list. Null if there is none.
+const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path);
+
+/// What to write instead of a path that is no key, where a number is due.
+std::string advice_on_number(const std::vector<ListedKey>& keys, const std::string& path);
 
 /// "bump_foil.shim.to" of "bump_foil.shim[2].to": what all tables of a list have.
 std::string without_counts(std::string_view path);

@@ -12,4 +12,5 @@
   EACH(equilibrium)                \
   EACH(stability)                  \
   EACH(unbalance)                  \
-  EACH(transient)
+  EACH(transient)                  \
+  EACH(fit)

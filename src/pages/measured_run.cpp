@@ -18,7 +18,7 @@
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "core/base64.hpp"
-#include "pages/measured_loops_csv.hpp"
+#include "experiments/cycle/measured_loops_csv.hpp"
 #include "readers/result_kinds.hpp"
 #include "results/summary_json.hpp"
 

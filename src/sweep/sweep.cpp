@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,10 +11,8 @@
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/core/nearest_name.hpp"
 #include "case/case_json.hpp"
 #include "case/key_list.hpp"
-#include "case/key_suggestion.hpp"
 #include "case/toml_document.hpp"
 #include "core/number_text.hpp"
 
@@ -29,34 +26,6 @@ constexpr std::size_t most_sweep_faults = 50;
 constexpr std::string_view swept_list = "equilibrium.speeds";
 /// What all points have in common: their spectra have one axis.
 constexpr std::string_view never_swept = "transient.revolutions_per_spectrum";
-/// What keys hold that are a length or a force, as their unit tells.
-constexpr std::string_view either_kind = "length or force";
-
-bool holds_number(const ListedKey& listed) {
-  constexpr std::array plain{std::string_view("number"), std::string_view("whole number"), either_kind};
-  // Bumps all get what is swept, though they may have a value each.
-  const std::string one = listed.kind.substr(0, listed.kind.find(','));
-  if (listed.key.dimension) return name_of(*listed.key.dimension).ends_with(" " + one);
-  return std::find(plain.begin(), plain.end(), listed.kind) != plain.end();
-}
-
-/// A key by its path; of a table that the case has not, the key of the first table of its list.
-const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path) {
-  const auto exact = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
-  if (exact != keys.end()) return &*exact;
-  const auto like = std::find_if(keys.begin(), keys.end(), [name = without_counts(path)](const ListedKey& one) {
-    return without_counts(one.path) == name;
-  });
-  if (like != keys.end()) return &*like;
-  // A table that says what differs from another has its keys: "pad[2].bump_foil.height" is like "bump_foil.height".
-  for (const ListedKey& one : keys) {
-    const std::string begin = without_counts(one.path) + '.';
-    if (one.key.presence != Presence::inherited || !without_counts(path).starts_with(begin)) continue;
-    const std::string_view table = one.key.name;
-    return find_key(keys, fmt::format("{}.{}", table, without_counts(path).substr(begin.size())));
-  }
-  return nullptr;
-}
 
 /// The dimension of a value of a key that takes two.
 std::optional<Dimension> dimension_of_either(const std::string& value) {
@@ -97,18 +66,10 @@ class OptionReader {
   void add(SweptKey swept) {
     const std::string& key = swept.key;
     const ListedKey* listed = find_key(keys_, key);
-    if (listed == nullptr || listed->is_table()) {
-      std::vector<std::string> paths;
-      for (const ListedKey& one : keys_) {
-        if (holds_number(one)) paths.push_back(one.path);
-      }
-      std::vector<std::string> likely = keys_with_words(key, paths);
-      if (const auto nearest = nearest_name(key, paths); likely.empty() && nearest) likely = {*nearest};
-      return fault(key, "unknown key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
-    }
+    if (listed == nullptr || listed->is_table()) return fault(key, "unknown key", advice_on_number(keys_, key));
     if (listed->path == never_swept) return fault(key, "is the same at all points", "set it by --set");
     const bool is_list = listed->path == swept_list;
-    if (!is_list && !holds_number(*listed)) return fault(key, "is not numeric", "sweep over numeric keys");
+    if (!is_list && !listed->holds_number()) return fault(key, "is not numeric", "sweep over numeric keys");
     const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };
     if (std::any_of(axes_.begin(), axes_.end(), same)) return fault(key, "is swept twice", "give it once");
     for (const std::string& one : request_.overrides) {
@@ -120,7 +81,7 @@ class OptionReader {
     std::replace_if(
         axis.name.begin(), axis.name.end(), [](char c) { return c == '.' || c == '['; }, '_');
     if (listed->key.dimension) axis.unit = si_unit(*listed->key.dimension);
-    if (listed->kind == either_kind) axis.unit = unit_of_either(swept);
+    if (listed->is_either()) axis.unit = unit_of_either(swept);
     axis.swept = std::move(swept);
     axes_.push_back(std::move(axis));
   }

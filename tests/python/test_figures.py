@@ -163,6 +163,22 @@ def test_ensembles_and_coefficients(ensemble, vibration, running, width, size):
 
 
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+def test_fitted_loops():
+    true = {"cycle": {"steps": 40, "directions": ["+X"]}, "friction": {"coefficient": 0.2}, "solver": {"name": "events"}}
+    truth = bumpfoil.run_cycle(EXAMPLES / "gen1.toml", **true).cycles[0]
+    loop = {"displacements": truth.displacement, "forces": truth.force_direct}
+    friction = {"friction.coefficient": {"start": 0.1, "lower": 0.0, "upper": 0.5}}
+    result = bumpfoil.fit(EXAMPLES / "gen1.toml", loops=[loop], parameters=friction, fit={"starts": 1})
+    (found,) = result.summary["parameters"]
+    assert found["fitted_value"] == pytest.approx(0.2, abs=1e-4)
+    figure = figures.fitted(result)
+    inspect(figure, width=190, panels=2)
+    lines = {line.get_label(): line.get_xydata() for line in figure.axes[0].lines}
+    assert len(lines["measured, push"]) + len(lines["measured, pull"]) == np.isfinite(result.data["measured_force"]).sum()
+    with pytest.raises(ValueError, match="fitted loops"):
+        figures.fitted(bumpfoil.run_cycle(EXAMPLES / "gen1.toml", cycle={"steps": 2}))
+
+
 def test_run_up(running):
     speeds = ["0 rpm", "300 rpm", "4000 rpm", "20000 rpm"]
     rough = bumpfoil.run_equilibrium(EXAMPLES / "running_from_rest.toml", film=COARSE, equilibrium={"speeds": speeds})

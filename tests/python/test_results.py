@@ -75,6 +75,7 @@ SHORT = {
     "stability": lambda: bumpfoil.run_stability(EXAMPLES / "rotor.toml", film={"rows": 4}, stability={"speeds": ["12000 rpm", "14000 rpm"]}),
     "unbalance": lambda: bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film={"rows": 4}, unbalance={"speeds": ["12000 rpm", "14000 rpm"]}),
     "transient": lambda: bumpfoil.run_transient(EXAMPLES / "rotor.toml", film={"rows": 4}, transient={"speed": {"to": "12000 rpm", "time": "11 ms"}, "steps_per_revolution": 20, "revolutions_per_spectrum": 1}),
+    "fit": lambda: bumpfoil.fit(EXAMPLES / "fit.toml", fit={"starts": 1}),
     "sweep": lambda: bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0, 0.1]}, cycle={"steps": 5, "directions": ["+X"]}),
     "montecarlo": lambda: bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=3, cycle={"steps": 5}),
     "cycle": lambda: bumpfoil.run_cycle(EXAMPLES / "gen3-three-pad.toml", cycle={"steps": 5}),

@@ -14,7 +14,7 @@ struct CaseRequest {
   /// "table.key=value" each, applied in order: the value is TOML, or else a bare string.
   std::vector<std::string> overrides;
   /// Commands that will run the case: their tables must be present, and whatever prevents one from running is an error.
-  /// With "montecarlo" a case that names no solver gets ensemble_solver().
+  /// With "montecarlo" a case that names no solver gets ensemble_solver(), with "fit" `events` where it can.
   std::vector<std::string> commands;
 };
 

@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
+CycleResult run_strip(const Case& input, const ProgressCallback& progress, Recording recording) {
   const SharedFoils foils = make_strip_foils(input);
   const StripSettings& strip = *input.strip;
   CycleCourse course{.direction = 0.0,
@@ -22,7 +22,7 @@ CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
   CycleSeries series(stepper, course, {}, step);
   return run_each_cycle(Experiment::strip, input, strip.cycles, progress,
                         [&](std::size_t, const ProgressCallback& progress_of_cycle) {
-                          return series.next(Recording::everything, progress_of_cycle);
+                          return series.next(recording, progress_of_cycle);
                         });
 }
 

@@ -15,6 +15,7 @@ namespace bumpfoil {
 ///
 /// A cycle that fails is the last.
 /// @throws Error (input) if the case cannot be built, or has no strip.
-CycleResult run_strip(const Case& input, const ProgressCallback& progress = {});
+CycleResult run_strip(const Case& input, const ProgressCallback& progress = {},
+                      Recording recording = Recording::everything);
 
 }  // namespace bumpfoil

@@ -1,4 +1,4 @@
-#include "pages/measured_loops_csv.hpp"
+#include "experiments/cycle/measured_loops_csv.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +18,8 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::array axes{std::pair{"+X", 0.0}, std::pair{"+Y", 90.0}, std::pair{"-X", 180.0}, std::pair{"-Y", 270.0}};
+constexpr std::array named_axes{std::pair{"+X", 0.0}, std::pair{"+Y", 90.0}, std::pair{"-X", 180.0},
+                                std::pair{"-Y", 270.0}};
 
 /// Columns named in messages.
 constexpr std::size_t most_named = 12;
@@ -182,8 +183,9 @@ class LoopsReader {
   }
 
   std::optional<double> place(std::string_view cell) {
-    const auto axis = std::find_if(axes.begin(), axes.end(), [cell](const auto& one) { return one.first == cell; });
-    if (at_column_ != "cycle" && axis != axes.end()) return axis->second;
+    const auto axis =
+        std::find_if(named_axes.begin(), named_axes.end(), [cell](const auto& one) { return one.first == cell; });
+    if (at_column_ != "cycle" && axis != named_axes.end()) return axis->second;
     return numbers_.read(cell);
   }
 

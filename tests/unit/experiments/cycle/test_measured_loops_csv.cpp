@@ -1,4 +1,4 @@
-#include "pages/measured_loops_csv.hpp"
+#include "experiments/cycle/measured_loops_csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/enum_names.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// What was done to the foils that were measured.
+enum class FittedExperiment { cycle, strip };
+
+template <>
+inline constexpr auto enum_names<FittedExperiment> = std::to_array<std::string_view>({"cycle", "strip"});
+
+/// How a rig alters what it measures. With the displacement s and the force F of the foils, and the time tau that runs
+/// from -1/2 to 1/2 over the loop, it reads
+///
+///     s + F / machine_stiffness + displacement_origin + displacement_drift tau,   F + force_origin + force_drift tau.
+struct Rig {
+  double displacement_origin{};               ///< m
+  double force_origin{};                      ///< N
+  double displacement_drift{};                ///< from the start of the loop to its end, m
+  double force_drift{};                       ///< N
+  std::optional<double> machine_stiffness{};  ///< in series with the foils, N/m; absent: that of all, else rigid
+
+  bool operator==(const Rig&) const = default;
+};
+
+/// A measured loop.
+struct FitData {
+  FittedExperiment experiment{FittedExperiment::cycle};
+  double direction{};                    ///< of a cycle, rad
+  std::optional<PlaneTarget> preload{};  ///< of a cycle, in place of that of the case
+  std::string columns{};                 ///< names of the columns of its file, see parse_measured_columns()
+  std::vector<double> displacements{};   ///< of one cycle, in the order of measurement, m
+  std::vector<double> forces{};          ///< N
+  std::optional<double> force_std{};     ///< of one reading, N; absent: from the scatter of neighbours
+  double displacement_std{};             ///< m
+  int points{100};                       ///< of equal arc length at which residuals are taken
+  Rig rig;
+
+  bool operator==(const FitData&) const = default;
+};
+
+/// A key that is fitted: of the case, or of the rig ("fit.data[1].force_origin", "fit.machine_stiffness").
+struct FitParameter {
+  std::string key;
+  double start{};  ///< SI, as all numbers
+  double lower{};
+  double upper{};
+  std::optional<double> mean{};  ///< of what is known of it before
+  std::optional<double> std{};
+
+  bool operator==(const FitParameter&) const = default;
+};
+
+struct FitSettings {
+  std::vector<FitData> data{};
+  std::vector<FitParameter> parameters{};
+  std::optional<double> machine_stiffness{};  ///< of all data without its own, N/m
+  int starts{5};                              ///< minimisations, the first from the starts that are given
+  std::optional<double> huber{};              ///< residuals beyond so many standard deviations count linearly
+
+  bool operator==(const FitSettings&) const = default;
+};
+
+/// What was found of a parameter, SI.
+struct FittedValue {
+  double value{};
+  std::optional<double> standard_error{};  ///< absent where it lies at a bound, or the data do not tell it
+  std::optional<double> lower_95{};
+  std::optional<double> upper_95{};
+  bool at_bound{};
+};
+
+/// A part of a measured loop of equal arc length: means of the readings in it.
+struct FittedPoint {
+  bool pull{};  ///< on the way back
+  double displacement{};
+  double measured{};  ///< force, N
+  double fitted{};    ///< N
+  double std{};       ///< of the mean, N
+  int readings{};
+};
+
+struct FittedLoop {
+  std::vector<FittedPoint> points;
+  double noise{};     ///< standard deviation of one reading of the force: given, or from the scatter of neighbours, N
+  double residual{};  ///< root mean square of measured less fitted forces of the points, N
+};
+
+/// Where a minimisation ended.
+struct FitMinimum {
+  std::vector<double> values;  ///< of the parameters, SI
+  double cost{};               ///< what was minimised: squares of residuals in standard deviations
+};
+
+struct FitResult {
+  FitSettings settings;
+  std::vector<std::string> units;  ///< of the parameters
+  Status status{Status::converged};
+  std::vector<FittedValue> parameters;
+  Eigen::MatrixXd correlation;  ///< not a number where a standard error is absent
+  double chi_square{};          ///< squares of measured less fitted over their standard deviations, priors included
+  int degrees_of_freedom{};
+  /// Of the sensitivities of the data, each parameter's scaled to length 1: 1 / smallest singular value [Brun2001].
+  double collinearity{};
+  std::vector<std::string> directions;  ///< what the data hardly tell, in words
+  std::vector<FitMinimum> minima;       ///< that differ, the best first
+  std::vector<FittedLoop> loops;
+  std::size_t runs{};  ///< evaluations of the model
+  Case fitted;         ///< the case with these values, without [fit]
+
+  [[nodiscard]] double reduced_chi_square() const { return chi_square / degrees_of_freedom; }
+};
+
+/// Finds parameters of a case by bounded least squares from measured loops, from several starts.
+///
+/// Standard errors are those of linearised least squares, from the noise of the readings; where the residuals are
+/// larger than that noise (chi-square per degree of freedom above 1), larger by its root. Intervals are those of
+/// Student's t.
+/// @throws Error (input) if the case has no fit, or cannot be run at the starts that are given
+FitResult run_fit(const Case& input, const ProgressCallback& progress = {});
+
+}  // namespace bumpfoil

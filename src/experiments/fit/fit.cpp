@@ -1,0 +1,298 @@
+#include "bumpfoil/experiments/fit/fit.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/results/dataset.hpp"
+#include "experiments/fit/fit_keys.hpp"
+#include "experiments/fit/fit_model.hpp"
+#include "experiments/fit/fit_statistics.hpp"
+#include "experiments/fit/least_squares.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Places for each parameter among which the further starts are the best.
+constexpr std::size_t places_per_parameter = 4;
+/// A parameter this near to a bound, in parts of the way between both, lies at it.
+constexpr double at_bound = 1e-6;
+/// Minima nearer than this part of the bounds, in every parameter, are one.
+constexpr double apart = 0.02;
+/// A minimum whose chi-square is no more above the best (of chi-square per degree of freedom) is nearly as deep.
+constexpr double nearly_as_deep = 9.0;
+
+/// Point k of a sequence that fills a box evenly: additive recurrence with the powers of the root of x^(n+1) = x + 1.
+Eigen::VectorXd even_point(std::size_t k, Eigen::Index parameters) {
+  double root = 1.5;
+  for (int i = 0; i < 50; ++i) root = std::pow(1.0 + root, 1.0 / static_cast<double>(parameters + 1));
+  Eigen::VectorXd x(parameters);
+  for (Eigen::Index i = 0; i < parameters; ++i) {
+    const double way = 0.5 + static_cast<double>(k) * std::pow(root, -static_cast<double>(i + 1));
+    x[i] = way - std::floor(way);
+  }
+  return x;
+}
+
+class Fit {
+ public:
+  Fit(const Case& input, const ProgressCallback& progress)
+      : model_(input), settings_(model_.settings()), progress_(progress) {
+    for (std::size_t i = 0; i < settings_.data.size(); ++i) {
+      const MeasuredCurve& curve = model_.curves()[i];
+      noise_.push_back(settings_.data[i].force_std.value_or(curve.scatter()));
+      deviations_.push_back(std::vector<double>(curve.points(), noise_.back()));
+      rows_ += static_cast<Eigen::Index>(curve.points());
+    }
+    problem_.robust = rows_;
+    problem_.huber = settings_.huber;
+    problem_.residuals = [this](const Eigen::VectorXd& x) { return residuals(x); };
+  }
+
+  FitResult run() {
+    FitResult result;
+    result.settings = settings_;
+    for (const FitParameter& parameter : settings_.parameters) {
+      const std::optional<Dimension> dimension = dimension_of(parameter.key);
+      result.units.emplace_back(dimension ? si_unit(*dimension) : "1");
+    }
+    const Eigen::VectorXd given = given_start();
+    require_start(given);
+    weigh(given);
+    std::vector<LeastSquaresMinimum> minima = minimise_from_all(given);
+    if (!minima.empty() && settings_has_noisy_displacements()) {
+      weigh(minima.front().x);
+      // Deviations follow the slope of the loop: with those of the solution, once more from there.
+      if (auto again = minimise(problem_, minima.front().x, [] { return true; })) minima.front() = std::move(*again);
+    }
+    result.runs = runs_;
+    if (minima.empty()) {
+      result.status = stopped_ ? Status::interrupted : Status::not_converged;
+      return result;
+    }
+    describe_minimum(minima.front(), result);
+    keep_minima(minima, result);
+    result.status = stopped_                   ? Status::interrupted
+                    : minima.front().converged ? Status::converged
+                                               : Status::iterations_spent;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index count() const { return std::ssize(settings_.parameters); }
+
+  [[nodiscard]] Eigen::VectorXd given_start() const {
+    Eigen::VectorXd x(count());
+    for (Eigen::Index i = 0; i < count(); ++i) {
+      const FitParameter& one = settings_.parameters[static_cast<std::size_t>(i)];
+      x[i] = (one.start - one.lower) / (one.upper - one.lower);
+    }
+    return x;
+  }
+
+  [[nodiscard]] std::vector<double> values_at(const Eigen::VectorXd& x) const {
+    std::vector<double> values;
+    for (Eigen::Index i = 0; i < count(); ++i) {
+      const FitParameter& one = settings_.parameters[static_cast<std::size_t>(i)];
+      values.push_back(std::clamp(one.lower + x[i] * (one.upper - one.lower), one.lower, one.upper));
+    }
+    return values;
+  }
+
+  [[nodiscard]] bool settings_has_noisy_displacements() const {
+    return std::any_of(settings_.data.begin(), settings_.data.end(),
+                       [](const FitData& data) { return data.displacement_std > 0.0; });
+  }
+
+  /// @throws Error (input) with what prevents the case from being run there
+  void require_start(const Eigen::VectorXd& x) const {
+    const std::vector<double> values = values_at(x);
+    for (std::size_t i = 0; i < settings_.data.size(); ++i) static_cast<void>(model_.case_of_loop(i, values));
+    if (model_.forces(values)) return;
+    throw Error(ErrorKind::input, {{"", 0, "fit.parameter", "", "the model cannot be run at the starts",
+                                    "start from values with which `bumpfoil cycle` or `bumpfoil strip` runs as far"}});
+  }
+
+  /// Takes the standard deviation of each point from the slope of the loops there, as for the mean number of readings:
+  /// every point counts the same but for that.
+  void weigh(const Eigen::VectorXd& x) {
+    const auto forces = model_.forces(values_at(x));
+    if (!forces) return;
+    for (std::size_t i = 0; i < deviations_.size(); ++i) {
+      const MeasuredCurve& curve = model_.curves()[i];
+      const double mean_readings = static_cast<double>(curve.readings().size()) / static_cast<double>(curve.points());
+      const std::vector<double> one = deviations_of_readings(i, (*forces)[i]);
+      for (std::size_t k = 0; k < one.size(); ++k) deviations_[i][k] = one[k] / std::sqrt(mean_readings);
+    }
+  }
+
+  /// Standard deviation of one reading of the force in each point, N.
+  [[nodiscard]] std::vector<double> deviations_of_readings(std::size_t loop, const LoopForces& forces) const {
+    const MeasuredCurve& curve = model_.curves()[loop];
+    std::size_t k = 0;
+    const std::vector<double> slopes = curve.means([&](const Reading&) { return std::abs(forces.slope[k++]); });
+    std::vector<double> all;
+    all.reserve(slopes.size());
+    for (const double slope : slopes) {
+      all.push_back(std::hypot(noise_[loop], slope * settings_.data[loop].displacement_std));
+    }
+    return all;
+  }
+
+  /// Of the model less measured, mean of each point, N.
+  [[nodiscard]] std::vector<double> differences(std::size_t loop, const LoopForces& forces) const {
+    std::size_t k = 0;
+    return model_.curves()[loop].means([&](const Reading& reading) { return forces.at[k++] - reading.force; });
+  }
+
+  std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& x) {
+    if (stopped_) return std::nullopt;
+    ++runs_;
+    const std::vector<double> values = values_at(x);
+    const auto forces = model_.forces(values);
+    if (!forces) return std::nullopt;
+    std::vector<double> all;
+    for (std::size_t i = 0; i < forces->size(); ++i) {
+      const std::vector<double> own = differences(i, (*forces)[i]);
+      for (std::size_t k = 0; k < own.size(); ++k) all.push_back(own[k] / deviations_[i][k]);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const FitParameter& one = settings_.parameters[i];
+      if (one.mean) all.push_back((values[i] - *one.mean) / *one.std);
+    }
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(all.data(), std::ssize(all)));
+  }
+
+  /// Minima from the given start and from the best of other places, the best first.
+  std::vector<LeastSquaresMinimum> minimise_from_all(const Eigen::VectorXd& given) {
+    std::vector<Eigen::VectorXd> starts{given};
+    const auto further = static_cast<std::size_t>(settings_.starts) - 1;
+    if (further > 0) {
+      const std::size_t places = std::max(further, places_per_parameter * settings_.parameters.size());
+      std::vector<double> costs(places, std::numeric_limits<double>::infinity());
+      tbb::parallel_for(std::size_t{0}, places, [&](std::size_t k) {
+        if (const auto there = residuals(even_point(k + 1, count()))) costs[k] = cost_of(problem_, *there);
+      });
+      std::vector<std::size_t> order(places);
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+      for (std::size_t k = 0; k < further; ++k) {
+        if (std::isfinite(costs[order[k]])) starts.push_back(even_point(order[k] + 1, count()));
+      }
+    }
+    std::vector<LeastSquaresMinimum> minima;
+    for (std::size_t k = 0; k < starts.size() && !stopped_; ++k) {
+      int steps = 0;
+      // Of the steps of a minimisation nobody knows how many there will be.
+      const auto go_on = [&] {
+        const double part = 1.0 - 1.0 / (1.0 + 0.1 * steps++);
+        stopped_ = progress_ && !progress_((static_cast<double>(k) + part) / static_cast<double>(starts.size()));
+        return !stopped_;
+      };
+      if (auto minimum = minimise(problem_, starts[k], go_on)) minima.push_back(std::move(*minimum));
+    }
+    std::stable_sort(minima.begin(), minima.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    return minima;
+  }
+
+  void describe_minimum(const LeastSquaresMinimum& minimum, FitResult& result) {
+    const std::vector<double> values = values_at(minimum.x);
+    const auto forces = model_.forces(values);
+    FitEstimate estimate{.sensitivities = minimum.jacobian,
+                         .weights = Eigen::VectorXd::Ones(minimum.residuals.size()),
+                         .variances = Eigen::VectorXd::Ones(minimum.residuals.size()),
+                         .held = {}};
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < forces->size(); ++i) {
+      const MeasuredCurve& curve = model_.curves()[i];
+      const std::vector<double> differences_here = differences(i, (*forces)[i]);
+      const std::vector<double> deviations = deviations_of_readings(i, (*forces)[i]);
+      const std::vector<double> displacements = curve.means([](const Reading& one) { return one.displacement; });
+      const std::vector<double> measured = curve.means([](const Reading& one) { return one.force; });
+      const std::vector<double> pulls = curve.means([](const Reading& one) { return one.pull ? 1.0 : 0.0; });
+      FittedLoop& loop = result.loops.emplace_back();
+      loop.noise = noise_[i];
+      double squares = 0.0;
+      for (std::size_t k = 0; k < differences_here.size(); ++k, ++row) {
+        const double std = deviations[k] / std::sqrt(curve.counts()[k]);
+        loop.points.push_back(
+            {pulls[k] > 0.5, displacements[k], measured[k], measured[k] + differences_here[k], std, curve.counts()[k]});
+        squares += differences_here[k] * differences_here[k];
+        if (settings_.huber) {
+          estimate.weights[row] = std::min(1.0, *settings_.huber / std::abs(minimum.residuals[row]));
+        }
+        estimate.variances[row] = std::pow(std / deviations_[i][k], 2);
+        result.chi_square += estimate.weights[row] * std::pow(differences_here[k] / std, 2);
+      }
+      loop.residual = std::sqrt(squares / static_cast<double>(differences_here.size()));
+    }
+    for (Eigen::Index i = row; i < minimum.residuals.size(); ++i) {
+      result.chi_square += minimum.residuals[i] * minimum.residuals[i];
+    }
+    int open = 0;
+    for (Eigen::Index i = 0; i < count(); ++i) {
+      const FitParameter& one = settings_.parameters[static_cast<std::size_t>(i)];
+      estimate.sensitivities.col(i) /= one.upper - one.lower;
+      estimate.held.push_back(minimum.x[i] < at_bound || minimum.x[i] > 1.0 - at_bound);
+      open += estimate.held.back() ? 0 : 1;
+    }
+    result.degrees_of_freedom = std::max(1, static_cast<int>(minimum.residuals.size()) - open);
+    const double excess = std::max(1.0, result.reduced_chi_square());
+    const Eigen::MatrixXd covariance = excess * covariance_of(estimate);
+    const double factor = student_975(result.degrees_of_freedom);
+    for (Eigen::Index i = 0; i < count(); ++i) {
+      FittedValue& found = result.parameters.emplace_back();
+      found.value = values[static_cast<std::size_t>(i)];
+      found.at_bound = estimate.held[static_cast<std::size_t>(i)];
+      const double std = std::sqrt(covariance(i, i));
+      if (!std::isfinite(std)) continue;
+      found.standard_error = std;
+      found.lower_95 = found.value - factor * std;
+      found.upper_95 = found.value + factor * std;
+    }
+    const Eigen::VectorXd deviations = covariance.diagonal().cwiseSqrt();
+    result.correlation = covariance.cwiseQuotient(deviations * deviations.transpose());
+    result.directions =
+        hardly_told(estimate.sensitivities.topRows(rows_), settings_.parameters, result.units, result.collinearity);
+    result.fitted = model_.case_with(values);
+  }
+
+  /// Those that differ, where they are nearly as deep.
+  void keep_minima(const std::vector<LeastSquaresMinimum>& minima, FitResult& result) const {
+    std::vector<Eigen::VectorXd> kept;
+    const double excess = std::max(1.0, result.reduced_chi_square());
+    for (const LeastSquaresMinimum& minimum : minima) {
+      if (minimum.cost - minima.front().cost > nearly_as_deep * excess) break;
+      const bool known = std::any_of(kept.begin(), kept.end(), [&](const Eigen::VectorXd& other) {
+        return (other - minimum.x).cwiseAbs().maxCoeff() < apart;
+      });
+      if (known) continue;
+      kept.push_back(minimum.x);
+      result.minima.push_back({values_at(minimum.x), minimum.cost});
+    }
+  }
+
+  FitModel model_;
+  const FitSettings& settings_;
+  const ProgressCallback& progress_;
+  std::vector<double> noise_;                    ///< of each loop, one reading, N
+  std::vector<std::vector<double>> deviations_;  ///< that residuals are weighed by, N
+  Eigen::Index rows_{};                          ///< of the data
+  LeastSquares problem_;
+  std::atomic<std::size_t> runs_{};
+  std::atomic<bool> stopped_{};
+};
+
+}  // namespace
+
+FitResult run_fit(const Case& input, const ProgressCallback& progress) {
+  return Fit(input, progress).run();
+}
+
+}  // namespace bumpfoil

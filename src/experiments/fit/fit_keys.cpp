@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "case/key_list.hpp"
+#include "core/number_text.hpp"
+#include "experiments/fit/fit_keys.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view begin_of_data = "fit.data[";
+constexpr std::string_view common_friction = "friction.coefficient";
+constexpr std::string_view common_machine = "fit.machine_stiffness";
+
+constexpr std::array rig_numbers{std::pair{std::string_view("displacement_origin"), &Rig::displacement_origin},
+                                 std::pair{std::string_view("force_origin"), &Rig::force_origin},
+                                 std::pair{std::string_view("displacement_drift"), &Rig::displacement_drift},
+                                 std::pair{std::string_view("force_drift"), &Rig::force_drift}};
+
+/// "force_origin" of "fit.data[1].force_origin".
+std::string_view name_in_data(std::string_view key) {
+  return key.substr(std::min(key.size(), key.find("].") + 2));
+}
+
+bool is_rig_key(std::string_view key) {
+  if (key == common_machine) return true;
+  const std::string_view name = name_in_data(key);
+  return data_of_key(key) &&
+         (name == "machine_stiffness" ||
+          std::any_of(rig_numbers.begin(), rig_numbers.end(), [name](const auto& one) { return one.first == name; }));
+}
+
+/// Those of a case without a fit: what describes fits may look there.
+const std::vector<ListedKey>& keys_of_cases() {
+  static const std::vector<ListedKey> keys = list_keys(Case{});
+  return keys;
+}
+
+}  // namespace
+
+bool is_fitted_key(const std::string& key) {
+  if (is_of_rig(key)) return is_rig_key(key);
+  const ListedKey* const listed = find_key(keys_of_cases(), key);
+  if (key.ends_with(".diameter")) return false;  // cases are written with the radius
+  return listed != nullptr && listed->holds_number() && listed->kind != "whole number" && !listed->is_either();
+}
+
+std::string advice_on_fitted(const std::string& key) {
+  return find_key(keys_of_cases(), key) == nullptr ? advice_on_number(keys_of_cases(), key)
+                                                   : "give a key of the bearing, its foils, their friction or the rig";
+}
+
+std::optional<Dimension> dimension_of(const std::string& key) {
+  if (key.empty()) return std::nullopt;  // as described where there is none
+  const ListedKey* const listed = find_key(keys_of_cases(), key);
+  return listed == nullptr ? std::nullopt : listed->key.dimension;
+}
+
+std::optional<std::size_t> data_of_key(std::string_view key) {
+  if (!key.starts_with(begin_of_data)) return std::nullopt;
+  std::size_t number = 0;
+  read_number(key.substr(begin_of_data.size()), number);
+  return number;
+}
+
+std::vector<std::string> keys_set_by(const std::string& key) {
+  if (is_of_rig(key)) return {};
+  if (!key.ends_with(common_friction)) return {key};
+  const std::string table = key.substr(0, key.size() - common_friction.size());
+  return {table + "friction.top_bump", table + "friction.bump_sleeve"};
+}
+
+void set_rig(FitSettings& fit, std::string_view key, double value) {
+  if (key == common_machine) {
+    fit.machine_stiffness = value;
+    return;
+  }
+  Rig& rig = fit.data[*data_of_key(key) - 1].rig;
+  const std::string_view name = name_in_data(key);
+  for (const auto& [known, member] : rig_numbers) {
+    if (known == name) rig.*member = value;
+  }
+  if (name == "machine_stiffness") rig.machine_stiffness = value;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/experiments/fit/fit.hpp"
+#include "case/units.hpp"
+
+namespace bumpfoil {
+
+/// Whether a key holds a real number that a fit can change.
+bool is_fitted_key(const std::string& key);
+
+/// What to write in place of another.
+std::string advice_on_fitted(const std::string& key);
+
+/// Absent of plain numbers, and of what is no key.
+std::optional<Dimension> dimension_of(const std::string& key);
+
+/// Number from 1 of the data whose rig has this key; absent of other keys.
+std::optional<std::size_t> data_of_key(std::string_view key);
+
+/// Whether the key is one of the rig, not of the case.
+inline bool is_of_rig(std::string_view key) {
+  return key.starts_with("fit.");
+}
+
+/// The keys that a case written by case_to_toml() has for one that is fitted: it tells friction apart by interface.
+std::vector<std::string> keys_set_by(const std::string& key);
+
+/// Sets a key of the rig. @pre  is_of_rig(key)
+void set_rig(FitSettings& fit, std::string_view key, double value);
+
+}  // namespace bumpfoil

@@ -1,0 +1,83 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/fit/fit.hpp"
+#include "experiments/fit/fit_output.hpp"
+#include "results/result_files.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> fit_failures(const FitResult& result) {
+  switch (result.status) {
+    case Status::converged:
+    case Status::interrupted:
+      return {};
+    case Status::iterations_spent:
+      return {"the best minimisation ended before its sum of squares came to rest"};
+    default:
+      return {"no minimum was found"};
+  }
+}
+
+std::vector<ResultFile> fit_files(const Case& input, const FitResult& result, RunStatus status,
+                                  const Provenance& provenance) {
+  const std::vector<std::string> failures = fit_failures(result);
+  const std::vector<std::string> warnings = fit_warnings(result);
+  return make_result_files({.input = input,
+                            .command = "fit",
+                            .status = status,
+                            .message = message_of(failures, status),
+                            .warnings = warnings,
+                            .provenance = provenance},
+                           "fit.nc", "use fewer points", [&](const std::string& /*run_id*/) {
+                             ResultContents contents{
+                                 .texts = {{"fit.csv", fit_csv(result)}}, .dataset = fit_dataset(result), .lists = [&] {
+                                   Json json{{"failures", failures}, {"warnings", warnings}};
+                                   json.update(fit_lists(result));
+                                   return json;
+                                 }};
+                             if (!result.parameters.empty()) {
+                               contents.texts.push_back({"case.toml", fitted_case_text(result)});
+                             }
+                             return contents;
+                           });
+}
+
+}  // namespace
+
+ExperimentInfo fit_experiment() {
+  return {
+      .name = "fit",
+      .summary = "Find parameters of the case from measured loops, as specified in [fit]",
+      .examples =
+          "  bumpfoil fit examples/fit.toml -o fit\n"
+          "  bumpfoil fit examples/fit.toml -o robust --set fit.huber=1.345\n"
+          "  bumpfoil cycle fit/case.toml -o fitted\n",
+      .files = {"summary.json", "fit.csv", "fit.nc", "case.toml"},
+      .run =
+          [](const Case& input, const ProgressCallback& progress) {
+            const auto result = std::make_shared<const FitResult>(run_fit(input, progress));
+            const std::vector<std::string> failures = fit_failures(*result);
+            const RunStatus status = result->status == Status::interrupted ? RunStatus::interrupted
+                                     : failures.empty()                    ? RunStatus::complete
+                                                                           : RunStatus::failed;
+            return Outcome{
+                .status = status,
+                .warnings = fit_warnings(*result),
+                .failures = failures,
+                .table = [=] { return fit_table(*result); },
+                .dataset = [=] { return fit_dataset(*result); },
+                .files = [=](const Provenance& provenance) { return fit_files(input, *result, status, provenance); }};
+          },
+      .small_runs = {{"fit.starts=1",
+                      "fit.data=[{displacements=[0, 3e-5, 5e-5, 6e-5, 7e-5, 6.5e-5, 5e-5, 3e-5, 0], "
+                      "forces=[0, 0, 130, 290, 460, 360, 110, 0, 0], points=8}]",
+                      "fit.parameter=[{key=\"friction.coefficient\", start=0.1, lower=0.0, upper=0.5}]"}}};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,302 @@
+#include "experiments/fit/fit_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "core/number_text.hpp"
+#include "experiments/fit/fit_statistics.hpp"
+#include "results/csv_value.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 2> branch_words{"push", "pull"};
+
+template <typename Result>
+using FitQuantity = Quantity<double (*)(const Result&)>;
+
+double cell(const std::optional<double>& value) {
+  return value.value_or(absent);
+}
+
+constexpr std::array fit_quantities{
+    FitQuantity<FitResult>{"status", "", "how the minimisation ended",
+                           [](const FitResult& fit) { return static_cast<double>(fit.status); }, tag::none, "status",
+                           shown::unitless, flags<Status>},
+    FitQuantity<FitResult>{"chi_square", "1", "squares of measured less fitted over their standard deviations",
+                           [](const FitResult& fit) { return fit.chi_square; }},
+    FitQuantity<FitResult>{"degrees_of_freedom", "1", "points and priors less parameters",
+                           [](const FitResult& fit) { return static_cast<double>(fit.degrees_of_freedom); }, tag::none,
+                           "", shown::in_files, whole_number},
+    FitQuantity<FitResult>{"reduced_chi_square", "1", "chi-square per degree of freedom: 1 where noise explains all",
+                           [](const FitResult& fit) { return fit.reduced_chi_square(); }, tag::headline,
+                           "chi-square per degree of freedom", shown::unitless},
+    FitQuantity<FitResult>{
+        "collinearity", "1", "1 over the smallest singular value of the sensitivities, each scaled to length 1",
+        [](const FitResult& fit) { return fit.collinearity; }, tag::none, "collinearity", shown::unitless},
+    FitQuantity<FitResult>{"model_runs", "1", "evaluations of the model",
+                           [](const FitResult& fit) { return static_cast<double>(fit.runs); }, tag::of_solver, "",
+                           shown::in_files, whole_number}};
+
+/// In the SI unit of the parameter.
+constexpr std::array parameter_quantities{
+    FitQuantity<FittedValue>{"fitted_value", "1", "best value, in the SI unit of the parameter",
+                             [](const FittedValue& one) { return one.value; }},
+    FitQuantity<FittedValue>{"standard_error", "1", "standard error, in the SI unit of the parameter",
+                             [](const FittedValue& one) { return cell(one.standard_error); }},
+    FitQuantity<FittedValue>{"lower_95", "1", "lower end of the 95 % interval, in the SI unit of the parameter",
+                             [](const FittedValue& one) { return cell(one.lower_95); }},
+    FitQuantity<FittedValue>{"upper_95", "1", "upper end of the 95 % interval, in the SI unit of the parameter",
+                             [](const FittedValue& one) { return cell(one.upper_95); }},
+    FitQuantity<FittedValue>{"at_bound", "1", "whether the best value lies at a bound",
+                             [](const FittedValue& one) { return one.at_bound ? 1.0 : 0.0; }, tag::none, "",
+                             shown::in_files, yes_or_no}};
+
+constexpr std::array loop_quantities{
+    FitQuantity<FittedLoop>{"force_noise", "N",
+                            "standard deviation of one reading of the force: given, or from the "
+                            "scatter of neighbours",
+                            [](const FittedLoop& loop) { return loop.noise; }},
+    FitQuantity<FittedLoop>{"residual_rms", "N", "root mean square of measured less fitted force",
+                            [](const FittedLoop& loop) { return loop.residual; }}};
+
+constexpr std::array fit_point_quantities{
+    FitQuantity<FittedPoint>{"fit_branch", "", "push or pull",
+                             [](const FittedPoint& point) { return point.pull ? 1.0 : 0.0; }, tag::none, "",
+                             shown::in_files, Form{Form::flag, branch_words}},
+    FitQuantity<FittedPoint>{"measured_displacement", "m", "mean of the readings of the displacement",
+                             [](const FittedPoint& point) { return point.displacement; }},
+    FitQuantity<FittedPoint>{"measured_force", "N", "mean of the readings of the force",
+                             [](const FittedPoint& point) { return point.measured; }},
+    FitQuantity<FittedPoint>{"fitted_force", "N", "what the fitted model gives at the same readings",
+                             [](const FittedPoint& point) { return point.fitted; }},
+    FitQuantity<FittedPoint>{"force_residual", "N", "measured less fitted",
+                             [](const FittedPoint& point) { return point.measured - point.fitted; }},
+    FitQuantity<FittedPoint>{"force_deviation", "N", "standard deviation of the mean of the readings",
+                             [](const FittedPoint& point) { return point.std; }},
+    FitQuantity<FittedPoint>{"readings", "1", "number of readings",
+                             [](const FittedPoint& point) { return static_cast<double>(point.readings); }, tag::none,
+                             "", shown::in_files, whole_number}};
+
+/// A number in the SI unit of a parameter, in a unit that people read.
+struct ReadUnit {
+  std::string name;
+  double size{1.0};
+};
+
+ReadUnit read_unit_of(const std::string& unit) {
+  if (unit == "m") return {"um", 1e-6};
+  if (unit == "rad") return {"deg", std::numbers::pi / 180.0};
+  if (unit == "N/m") return {"MN/m", 1e6};
+  if (unit == "Pa") return {"GPa", 1e9};
+  return {unit == "1" ? "" : unit, 1.0};
+}
+
+std::string parameter_line(const FitResult& result, std::size_t i, std::size_t width) {
+  const FittedValue& found = result.parameters[i];
+  const ReadUnit unit = read_unit_of(result.units[i]);
+  const auto text = [&](const std::optional<double>& number) { return number_text(number, unit.size); };
+  return fmt::format("{:<{}}  {:>12}  {:>14}  {:>12}  {:>12}  {}{}\n", result.settings.parameters[i].key, width,
+                     text(found.value), text(found.standard_error), text(found.lower_95), text(found.upper_95),
+                     unit.name, found.at_bound ? "  at a bound" : "");
+}
+
+std::string values_text(const FitResult& result, const std::vector<double>& values) {
+  std::vector<std::string> parts;
+  parts.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const ReadUnit unit = read_unit_of(result.units[i]);
+    parts.push_back(fmt::format("{} = {}{}{}", result.settings.parameters[i].key, number_text(values[i], unit.size),
+                                unit.name.empty() ? "" : " ", unit.name));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> fit_warnings(const FitResult& result) {
+  std::vector<std::string> lines;
+  if (result.parameters.empty()) return lines;
+  if (is_excessive(result.chi_square, result.degrees_of_freedom)) {
+    lines.push_back(fmt::format(
+        "the model does not explain the data: chi-square per degree of freedom is {:.3g}, 1 where noise explains all; "
+        "standard errors are larger by its root, and still too small where residuals follow each other",
+        result.reduced_chi_square()));
+  }
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    if (!result.parameters[i].at_bound) continue;
+    lines.push_back(
+        fmt::format("{} lies at a bound: its standard error is not known, and those of the others hold for "
+                    "this value",
+                    result.settings.parameters[i].key));
+  }
+  lines.insert(lines.end(), result.directions.begin(), result.directions.end());
+  for (std::size_t i = 1; i < result.minima.size(); ++i) {
+    lines.push_back(fmt::format("another minimum is nearly as deep (chi-square larger by {:.3g}): {}",
+                                result.minima[i].cost - result.minima.front().cost,
+                                values_text(result, result.minima[i].values)));
+  }
+  return lines;
+}
+
+std::string fit_table(const FitResult& result) {
+  if (result.parameters.empty()) return "no minimum was found\n";
+  std::size_t width = std::string_view("parameter").size();
+  for (const FitParameter& parameter : result.settings.parameters) width = std::max(width, parameter.key.size());
+  std::string out = fmt::format("{:<{}}  {:>12}  {:>14}  {:>12}  {:>12}  unit\n", "parameter", width, "value",
+                                "standard error", "95 %: from", "to");
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) out += parameter_line(result, i, width);
+  out += '\n';
+  for (std::size_t i = 0; i < result.loops.size(); ++i) {
+    const FittedLoop& loop = result.loops[i];
+    out += fmt::format("loop {}: residual {} N at {} points, noise of one reading {} N\n", i + 1,
+                       number_text(loop.residual, 1.0), loop.points.size(), number_text(loop.noise, 1.0));
+  }
+  out += fmt::format("chi-square per degree of freedom: {:.4g} ({} degrees of freedom)\n", result.reduced_chi_square(),
+                     result.degrees_of_freedom);
+  bool any = false;
+  for (Eigen::Index a = 0; a < result.correlation.rows(); ++a) {
+    for (Eigen::Index b = 0; b < a; ++b) {
+      constexpr double strong = 0.9;
+      const double rho = result.correlation(a, b);
+      if (!(std::abs(rho) > strong)) continue;
+      out += fmt::format("{}correlation {:+.3f}: {}, {}\n", any ? "" : "\n", rho,
+                         result.settings.parameters[static_cast<std::size_t>(b)].key,
+                         result.settings.parameters[static_cast<std::size_t>(a)].key);
+      any = true;
+    }
+  }
+  return out;
+}
+
+Dataset fit_dataset(const FitResult& result) {
+  Dataset data;
+  const std::size_t count = result.settings.parameters.size();
+  for (const auto& quantity : fit_quantities) {
+    data.add(
+        quantity.meaning(), {},
+        std::vector<double>{result.parameters.empty() && quantity.name != "status" ? absent : quantity.value(result)});
+  }
+  data.add_dimension({"parameter", "1", "fitted parameter, named by the attribute parameters", whole_number},
+                     numbers_from(1.0, count));
+  std::map<std::string, std::string>& names = data.coordinates.back().attributes;
+  names["parameters"] = fmt::format(
+      "{}", fmt::join(each(result.settings.parameters, [](const FitParameter& one) { return one.key; }), ", "));
+  names["parameter_units"] = fmt::format("{}", fmt::join(result.units, ", "));
+  const auto add_over_parameters = [&](VariableMeaning meaning, const auto& value) {
+    data.add(std::move(meaning), {"parameter"}, each(result.settings.parameters, value));
+  };
+  add_over_parameters({"start_value", "1", "given start, in the SI unit of the parameter"},
+                      [](const FitParameter& one) { return one.start; });
+  add_over_parameters({"lower_bound", "1", "in the SI unit of the parameter"},
+                      [](const FitParameter& one) { return one.lower; });
+  add_over_parameters({"upper_bound", "1", "in the SI unit of the parameter"},
+                      [](const FitParameter& one) { return one.upper; });
+  for (const auto& quantity : parameter_quantities) {
+    std::vector<double> values = each(result.parameters, quantity.value);
+    values.resize(count, absent);
+    data.add(quantity.meaning(), {"parameter"}, std::move(values));
+  }
+  data.add_dimension({"other_parameter", "1", "the other of two parameters", whole_number}, numbers_from(1.0, count));
+  std::vector<double> correlation(result.correlation.data(), result.correlation.data() + result.correlation.size());
+  correlation.resize(count * count, absent);
+  data.add({"correlation", "1", "of two parameters"}, {"parameter", "other_parameter"}, std::move(correlation));
+
+  data.add_dimension({"minimum", "1", "minima that are nearly as deep as the best, which is the first", whole_number},
+                     numbers_from(1.0, result.minima.size()));
+  data.add({"minimum_cost", "1", "squares of residuals in standard deviations"}, {"minimum"},
+           each(result.minima, [](const FitMinimum& one) { return one.cost; }));
+  data.add({"minimum_value", "1", "of the parameters at the minimum, in their SI units"}, {"minimum", "parameter"},
+           padded_rows(result.minima.size(), count,
+                       [&](std::size_t i) -> const std::vector<double>& { return result.minima[i].values; }));
+
+  data.add_dimension({"data", "1", "measured loop", whole_number}, numbers_from(1.0, result.loops.size()));
+  for (const auto& quantity : loop_quantities) {
+    data.add(quantity.meaning(), {"data"}, each(result.loops, quantity.value));
+  }
+  std::size_t longest = 0;
+  for (const FittedLoop& loop : result.loops) longest = std::max(longest, loop.points.size());
+  data.add_dimension({"point", "1", "part of equal arc length of a measured loop", whole_number},
+                     numbers_from(0.0, longest));
+  for (const auto& quantity : fit_point_quantities) {
+    data.add(quantity.meaning(), {"data", "point"}, padded_rows(result.loops.size(), longest, [&](std::size_t i) {
+               return each(result.loops[i].points, quantity.value);
+             }));
+  }
+  return data;
+}
+
+std::string fit_csv(const FitResult& result) {
+  std::string out = "data,point";
+  for (const auto& quantity : fit_point_quantities) out += ',' + quantity.key();
+  out += '\n';
+  for (std::size_t i = 0; i < result.loops.size(); ++i) {
+    const std::vector<FittedPoint>& points = result.loops[i].points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      out += fmt::format("{},{}", i + 1, k);
+      for (const auto& quantity : fit_point_quantities)
+        append_csv(out += ',', quantity.value(points[k]), quantity.form);
+      out += '\n';
+    }
+  }
+  return out;
+}
+
+Json fit_lists(const FitResult& result) {
+  Json json;
+  for (const auto& quantity : fit_quantities) {
+    if (quantity.name == "status") continue;
+    json[quantity.key()] = result.parameters.empty() ? Json() : value_json(quantity.value(result), quantity.form);
+  }
+  json["parameters"] = Json::array();
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    const FitParameter& parameter = result.settings.parameters[i];
+    Json& entry = json["parameters"].emplace_back(
+        Json{{"key", parameter.key}, {"unit", result.units[i]}, {"start", parameter.start}});
+    for (const auto& quantity : parameter_quantities) {
+      entry[quantity.key()] = value_json(quantity.value(result.parameters[i]), quantity.form);
+    }
+    entry["correlations"] = Json::array();
+    for (Eigen::Index k = 0; k < result.correlation.cols(); ++k) {
+      entry["correlations"].push_back(value_json(result.correlation(static_cast<Eigen::Index>(i), k)));
+    }
+  }
+  json["loops"] = Json::array();
+  for (const FittedLoop& loop : result.loops) {
+    Json& entry = json["loops"].emplace_back(Json{{"points", loop.points.size()}});
+    for (const auto& quantity : loop_quantities)
+      entry[quantity.key()] = value_json(quantity.value(loop), quantity.form);
+  }
+  json["minima"] = Json::array();
+  for (const FitMinimum& minimum : result.minima) {
+    json["minima"].push_back({{"minimum_cost", minimum.cost}, {"fitted_values", minimum.values}});
+  }
+  return json;
+}
+
+std::string fitted_case_text(const FitResult& result) {
+  std::string out = "# A case with values that `bumpfoil fit` found from measured loops; all numbers are in SI.\n";
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    const FittedValue& found = result.parameters[i];
+    const std::string unit = result.units[i] == "1" ? "" : " " + result.units[i];
+    out += fmt::format("#   {} = {:.6g}{}", result.settings.parameters[i].key, found.value, unit);
+    if (found.standard_error) {
+      out += fmt::format(", standard error {:.2g}{}, 95 %: {:.6g} to {:.6g}{}", *found.standard_error, unit,
+                         *found.lower_95, *found.upper_95, unit);
+    }
+    out += found.at_bound ? ", at a bound\n" : "\n";
+  }
+  return out + fmt::format("# Chi-square per degree of freedom: {:.4g}.\n\n{}", result.reduced_chi_square(),
+                           case_to_toml(result.fitted));
+}
+
+}  // namespace bumpfoil

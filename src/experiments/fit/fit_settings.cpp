@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bumpfoil/experiments/fit/fit.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "case/case_keys.hpp"
+#include "case/key_list.hpp"
+#include "experiments/cycle/measured_loops_csv.hpp"
+#include "experiments/fit/fit_keys.hpp"
+#include "model/case_table.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr int most_fit_points = 10'000;
+constexpr int most_starts = 100;
+constexpr int fewest_readings = 8;
+
+/// The loop of a file that was measured in this direction; of a strip the last.
+void take_loop(FitData& data, const std::string& path) {
+  const bool strip = data.experiment == FittedExperiment::strip;
+  const std::vector<MeasuredLoop> loops =
+      read_measured_loops(path, strip ? "cycle" : "direction", parse_measured_columns(data.columns));
+  const auto is_wanted = [&data, strip](const MeasuredLoop& loop) {
+    const double turns = loop.at ? (*loop.at - data.direction * 180.0 / std::numbers::pi) / 360.0 : 0.0;
+    return strip || std::abs(turns - std::round(turns)) < 1e-9;
+  };
+  const auto found = std::find_if(loops.rbegin(), loops.rend(), is_wanted);
+  if (found == loops.rend()) {
+    throw Error(ErrorKind::input, {{path, 0, "", "", "has no loop of the direction of its data",
+                                    "give a direction that is in the file"}});
+  }
+  for (const LoadingCurve::Point& point : found->cycle.points) {
+    data.displacements.push_back(point.displacement);
+    data.forces.push_back(point.force);
+  }
+}
+
+void describe(CaseVisitor& keys, FitData& data) {
+  using enum Presence;
+  using enum Dimension;
+  keys.choice({"experiment", defaulted, "Experiment",
+               "what was measured: \"cycle\", the journal pushed and pulled back; "
+               "\"strip\", a strip between plates"},
+              data.experiment);
+  keys.value({"direction", defaulted, "Direction", "of a cycle, from X towards Y", "0 deg", angle}, &data.direction);
+  keys.either(
+      {"preload", optional, "Preload",
+       "load or position of the journal that the cycle goes about; by default that of [cycle]", "[\"0 N\", \"-50 N\"]"},
+      Control::displacement, data.preload);
+  keys.value({"columns", defaulted, "Columns", "names of columns that are not understood: displacement=NAME,force=NAME",
+              "\"displacement=Channel 3 [mm],force=Channel 4 [N]\""},
+             &data.columns);
+  keys.file(
+      {"file", optional, "File of the loop", "a CSV file beside this one, as for `report --measured`", "\"loop.csv\""},
+      "displacements", [&data](const std::string& path) { take_loop(data, path); });
+  keys.value(
+      {"displacements", optional, "Displacements", "the same as a list, of one cycle in the order of measurement",
+       "[\"0 um\", \"40 um\", \"80 um\", \"40 um\", \"0 um\"]", length},
+      &data.displacements);
+  keys.value({"forces", optional, "Forces", "as many", "[\"0 N\", \"80 N\", \"700 N\", \"30 N\", \"0 N\"]", force},
+             &data.forces);
+  keys.value({"force_std", optional, "Noise of the force",
+              "standard deviation of one reading; by default from the scatter of neighbouring readings", "1 N", force},
+             &data.force_std);
+  keys.value(
+      {"displacement_std", defaulted, "Noise of the displacement", "standard deviation of one reading", "0 um", length},
+      &data.displacement_std);
+  keys.value({"points", defaulted, "Points", "of equal arc length along the loop at which it is compared"},
+             &data.points);
+  keys.value({"displacement_origin", defaulted, "Origin of the displacement", "what the rig reads where s = 0", "0 um",
+              length},
+             &data.rig.displacement_origin);
+  keys.value({"force_origin", defaulted, "Origin of the force", "what the rig reads without a force", "0 N", force},
+             &data.rig.force_origin);
+  keys.value({"displacement_drift", defaulted, "Drift of the displacement", "from the start of the loop to its end",
+              "0 um", length},
+             &data.rig.displacement_drift);
+  keys.value({"force_drift", defaulted, "Drift of the force", "from the start of the loop to its end", "0 N", force},
+             &data.rig.force_drift);
+  keys.value({"machine_stiffness", optional, "Stiffness of the machine",
+              "in series with the foils, in place of fit.machine_stiffness", "50 MN/m", stiffness},
+             &data.rig.machine_stiffness);
+}
+
+void describe(CaseVisitor& keys, FitParameter& parameter) {
+  using enum Presence;
+  keys.value({"key", required, "Key", "a numeric key of the case, or of the rig such as fit.data[1].force_origin",
+              "\"friction.coefficient\""},
+             &parameter.key);
+  const std::optional<Dimension> dimension = dimension_of(parameter.key);
+  keys.value({"start", required, "Start", "with the unit of the key", "0.1", dimension}, &parameter.start);
+  keys.value({"lower", required, "Lower bound", "", "0.0", dimension}, &parameter.lower);
+  keys.value({"upper", required, "Upper bound", "", "0.5", dimension}, &parameter.upper);
+  keys.value({"mean", optional, "Prior mean", "of what is known before, with std", "0.1", dimension}, &parameter.mean);
+  keys.value({"std", optional, "Prior standard deviation", "", "0.05", dimension}, &parameter.std);
+}
+
+void describe(CaseVisitor& keys, FitSettings& fit) {
+  using enum Presence;
+  keys.value({"machine_stiffness", optional, "Stiffness of the machine",
+              "in series with the foils: the rig sees both; without it, it is rigid", "50 MN/m", Dimension::stiffness},
+             &fit.machine_stiffness);
+  keys.value({"starts", defaulted, "Starts", "minimisations, the first from the starts of the parameters"},
+             &fit.starts);
+  keys.value({"huber", optional, "Huber's constant",
+              "residuals beyond so many standard deviations count linearly, not by their squares", "1.345"},
+             &fit.huber);
+  list_of_tables(keys, {"data", required, "Measured loop", "one for each loop"}, fit.data,
+                 [](CaseVisitor& inner, FitData& data) { describe(inner, data); });
+  list_of_tables(keys, {"parameter", required, "Parameter", "one for each key that is fitted"}, fit.parameters,
+                 [](CaseVisitor& inner, FitParameter& parameter) { describe(inner, parameter); });
+}
+
+void describe_fit(CaseVisitor& keys, Case& input) {
+  // A fit that holds nothing is none: so a case loses its own.
+  const FitSettings* const held = input.settings.find<FitSettings>();
+  FitSettings inner = held == nullptr ? FitSettings{} : *held;
+  keys.table({"fit", Presence::optional, "Fit", "of keys of the case to measured loops, for the command fit"},
+             inner != FitSettings{}, [&](CaseVisitor& visitor) {
+               describe(visitor, inner);
+               input.settings.set(inner);
+             });
+}
+
+void judge_data(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
+  const bool strip = data.experiment == FittedExperiment::strip;
+  judge.require_for("fit", !strip || input.strip.has_value(), key + ".experiment", "strip", "needs the table [strip]",
+                    "add [strip] with its displacement");
+  judge.require_for("fit", data.displacements.size() == data.forces.size(), key + ".forces",
+                    std::to_string(data.forces.size()),
+                    fmt::format("are not as many as displacements, {}", data.displacements.size()),
+                    "give a force for every displacement");
+  judge.require_for("fit", std::ssize(data.displacements) >= fewest_readings, key + ".displacements", "",
+                    fmt::format("{} readings are too few", data.displacements.size()),
+                    fmt::format("give a file, or {} or more readings", fewest_readings));
+  const auto top = std::max_element(data.displacements.begin(), data.displacements.end());
+  const bool turns = data.displacements.empty() ||
+                     (*top > 0.0 && top != data.displacements.begin() && top + 1 != data.displacements.end());
+  judge.require_for("fit", turns, key + ".displacements", "", "do not go to a positive displacement and back",
+                    "give one cycle in the order of measurement, positive towards the foils");
+  judge.angle(key + ".direction", data.direction);
+  judge.count(key + ".points", data.points, "points", {fewest_readings, most_fit_points});
+  if (data.force_std) judge.within(key + ".force_std", *data.force_std, load_range);
+  judge.within(key + ".displacement_std", data.displacement_std, {0.0, length_range.most, "m"});
+  if (data.rig.machine_stiffness) {
+    judge.within(key + ".machine_stiffness", *data.rig.machine_stiffness, stiffness_range);
+  }
+}
+
+void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSettings& fit, const std::string& key) {
+  const bool known = judge.require(is_fitted_key(parameter.key), key + ".key", parameter.key,
+                                   "is no key of a number that can be fitted", advice_on_fitted(parameter.key));
+  if (!known) return;
+  const std::optional<std::size_t> data = data_of_key(parameter.key);
+  judge.require(!data || (*data >= 1 && *data <= fit.data.size()), key + ".key", parameter.key,
+                fmt::format("is of data that are not there: there are {}", fit.data.size()), "count from 1");
+  const std::optional<Dimension> dimension = dimension_of(parameter.key);
+  const std::string_view unit = dimension ? si_unit(*dimension) : "";
+  const bool bounds = judge.require(parameter.lower < parameter.upper, key + ".upper", quantity(parameter.upper, unit),
+                                    fmt::format("is not above lower, {}", quantity(parameter.lower, unit)),
+                                    "give bounds that leave room between them");
+  if (bounds) {
+    judge.require(parameter.start >= parameter.lower && parameter.start <= parameter.upper, key + ".start",
+                  quantity(parameter.start, unit), "lies outside the bounds", "start between lower and upper");
+  }
+  judge.require(parameter.mean.has_value() == parameter.std.has_value(), key + (parameter.mean ? ".std" : ".mean"), "",
+                "is missing", "give mean and std, or neither");
+  judge.require(!parameter.std || *parameter.std > 0.0, key + ".std", quantity(parameter.std.value_or(0.0), unit),
+                "must be positive", "leave out mean and std where nothing is known before");
+}
+
+void judge_fit(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+  const FitSettings* const held = input.settings.find<FitSettings>();
+  if (held == nullptr || *held == FitSettings{}) return;
+  const FitSettings& fit = *held;
+  judge.require_history("fit", input.bump_foil.model != BumpFoilModel::former,
+                        "has no history, so that its loops have no area");
+  judge.require_for("fit", !fit.data.empty(), "fit.data", "", "is missing", "add [[fit.data]] with a file");
+  judge.require_for("fit", !fit.parameters.empty(), "fit.parameter", "", "is missing",
+                    "add [[fit.parameter]] with a key");
+  judge.count("fit.starts", fit.starts, "minimisations", {1, most_starts});
+  judge.require(!fit.huber || *fit.huber > 0.0, "fit.huber", quantity(fit.huber.value_or(0.0), ""), "must be positive",
+                "give about 1.345");
+  for (std::size_t i = 0; i < fit.data.size(); ++i) {
+    judge_data(judge, input, fit.data[i], fmt::format("fit.data[{}]", i + 1));
+  }
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const std::string key = fmt::format("fit.parameter[{}]", i + 1);
+    judge_parameter(judge, fit.parameters[i], fit, key);
+    const auto same = [&](const FitParameter& other) { return other.key == fit.parameters[i].key; };
+    const auto self = fit.parameters.begin() + static_cast<std::ptrdiff_t>(i);
+    judge.require(std::none_of(fit.parameters.begin(), self, same), key + ".key", fit.parameters[i].key,
+                  "is fitted twice", "give it once");
+  }
+}
+
+}  // namespace
+
+CaseTable fit_settings() {
+  return {.experiment = "fit",
+          .needs = "fit",
+          .describe = describe_fit,
+          .check = judge_fit,
+          .given = [](const Case& input) {
+            const FitSettings* const fit = input.settings.find<FitSettings>();
+            return fit != nullptr && *fit != FitSettings{};
+          }};
+}
+
+}  // namespace bumpfoil

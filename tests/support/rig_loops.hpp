@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+
+#include "bumpfoil/experiments/fit/fit.hpp"
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil::test_support {
+
+/// What a rig would read of a loop of a bearing: increments of its solver, with the errors of the rig and noise.
+inline FitData rig_loop(const CycleResult& truth, const Rig& rig, double noise, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  FitData data;
+  const Cycle& cycle = truth.cycles.back();
+  const auto last = static_cast<double>(cycle.increments.size() - 1);
+  for (const Increment& increment : cycle.increments) {
+    const double tau = increment.index / last - 0.5;
+    const double compliance = rig.machine_stiffness ? 1.0 / *rig.machine_stiffness : 0.0;
+    data.displacements.push_back(increment.displacement + compliance * increment.force_direct +
+                                 rig.displacement_origin + rig.displacement_drift * tau);
+    data.forces.push_back(increment.force_direct + rig.force_origin + rig.force_drift * tau + noise * normal(engine));
+  }
+  return data;
+}
+
+/// A bearing of few bumps, pushed towards their middle.
+inline Case few_bumps(double friction, double clearance) {
+  Case input = reference_case();
+  input.bump_foil.bumps = 8;
+  input.friction = {friction, friction};
+  input.bearing.radial_clearance = clearance;
+  input.cycle.directions = {0.75 * 3.141592653589793};
+  input.cycle.amplitude = {Control::displacement, 60e-6};
+  input.cycle.steps = 300;
+  input.solver.name = SolverName::events;
+  return input;
+}
+
+inline FitParameter fitted(const std::string& key, double start, double lower, double upper) {
+  return {.key = key, .start = start, .lower = lower, .upper = upper};
+}
+
+/// A fit of the bearing to loops in its direction.
+inline Case fit_of(Case input, FitData data, std::vector<FitParameter> parameters, int starts = 1) {
+  data.direction = input.cycle.directions.front();
+  input.settings.set(FitSettings{.data = {std::move(data)}, .parameters = std::move(parameters), .starts = starts});
+  return input;
+}
+
+}  // namespace bumpfoil::test_support

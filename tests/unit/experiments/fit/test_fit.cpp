@@ -1,0 +1,207 @@
+#include "bumpfoil/experiments/fit/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
+#include "experiments/fit/fit_output.hpp"
+#include "support/rig_loops.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using test_support::few_bumps;
+using test_support::fit_of;
+using test_support::fitted;
+using test_support::rig_loop;
+
+const FitParameter any_friction = fitted("friction.coefficient", 0.1, 0.0, 0.5);
+const FitParameter any_clearance = fitted("bearing.radial_clearance", 30e-6, 20e-6, 40e-6);
+
+/// Within four standard errors.
+void expect_found(const FittedValue& found, double truth) {
+  ASSERT_TRUE(found.standard_error);
+  EXPECT_NEAR(found.value, truth, 4.0 * *found.standard_error);
+  EXPECT_LT(*found.lower_95, found.value);
+  EXPECT_GT(*found.upper_95, found.value);
+}
+
+bool warns(const FitResult& result, const std::string& words) {
+  const std::vector<std::string> lines = fit_warnings(result);
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+TEST(Fit, FindsBearingAndRigBehindNoise) {
+  const Rig rig{.force_origin = 2.0, .force_drift = 3.0, .machine_stiffness = 20e6};
+  const FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), rig, 0.5, 1);
+  const FitResult result = run_fit(fit_of(
+      few_bumps(0.1, 31.8e-6), data,
+      {any_friction, any_clearance, fitted("fit.machine_stiffness", 50e6, 5e6, 200e6),
+       fitted("fit.data[1].force_origin", 0.0, -10.0, 10.0), fitted("fit.data[1].force_drift", 0.0, -10.0, 10.0)}));
+  ASSERT_EQ(result.status, Status::converged);
+  expect_found(result.parameters[0], 0.15);
+  expect_found(result.parameters[1], 28e-6);
+  expect_found(result.parameters[2], 20e6);
+  expect_found(result.parameters[3], 2.0);
+  expect_found(result.parameters[4], 3.0);
+  EXPECT_LT(*result.parameters[0].standard_error, 0.01);
+  EXPECT_NEAR(result.loops[0].noise, 0.5, 0.1);
+  EXPECT_NEAR(result.reduced_chi_square(), 1.0, 0.6);
+  EXPECT_FALSE(warns(result, "does not explain"));
+  EXPECT_EQ(result.fitted.friction.bump_sleeve, result.parameters[0].value);
+  EXPECT_EQ(result.fitted.bearing.radial_clearance, result.parameters[1].value);
+  EXPECT_EQ(parse_case(fitted_case_text(result), "case.toml", {.overrides = {}, .commands = {"cycle"}}), result.fitted);
+}
+
+TEST(Fit, ReadsWhereTheDisplacementIsCountedFrom) {
+  const Rig rig{.displacement_origin = 3e-6, .displacement_drift = 1e-6};
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), rig, 0.2, 2);
+  const FitResult result = run_fit(fit_of(few_bumps(0.1, 28e-6), data,
+                                          {fitted("fit.data[1].displacement_origin", 0.0, -10e-6, 10e-6),
+                                           fitted("fit.data[1].displacement_drift", 0.0, -10e-6, 10e-6)}));
+  expect_found(result.parameters[0], 3e-6);
+  expect_found(result.parameters[1], 1e-6);
+}
+
+TEST(Fit, NamesWhatOnlyASumIsSeenOf) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 3);
+  const FitResult result =
+      run_fit(fit_of(few_bumps(0.1, 28e-6), data,
+                     {any_friction, any_clearance, fitted("fit.data[1].displacement_origin", 0.0, -10e-6, 10e-6)}));
+  EXPECT_TRUE(warns(result, "bearing.radial_clearance and fit.data[1].displacement_origin: only their sum is seen"));
+  EXPECT_LT(result.correlation(1, 2), -0.9);
+  EXPECT_NEAR(result.correlation(1, 1), 1.0, 1e-12);
+}
+
+TEST(Fit, TellsThatInterfacesAreHardlySeparable) {
+  Case truth = few_bumps(0.1, 28e-6);
+  truth.friction = {.top_bump = 0.1, .bump_sleeve = 0.2};
+  const FitData data = rig_loop(run_cycles(truth), {}, 0.5, 4);
+  const FitResult result =
+      run_fit(fit_of(few_bumps(0.1, 28e-6), data,
+                     {fitted("friction.top_bump", 0.2, 0.0, 0.5), fitted("friction.bump_sleeve", 0.1, 0.0, 0.5)}));
+  EXPECT_TRUE(warns(result, "friction.top_bump and friction.bump_sleeve"));
+  EXPECT_LT(result.correlation(0, 1), -0.9);
+}
+
+TEST(Fit, TellsAModelThatTheDataContradict) {
+  Case truth = few_bumps(0.1, 28e-6);
+  truth.bump_foil.model = BumpFoilModel::frame;
+  const FitData data = rig_loop(run_cycles(truth), {}, 0.2, 5);
+  Case wrong = truth;
+  wrong.bump_foil.model = BumpFoilModel::truss;
+  const FitResult of_wrong = run_fit(fit_of(wrong, data, {any_friction, any_clearance}));
+  EXPECT_TRUE(warns(of_wrong, "does not explain the data"));
+  EXPECT_GT(of_wrong.reduced_chi_square(), 2.0);
+  const FitResult of_right = run_fit(fit_of(truth, data, {any_friction, any_clearance}));
+  EXPECT_FALSE(warns(of_right, "does not explain the data"));
+}
+
+TEST(Fit, TellsParametersAtABound) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), {}, 0.5, 6);
+  const FitResult result =
+      run_fit(fit_of(few_bumps(0.1, 28e-6), data, {fitted("friction.coefficient", 0.05, 0.0, 0.12), any_clearance}));
+  EXPECT_TRUE(result.parameters[0].at_bound);
+  EXPECT_EQ(result.parameters[0].value, 0.12);
+  EXPECT_FALSE(result.parameters[0].standard_error);
+  EXPECT_TRUE(result.parameters[1].standard_error);
+  EXPECT_TRUE(warns(result, "friction.coefficient lies at a bound"));
+}
+
+TEST(Fit, LetsAPriorDecideWhereDataDoNot) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 7);
+  FitParameter known = fitted("bearing.weld_angle", 3.1, 3.0, 3.3);
+  known.mean = 3.15;
+  known.std = 1e-4;
+  const FitResult result = run_fit(fit_of(few_bumps(0.1, 28e-6), data, {any_friction, known}));
+  EXPECT_NEAR(result.parameters[1].value, 3.15, 5e-4);
+  EXPECT_LT(*result.parameters[1].standard_error, 2e-4);
+}
+
+TEST(Fit, IsNotMisledByOutliersWithHubersLoss) {
+  FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.2, 8);
+  for (std::size_t i = 160; i < 190; ++i) data.forces[i] += 20.0;
+  Case input = fit_of(few_bumps(0.1, 28e-6), data, {any_friction});
+  const double misled = run_fit(input).parameters[0].value;
+  input.settings.find<FitSettings>()->huber = 1.345;
+  const double robust = run_fit(input).parameters[0].value;
+  EXPECT_LT(std::abs(robust - 0.1), 0.3 * std::abs(misled - 0.1));
+}
+
+TEST(Fit, FitsStripsAndReversedCycles) {
+  Case strip = few_bumps(0.12, 28e-6);
+  strip.strip = StripSettings{.bumps = 6, .amplitude = {Control::displacement, 10e-6}, .steps = 150};
+  FitData data = rig_loop(run_strip(strip), {}, 0.2, 9);
+  data.experiment = FittedExperiment::strip;
+  expect_found(run_fit(fit_of(strip, data, {any_friction})).parameters[0], 0.12);
+
+  Case preloaded = few_bumps(0.12, 28e-6);
+  preloaded.cycle.preload = PlaneTarget{Control::displacement, {-30e-6, 30e-6}};
+  preloaded.cycle.amplitude.value = 8e-6;
+  preloaded.cycle.cycles = 5;
+  FitData swing = rig_loop(run_cycles(preloaded), {}, 0.2, 10);
+  for (double& s : swing.displacements) s -= std::hypot(30e-6, 30e-6);  // rigs count from the preload
+  expect_found(run_fit(fit_of(preloaded, swing, {any_friction})).parameters[0], 0.12);
+}
+
+TEST(Fit, IsReadFromCaseFiles) {
+  const test_support::TemporaryFolder folder;
+  folder.write(
+      "loop.csv",
+      "Weg (um);Kraft (N);direction\n0;0;90\n1;1,5;90\n2;3;90\n3;4;90\n4;5;90\n3;3;90\n2;1;90\n1;0;90\n0;0;90\n");
+  const std::string text =
+      case_template("gen1") + "\n[fit]\n[[fit.data]]\ndirection = \"90 deg\"\nfile = \"loop.csv\"\n";
+  const auto read = [&](const std::string& parameter) {
+    return parse_case(text + "[[fit.parameter]]\n" + parameter, folder.path() / "case.toml",
+                      {.overrides = {}, .commands = {"fit"}});
+  };
+  const std::string clearance =
+      "key = \"bearing.radial_clearance\"\nstart = \"30 um\"\nlower = 0\nupper = \"0.1 mm\"\n";
+  const Case input = read(clearance);
+  const FitSettings& fit = *input.settings.find<FitSettings>();
+  EXPECT_EQ(fit.data[0].forces[1], 1.5);
+  EXPECT_NEAR(fit.data[0].displacements[4], 4e-6, 1e-18);
+  EXPECT_NEAR(fit.parameters[0].start, 30e-6, 1e-18);
+  EXPECT_EQ(parse_case(case_to_toml(input), "written"), input);
+  const auto refusal = [&](const std::string& parameter) -> std::string {
+    try {
+      read(parameter);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string numbers = "start = 1\nlower = 0\nupper = 2\n";
+  EXPECT_NE(refusal("key = \"friction.coeficient\"\n" + numbers).find("friction.coefficient"), std::string::npos);
+  EXPECT_NE(refusal("key = \"bump_foil.bumps\"\n" + numbers).find("can be fitted"), std::string::npos);
+  EXPECT_NE(refusal("key = \"fit.data[2].force_origin\"\n" + numbers).find("not there"), std::string::npos);
+  EXPECT_NE(refusal("key = \"fit.data[1].force_origin\"\nstart = 3\nlower = 0\nupper = 2\n").find("outside"),
+            std::string::npos);
+  EXPECT_THROW(parse_case(text + "experiment = \"strip\"\n[[fit.parameter]]\n" + clearance, folder.path() / "case.toml",
+                          {.overrides = {}, .commands = {"fit"}}),
+               Error);
+  EXPECT_NE(refusal("key = \"friction.coefficient\"\nstart = \"1 um\"\nlower = 0\nupper = 2\n").find("start"),
+            std::string::npos);
+}
+
+TEST(Fit, RefusesStartsThatCannotBeRun) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 11);
+  EXPECT_THROW(run_fit(fit_of(few_bumps(0.1, 28e-6), data, {fitted("bump_foil.height", 1e-6, 1e-6, 2e-6)})), Error);
+}
+
+TEST(Fit, StopsWhenAsked) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 12);
+  const FitResult result =
+      run_fit(fit_of(few_bumps(0.1, 28e-6), data, {any_friction}, 3), [](double) { return false; });
+  EXPECT_EQ(result.status, Status::interrupted);
+}
+
+}  // namespace
+}  // namespace bumpfoil
