@@ -42,8 +42,10 @@ Eigen::VectorXd journal_numbers(const MachineStepper& stepper, const MachineStat
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const double c = stepper.bearings()[i]->bearing().scales.thickness;
     const Eigen::Index at = 4 * static_cast<Eigen::Index>(i);
-    numbers.segment<2>(at) = bearings[i].motion * state.rotor.y / c;
-    numbers.segment<2>(at + 2) = bearings[i].motion * state.rotor.v / (c * std::abs(state.speed));
+    const Eigen::Vector2d place = bearings[i].motion * state.rotor.y;
+    const Eigen::Vector2d velocity = bearings[i].motion * state.rotor.v;
+    numbers.segment<2>(at) = place / c;
+    numbers.segment<2>(at + 2) = velocity / (c * std::abs(state.speed));
   }
   return numbers;
 }

@@ -108,6 +108,33 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
   EXPECT_EQ(state.at("cyy_whirl_stuck_N_s_per_m"), whirl.stuck_impedance->imag()(1, 1) / whirl.frequency);
 }
 
+/// A journal that is tilted has moments, sixteen stiffnesses and dampings, and films from side to side.
+TEST(EquilibriumFiles, TellOfTiltedJournals) {
+  Case input = small_case();
+  input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
+  input.equilibrium->loads = {{40.0, 0.0}};
+  StateJudges judges;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
+  const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
+  EXPECT_NE(files[0].contents.find(",tilt_x_rad,tilt_y_rad,moment_x_N_m,moment_y_N_m,"), std::string::npos);
+  EXPECT_NE(files[1].contents.find(",kaa_N_m_per_rad,"), std::string::npos);
+  EXPECT_NE(files[2].contents.find("[bearing."), std::string::npos);  // ROSS gets what it knows
+  const json state = json::parse(files[4].contents).at("states").at(0);
+  EXPECT_NEAR(state.at("tilt_x_rad").get<double>(), 1e-4, 1e-16);
+  EXPECT_EQ(state.at("moment_x_N_m"), result.states[0].outcome->moment.x());
+  const JournalMatrix& K = *result.states[0].stiffness;
+  EXPECT_EQ(state.at("kab_N_m_per_rad"), K(2, 3));
+  // N m/rad: the moment that the tilt takes, or nearly so.
+  EXPECT_NEAR(K(2, 2) * 1e-4, result.states[0].outcome->moment.x(), 0.2 * result.states[0].outcome->moment.x());
+  const test_support::TemporaryFolder folder;
+  const netCDF::NcFile file(folder.write("result.nc", files[3].contents), netCDF::NcFile::read);
+  std::vector<double> z(7);
+  file.getVar("z").getVar(z.data());
+  EXPECT_EQ(z.front(), -0.5 * input.bearing.axial_length);
+  EXPECT_EQ(file.getVar("film_thickness").getDimCount(), 3);
+  EXPECT_FALSE(file.getVar("film_top_slope").isNull());
+}
+
 TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   Case input = small_case();
   input.equilibrium->frequencies = {4000.0, 2000.0, 1000.0};
