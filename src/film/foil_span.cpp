@@ -190,12 +190,14 @@ std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, int of_foi
   const auto make = [&]<int B, int T>() -> std::unique_ptr<FoilSpan> {
     return std::make_unique<FoilSpanOf<B, T>>(columns, block_size, of_foil, has_before, instructions);
   };
-  // Eight or sixteen pressures with U and M of a foil that is uniform over the width, or of one with a second mode.
+  // Eight or sixteen pressures with U and M of a foil that is uniform over the width, or of one with a parabola; 31 on
+  // the whole width, with a slope and a parabola.
   const int pressures = block_size - of_foil;
   if (of_foil == 2 && pressures == 8) return make.operator()<10, 2>();
   if (of_foil == 2 && pressures == 16) return make.operator()<18, 2>();
   if (of_foil == 6 && pressures == 8) return make.operator()<14, 6>();
   if (of_foil == 6 && pressures == 16) return make.operator()<22, 6>();
+  if (of_foil == 8 && pressures == 31) return make.operator()<39, 8>();
   return make.operator()<Eigen::Dynamic, Eigen::Dynamic>();
 }
 

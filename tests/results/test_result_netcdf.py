@@ -327,8 +327,8 @@ class Documentation(unittest.TestCase):
 
     def test_a_strip_differs_as_documented(self):
         def named(start):
-            line = re.search(rf"^\* {start}: (.*)$", self.TEXT, re.MULTILINE).group(1)
-            return set(re.findall(r"`(\w+)`", line))
+            item = re.search(rf"^\* {start}: (.*(?:\n  .*)*)$", self.TEXT, re.MULTILINE).group(1)
+            return set(re.findall(r"`(\w+)`", item))
 
         documented = set(self.VARIABLES)
         with tempfile.TemporaryDirectory() as directory:

@@ -105,7 +105,7 @@ void expect_like_dense(int columns, const Sizes& sizes, bool has_before, VectorI
 TEST(FoilSpan, LeavesItsNeighboursWhatDenseEliminationLeaves) {
   for (const VectorInstructions instructions : vector_instructions()) {
     // Of code of their own, and of none.
-    for (const Sizes& sizes : {Sizes{3, 2}, {10, 2}, {18, 2}, {21, 2}, {14, 6}, {22, 6}, {9, 6}, {18, 6}}) {
+    for (const Sizes& sizes : {Sizes{3, 2}, {10, 2}, {18, 2}, {21, 2}, {14, 6}, {22, 6}, {9, 6}, {18, 6}, {39, 8}}) {
       for (const int columns : {1, 2, 5}) {
         expect_like_dense(columns, sizes, true, instructions);
         expect_like_dense(columns, sizes, false, instructions);

@@ -96,7 +96,8 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
 TEST(FindFaults, JudgesTheTilt) {
   const auto width = [](const std::function<void(WidthSettings&)>& change, const std::string& command) {
     Case input = reference_case();
-    input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}};
+    input.equilibrium =
+        EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray};
     change(input.width);
     Keys keys;
     for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
@@ -114,7 +115,8 @@ TEST(FindFaults, JudgesTheTilt) {
   EXPECT_EQ(width(moment, "montecarlo"), Keys{"width.moment"});
   const auto between = [](const std::vector<double>& pressures, const std::string& command) {
     Case input = reference_case();
-    input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}};
+    input.equilibrium =
+        EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray};
     input.film.side_pressure = pressures;
     Keys keys;
     for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
