@@ -58,9 +58,10 @@ FilmMesh make_slotted_mesh(int columns, int rows, double half_width, double thet
 }
 
 FilmMesh make_slotted_mesh(Vector intervals, double dtheta, int rows, double half_width, WidthPart width) {
-  BUMPFOIL_ASSERT(intervals.size() >= 2);
+  const auto columns = static_cast<int>(intervals.size());
+  BUMPFOIL_ASSERT(columns >= 2);
   Vector weights = weights_of(intervals, false);
-  return {.columns = static_cast<int>(intervals.size()),
+  return {.columns = columns,
           .rows = rows,
           .dtheta = dtheta,
           .dzeta = row_length(rows, half_width, width),
