@@ -140,6 +140,10 @@ Matrix FilmBearing::undeformed_thickness(const JournalVector& journal, double op
   Matrix H = field((clearance + opening) / scales.thickness);
   H.rowwise() += (sleeve.transpose() - journal.head<2>().transpose() * column_normals) / scales.thickness;
   add_tilt(*this, journal, H);
+  const FilmMesh& mesh = pads.front().foil.mesh;
+  for (int j = 0; j <= mesh.rows; ++j) {
+    H.row(j).array() += surroundings.profile.widening(mesh.zeta(j)) / scales.thickness;
+  }
   return H;
 }
 
@@ -197,7 +201,12 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 double room_of(const FilmBearing& bearing) {
   double room = bearing.clearance;
   for (std::size_t k = 0; k < bearing.placed.size(); ++k) room = std::min(room, bearing.room_in(k));
-  return room;
+  double widening = std::numeric_limits<double>::infinity();
+  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
+  for (int j = 0; j <= mesh.rows; ++j) {
+    widening = std::min(widening, bearing.surroundings.profile.widening(mesh.zeta(j)));
+  }
+  return room + widening;
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ JournalTilt tilt_of(const Case& input) {
 
 FilmSurroundings surroundings_of(const Case& input, double ambient) {
   FilmSurroundings surroundings{.inlet_pressure = input.film.inlet_pressure.value_or(ambient) / ambient,
-                                .tilt = tilt_of(input)};
+                                .tilt = tilt_of(input),
+                                .profile = {input.width.conicity, input.width.crowning}};
   if (const std::vector<double>& sides = input.film.side_pressure; !sides.empty()) {
     surroundings.side_pressure = Eigen::Vector2d(sides[0], sides[1]) / ambient;
   }
@@ -86,7 +87,7 @@ FilmResolution resolution_of(const Case& input) {
   return {.columns_per_pitch = input.film.columns_per_pitch,
           .rows = input.film.rows,
           .width_modes = input.width.modes,
-          .width = input.width.tilts() || !input.film.has_equal_sides() ? WidthPart::whole : WidthPart::half};
+          .width = input.has_equal_halves() ? WidthPart::half : WidthPart::whole};
 }
 
 FilmBearing make_film_bearing(const Case& input) {

@@ -19,9 +19,10 @@ constexpr double longest_held_sheet = 1.2;
 
 /// What foils are made simpler over the width than they are.
 void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
-  if (input.width.tilts() && input.width.modes == 1) {
+  if ((input.width.tilts() || input.width.conicity != 0.0) && input.width.modes == 1) {
     warnings.emplace_back(
-        "the journal may tilt, but the foils stay uniform over the width (width.modes = 1): they resist the tilt with "
+        "the journal may tilt or is conical, but the foils stay uniform over the width (width.modes = 1): they resist "
+        "the tilt with "
         "about twice the moment that they have; set width.modes = 3");
   }
   const double slenderness = 0.5 * input.bearing.axial_length / input.bearing.radius;

@@ -289,6 +289,56 @@ TEST(FilmUnderATiltedJournal, IsTheMirrorImageOfTheOppositeTilt) {
   EXPECT_LT((free.last->position - found.last->position).norm(), 1e-6 * found.last->position.norm());
 }
 
+/// A conical journal is the mirror image of the opposite cone. It loads one side more than the other: held level, it
+/// needs a moment, and free, it tilts until the axis is nearer to parallel with the film's surface.
+TEST(FilmUnderAConicalJournal, IsTheMirrorImageOfTheOppositeCone) {
+  Case input = tilted_case(coarse_with_slopes, 80.0);
+  input.width.tilt = {0.0, 0.0};
+  input.width.conicity = 4e-6;
+  SharedFilmBearing bearing;
+  const RunningState held = tilted(input, bearing);
+  ASSERT_TRUE(held.found());
+  expect_solved(*bearing, *held.last);
+  Case opposite = input;
+  opposite.width.conicity *= -1.0;
+  const RunningState mirrored = tilted(opposite, bearing);
+  ASSERT_TRUE(mirrored.found());
+  EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - held.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((mirrored.outcome->moment + held.outcome->moment).norm(), 1e-8 * held.outcome->moment.norm());
+
+  // The wide side carries less: what is applied along X against the film must act at z < 0.
+  EXPECT_LT(held.outcome->moment.x(), 0.0);
+  input.width.moment = {0.0, 0.0};
+  const RunningState free = tilted(input, bearing);
+  ASSERT_TRUE(free.found());
+  EXPECT_GT(free.last->tilt.x(), 0.0);
+  EXPECT_LT(free.outcome->moment.norm(), 1e-6 * held.outcome->moment.norm());
+}
+
+/// A barrel-shaped journal is the same on half the width and on all of it, and thins the film of uniform foils least at
+/// the sides.
+TEST(FilmUnderABarrelShapedJournal, IsTheSameOnHalfTheWidthAndOnAllOfIt) {
+  Case input = tilted_case(coarse_with_slopes, 80.0);
+  input.width.tilt = {0.0, 0.0};
+  input.width.crowning = 3e-6;
+  SharedFilmBearing half;
+  const RunningState reference = tilted(input, half);
+  ASSERT_TRUE(reference.found());
+  ASSERT_FALSE(half->tilts());
+  input.width.moment = {0.0, 0.0};
+  SharedFilmBearing whole;
+  const RunningState found = tilted(input, whole);
+  ASSERT_TRUE(found.found());
+  EXPECT_LT((found.last->film.pressure.bottomRows(5) - reference.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT(found.last->tilt.norm(), 1e-9 * half->scales.thickness);
+  input.width.moment.clear();
+  input.width.crowning = 0.0;
+  SharedFilmBearing straight;
+  const RunningState cylinder = tilted(input, straight);
+  EXPECT_EQ(cylinder.outcome->thinnest.row, 4);  // at the side
+  EXPECT_EQ(reference.outcome->thinnest.row, 0);
+}
+
 /// A journal that does not tilt leaves the film as it is on half the width, where the foils are uniform.
 TEST(FilmUnderATiltedJournal, IsThatOfHalfTheWidthWithoutTilt) {
   const FilmResolution half{.columns_per_pitch = 4, .rows = 4};

@@ -30,12 +30,25 @@ struct JournalTilt {
   bool operator==(const JournalTilt&) const = default;
 };
 
+/// How the clearance varies over the width where journal or sleeve are no cylinders: at zeta = 2 z / L, from -1 to 1,
+/// it is wider than in the middle by conicity zeta / 2 + crowning zeta^2. Foils lie on such a sleeve unstressed, so
+/// that only the difference of both surfaces counts. A plain value.
+struct WidthProfile {
+  double conicity{};  ///< clearance at the side z > 0 less that at the side z < 0, m: of a cone
+  double crowning{};  ///< clearance at both sides less that in the middle, m: of a barrel or a bell-mouthed sleeve
+
+  bool operator==(const WidthProfile&) const = default;
+  /// Of a place, m.
+  [[nodiscard]] double widening(double zeta) const { return (0.5 * conicity + crowning * zeta) * zeta; }
+};
+
 /// What else there is between journal and foils. A plain value.
 struct FilmSurroundings {
   double inlet_pressure{1.0};               ///< P at the free ends of the foils
   Eigen::Vector2d side_pressure{1.0, 1.0};  ///< P at the sides z < 0 and z > 0; on half the width the same
   std::optional<Asperities> asperities{};   ///< of journal and top foils, in m and Pa; none: smooth surfaces
   JournalTilt tilt{};                       ///< in all states that are asked for
+  WidthProfile profile{};                   ///< of journal and sleeve
 };
 
 /// Mesh of the film over the foil of a bearing.
@@ -81,8 +94,8 @@ struct FilmPad {
 struct FilmBearing : Foils {
   FilmScales scales;  ///< c is film_thickness_scale()
   std::vector<FilmPad> pads;
-  double room{};  ///< C_r less lobe and bulge where they take most of it, m: what a journal at the centre has
-                  ///< everywhere in a round sleeve
+  double room{};  ///< C_r less lobe, bulge and what it is narrower at a side where they take most of it, m: what a
+                  ///< journal at the centre has everywhere in a round sleeve
   FilmSurroundings surroundings;
   Eigen::Matrix2Xd column_normals;  ///< outward at all columns
   Vector sleeve;  ///< how much farther out than the nominal circle the undeformed foils lie at all columns, m: what
@@ -128,7 +141,9 @@ struct FilmBearing : Foils {
   /// Place of the first pressure in it.
   [[nodiscard]] int first_pressure() const { return dofs().size; }
   /// Whether the film thickness may.
-  [[nodiscard]] bool varies_over_the_width() const { return tilts() || pads.front().foil.lines.count() > 1; }
+  [[nodiscard]] bool varies_over_the_width() const {
+    return tilts() || pads.front().foil.lines.count() > 1 || surroundings.profile != WidthProfile{};
+  }
   /// How far out the foils lie in all rows where they do on all lines (FoilFilmState::lift).
   [[nodiscard]] Matrix over_the_width(const Matrix& lift) const { return pads.front().foil.shapes * lift; }
 };

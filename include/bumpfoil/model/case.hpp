@@ -173,8 +173,10 @@ struct WidthSettings {
   int modes{1};                        ///< of the displacement of the foils, see make_width_lines(): P_0, P_1, ...
   std::vector<double> tilt{0.0, 0.0};  ///< slope of the axis of the journal towards X and Y, rad
   std::vector<double> moment{};        ///< on the journal instead, int z dF along X and Y, N m; empty: by the tilt
+  double conicity{};                   ///< WidthProfile, m
+  double crowning{};                   ///< WidthProfile, m
 
-  /// Whether all of the width is computed: it is not the same on both halves.
+  /// Whether the axis of the journal is not parallel to the sleeve's, or need not be.
   [[nodiscard]] bool tilts() const {
     return !moment.empty() || std::any_of(tilt.begin(), tilt.end(), [](double slope) { return slope != 0.0; });
   }
@@ -259,6 +261,10 @@ struct Case : BearingDesign {
   /// Choices of the reader that the case file leaves open, in plain words: warnings of every result.
   std::vector<std::string> remarks{};
 
+  /// Whether films and foils are the same on both halves of the width.
+  [[nodiscard]] bool has_equal_halves() const {
+    return !width.tilts() && width.conicity == 0.0 && film.has_equal_sides();
+  }
   bool operator==(const Case&) const = default;
 };
 

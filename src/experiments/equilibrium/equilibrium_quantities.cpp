@@ -177,7 +177,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B& bearing, const S& state) {
        return bearing.half_width() * bearing.pads.front().foil.mesh.zeta(state.outcome->thinnest.row);
      },
-     csv | of_width},
+     csv | of_width, "  at, from mid-plane", ShownUnit{"mm", 1e-3}},
     {"h_min_pad", "1", "pad with the minimum film thickness",
      [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, csv | of_pads | sampled, "  of pad",
      shown::unitless, whole_number},

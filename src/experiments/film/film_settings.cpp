@@ -69,13 +69,14 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
 
 void describe(CaseVisitor& keys, WidthSettings& width) {
   using enum Presence;
+  using enum Dimension;
   keys.value({"modes", defaulted, "Modes over the width",
               "of the displacement of the foils, for the command equilibrium: 1, uniform; 2, linear, too, as under a "
               "tilted journal; 3, with a parabola"},
              &width.modes);
   keys.value({"tilt", defaulted, "Tilt",
               "misalignment, for the commands equilibrium and film: slope of the axis of the journal towards X and Y",
-              "[\"0 mrad\", \"0 mrad\"]", Dimension::angle},
+              "[\"0 mrad\", \"0 mrad\"]", angle},
              &width.tilt);
   keys.value({.name = "moment",
               .presence = optional,
@@ -83,9 +84,19 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
               .text = "on the journal instead, for the command equilibrium, of forces along X and Y about the "
                       "mid-plane: the journal tilts until the bearing balances it",
               .example = "[\"50 N mm\", \"0 N mm\"]",
-              .dimension = Dimension::moment,
+              .dimension = moment,
               .instead = true},
              &width.moment);
+  keys.value({"conicity", defaulted, "Conicity",
+              "clearance at the side z > 0 less that at the side z < 0, of a conical journal or sleeve, for the "
+              "commands equilibrium and film",
+              "5 um", length},
+             &width.conicity);
+  keys.value({"crowning", defaulted, "Crowning",
+              "clearance at both sides less that in the middle, of a barrel-shaped journal or a bell-mouthed sleeve, "
+              "for all commands with a film",
+              "5 um", length},
+             &width.crowning);
 }
 
 void describe(CaseVisitor& keys, AsperitySettings& asperity) {
@@ -157,8 +168,8 @@ void judge_gas(Judge& judge, const GasSettings& gas) {
 constexpr std::array film_commands{"equilibrium", "film", "stability", "unbalance"};
 
 /// @param bumps  their number, 0 where that is not usable
-/// @param tilts  the journal: twice as many rows then
-void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool tilts) {
+/// @param equal_halves  Case::has_equal_halves(): else twice as many rows
+void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool equal_halves) {
   const int columns = film.columns_per_pitch;
   const bool columns_right = judge.require(
       columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
@@ -167,7 +178,7 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool tilts) {
       judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
                     "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
   if (columns_right && rows_right) {
-    const int rows = tilts || !film.has_equal_sides() ? 2 * film.rows : film.rows;
+    const int rows = equal_halves ? film.rows : 2 * film.rows;
     const double bytes =
         static_cast<double>(bumps) * rows * rows * (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
     for (const char* const command : film_commands) {
@@ -223,8 +234,16 @@ void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
                 "give the radius of the peaks such as \"10 um\", or pressure_factor such as \"250 MPa\"");
 }
 
-constexpr double most_slope = 0.05;  // rad
-constexpr double most_moment = 1e6;  // N m
+constexpr double most_slope = 0.05;     // rad
+constexpr double most_moment = 1e6;     // N m
+constexpr double most_widening = 1e-3;  // m
+
+/// A number of either sign.
+void judge_size(Judge& judge, const std::string& key, double value, double most, const char* unit) {
+  if (!judge.finite(key, value, unit)) return;
+  judge.require(std::abs(value) <= most, key, quantity(value, unit), "is unphysical",
+                fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
+}
 
 /// A pair of components along X and Y.
 void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, double most, const char* unit,
@@ -233,12 +252,7 @@ void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, 
                      fmt::format("give two components such as {}", example))) {
     return;
   }
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string entry = fmt::format("{}[{}]", key, i + 1);
-    if (!judge.finite(entry, pair[i], unit)) continue;
-    judge.require(std::abs(pair[i]) <= most, entry, quantity(pair[i], unit), "is unphysical",
-                  fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
-  }
+  for (std::size_t i = 0; i < 2; ++i) judge_size(judge, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
 }
 
 /// Commands without a film.
@@ -246,19 +260,22 @@ bool is_dry(std::string_view command) {
   return command == "cycle" || command == "path" || command == "vibration";
 }
 
-/// And of pressures that differ from side to side: both need the whole width.
-void judge_tilt(Judge& judge, const Case& input) {
+/// Whatever else makes both halves of the width differ, as a tilt does: the whole width is computed then.
+void judge_halves(Judge& judge, const Case& input) {
   const WidthSettings& width = input.width;
   judge_pair(judge, "width.tilt", width.tilt, most_slope, "rad", "[\"0.2 mrad\", \"0 mrad\"]");
   if (!width.moment.empty())
     judge_pair(judge, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
   judge.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
                     "give width.tilt, or run equilibrium");
-  if (!width.tilts() && input.film.has_equal_sides()) return;
-  const char* const key = !width.moment.empty() ? "width.moment" : width.tilts() ? "width.tilt" : "film.side_pressure";
+  if (input.has_equal_halves()) return;
+  const char* const key = !width.moment.empty()   ? "width.moment"
+                          : width.tilts()         ? "width.tilt"
+                          : width.conicity != 0.0 ? "width.conicity"
+                                                  : "film.side_pressure";
   for (const char* const command :
        {"cycle", "path", "vibration", "stability", "unbalance", "transient", "montecarlo"}) {
-    if (!width.tilts() && is_dry(command)) continue;
+    if (key == std::string_view("film.side_pressure") && is_dry(command)) continue;
     judge.require_for(command, false, key, "", "is supported by the commands equilibrium and film alone",
                       fmt::format("remove {}: the command computes what is the same on both halves of the width", key));
   }
@@ -266,9 +283,23 @@ void judge_tilt(Judge& judge, const Case& input) {
                     fmt::format("remove {}, or [asperity]", key));
 }
 
+void judge_profile(Judge& judge, const Case& input) {
+  judge_size(judge, "width.conicity", input.width.conicity, most_widening, "m");
+  judge_size(judge, "width.crowning", input.width.crowning, most_widening, "m");
+  if (input.width.crowning == 0.0) return;
+  for (const char* const command : {"cycle", "path", "vibration", "montecarlo"}) {
+    judge.require_for(command, false, "width.crowning", quantity(input.width.crowning, "m"),
+                      "is supported by commands with a film alone",
+                      "remove width.crowning: the command presses the foils by a cylinder");
+  }
+  judge.require(!input.asperity, "width.crowning", quantity(input.width.crowning, "m"),
+                "is not supported with mixed contact", "remove width.crowning, or [asperity]");
+}
+
 /// What is not computed yet where the film varies over the width.
 void judge_width(Judge& judge, const Case& input) {
-  judge_tilt(judge, input);
+  judge_halves(judge, input);
+  judge_profile(judge, input);
   const int modes = input.width.modes;
   if (!judge.require(modes >= 1 && modes <= 3, "width.modes", std::to_string(modes),
                      "is not a number of modes over the width",
@@ -289,7 +320,7 @@ void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge_width(judge, input);
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);
-  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.width.tilts());
+  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.has_equal_halves());
   judge.require_for("film", !input.asperity, "asperity", "",
                     "is of journal and top foil, but film has walls in its place",
                     "remove [asperity], or run equilibrium");

@@ -53,6 +53,19 @@ TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   const Matrix wider = make_film_bearing(tapered).undeformed_thickness(Eigen::Vector2d(0.5 * bearing.clearance, 0.0));
   EXPECT_NEAR(wider(0, 0), 1.5, 1e-12);
   EXPECT_NEAR(wider(2, 104) - H(2, 104), 0.1, 1e-12);
+  Case wide_ended = film_reference_case(coarse);
+  wide_ended.width.crowning = 3.18e-6;
+  const FilmBearing crowned = make_film_bearing(wide_ended);
+  EXPECT_TRUE(crowned.varies_over_the_width());
+  EXPECT_EQ(crowned.room, bearing.room);
+  const int side = crowned.pads.front().foil.mesh.rows;
+  const Matrix widening =
+      crowned.undeformed_thickness(Eigen::Vector2d::Zero()) - bearing.undeformed_thickness(Eigen::Vector2d::Zero());
+  EXPECT_NEAR(widening(0, 7), 0.0, 1e-12);
+  EXPECT_NEAR(widening(1, 7), 0.1 / (side * side), 1e-12);
+  EXPECT_NEAR(widening(side, 7), 0.1, 1e-12);
+  wide_ended.width.crowning *= -1.0;
+  EXPECT_NEAR(make_film_bearing(wide_ended).room, bearing.room - 3.18e-6, 1e-18);
   EXPECT_LT(bearing.surface_speed(bearing.pads.front(), 100.0), 0.0);
   EXPECT_NEAR(film_equation(bearing, bearing.pads.front(), speed_of_rpm(45000.0)).bearing_number, -1.852606648, 1e-8);
 }

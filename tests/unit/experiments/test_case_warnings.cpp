@@ -29,6 +29,9 @@ TEST(CaseWarnings, SayWhatFoilsAreNotOverTheWidth) {
   Case input = reference_case();
   input.width.tilt = {1e-4, 0.0};
   EXPECT_TRUE(has(case_warnings(input), "resist the tilt"));
+  input.width.tilt = {0.0, 0.0};
+  input.width.conicity = 2e-6;
+  EXPECT_TRUE(has(case_warnings(input), "resist the tilt"));
   input.width.modes = 3;
   EXPECT_TRUE(case_warnings(input).empty());
   input.bearing.axial_length *= 2.0;

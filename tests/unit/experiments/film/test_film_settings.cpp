@@ -128,6 +128,15 @@ TEST(FindFaults, JudgesTheTilt) {
   EXPECT_EQ(between({1.1e5, 1.0e5}, "cycle"), Keys{});  // it has no film
   EXPECT_EQ(between({1.1e5}, "film"), Keys{"film.side_pressure"});
   EXPECT_EQ(between({1.1e5, -1.0}, "film"), Keys{"film.side_pressure[2]"});
+  const auto cone = [](WidthSettings& settings) { settings.conicity = 1e-6; };
+  const auto barrel = [](WidthSettings& settings) { settings.crowning = 1e-6; };
+  EXPECT_EQ(width(cone, "equilibrium"), Keys{});
+  EXPECT_EQ(width(cone, "cycle"), Keys{"width.conicity"});
+  EXPECT_EQ(width(cone, "transient"), Keys{"width.conicity"});
+  EXPECT_EQ(width([](WidthSettings& settings) { settings.conicity = 1.0; }, "film"), Keys{"width.conicity"});
+  EXPECT_EQ(width(barrel, "equilibrium"), Keys{});
+  EXPECT_EQ(width(barrel, "cycle"), Keys{"width.crowning"});
+  EXPECT_EQ(width([](WidthSettings& settings) { settings.crowning = nan; }, "film"), Keys{"width.crowning"});
   EXPECT_EQ(width([](WidthSettings& settings) { settings.tilt = {1e-4}; }, "equilibrium"), Keys{"width.tilt"});
   EXPECT_EQ(width([](WidthSettings& settings) { settings.tilt = {1e-4, 1.0}; }, "equilibrium"), Keys{"width.tilt[2]"});
   EXPECT_EQ(width(

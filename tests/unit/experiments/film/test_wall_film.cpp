@@ -82,6 +82,33 @@ TEST(WallFilm, LetsGasFlowFromSideToSide) {
   EXPECT_NEAR(fed.states.front().last->film.pressure.minCoeff(), 1.3, 1e-9);
 }
 
+/// Through a gap from h_l to h_r over the width p^2 falls as the integral of 1/h^3 along it, which is L (h_l + h_r) /
+/// (2 h_l^2 h_r^2) where h is linear.
+TEST(WallFilm, LetsGasFlowThroughAConicalGap) {
+  Case input = wall_case();
+  input.film.closed = true;
+  input.equilibrium->positions = {{0.0, 0.0}};
+  const double ambient = input.gas.ambient_pressure;
+  input.film.side_pressure = {1.3 * ambient, 1.1 * ambient};
+  const double h = input.bearing.radial_clearance;
+  input.width.conicity = 0.4 * h;
+  const double left = 0.8 * h;
+  const double right = 1.2 * h;
+  const double flow = 2.0 * std::numbers::pi * input.bearing.radius * (1.3 * 1.3 - 1.1 * 1.1) * ambient * 2.0 * left *
+                      left * right * right /
+                      (24.0 * *input.gas.viscosity * input.bearing.axial_length * (left + right));
+  double error[2];
+  for (const int refined : {0, 1}) {
+    input.film.rows = refined ? 12 : 6;
+    const EquilibriumResult result = run_wall_films(input);
+    ASSERT_TRUE(result.converged());
+    EXPECT_TRUE(result.bearing->tilts());  // all of the width
+    error[refined] = result.states.front().outcome->flows.right_side / flow - 1.0;
+  }
+  EXPECT_LT(std::abs(error[1]), 3e-3);
+  EXPECT_NEAR(error[0] / error[1], 4.0, 0.2);  // second order
+}
+
 /// What the stiffness says of a small further tilt, and of the place, is what films find that are tilted so.
 TEST(WallFilm, IsTiltedByMoments) {
   Case input = wall_case();
