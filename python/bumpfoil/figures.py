@@ -365,7 +365,7 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
 def waterfall(result: Result, *, width: str = "single", station: int = 1, axis: str = "x", orders: float = 3.0) -> Figure:
     """Spectra of the motion of a rotor in time, one above the other: amplitude over frequency, from speed to speed.
 
-    Dashed lines are at half of the frequency of rotation, at it and at twice it.
+    Dashed lines are at half the rotation frequency, at it and at twice it.
 
     Parameters
     ----------
@@ -416,7 +416,7 @@ def waterfall(result: Result, *, width: str = "single", station: int = 1, axis: 
 
 @styled
 def revolutions(result: Result, *, width: str = "double", station: int = 1) -> Figure:
-    """What a rotor does revolution by revolution: amplitudes at half of the frequency of rotation and at it, half
+    """What a rotor does revolution by revolution: amplitudes at half the rotation frequency and at it, half
     of the way from end to end, the thinnest film, speed, and what friction of the foils takes, over time.
 
     Parameters

@@ -20,7 +20,7 @@ class FilmNewton {
   FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options);
 
   /// Begins a solve: the first trial is the guess.
-  /// @param from   state at the begin, whose slip_origin friction refers to
+  /// @param from   state at the start, whose slip_origin friction refers to
   /// @param guess  of the state at the end: position, film and contacts count
   /// @return whether it leaves room for a film
   [[nodiscard]] bool set_out(const JointMove& to, const BearingState& from, const BearingState& guess);
@@ -51,7 +51,7 @@ class FilmNewton {
   void try_step(double part) { take_step(part, iterate_, trial_); }
   [[nodiscard]] bool touches() const { return trial_.film.thickness.minCoeff() < options_.thickness_floor; }
   /// The trial is the state. Adds how far it lies from where the tangent led.
-  /// @param state  at the begin; receives the one at the end
+  /// @param state  at the start; receives the one at the end
   void finish(const JournalVector& journal, BearingState& state, FilmReport& report);
 
   [[nodiscard]] const FilmBearing& bearing() const { return bearing_; }

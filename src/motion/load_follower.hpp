@@ -8,7 +8,7 @@ namespace bumpfoil {
 void append(const Foils& foils, const Step& part, Step& whole);
 
 /// Takes foils along a load that grows in proportion from the one that they carry, exactly, from one change of contact
-/// to the next; the pressing body is free in the plane. Between two changes the response is linear: the body moves by
+/// to the next; the journal is free in the plane. Between two changes the response is linear: it moves by
 /// K^-1 dL with the tangent K of the modes there, which follow from where it moves and are found together with it.
 ///
 /// To be used with a stepper that follows events.

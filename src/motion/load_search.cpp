@@ -48,7 +48,7 @@ class LoadSearch {
     step_.events.clear();
   }
 
-  /// Leaves the pressing body on the line through where it was along the unit vector `direction`, where the load along
+  /// Leaves the journal on the line through where it was along the unit vector `direction`, where the load along
   /// that is met.
   void along(const Eigen::Vector2d& direction);
   /// Goes on from there until both components are met.

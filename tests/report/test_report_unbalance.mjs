@@ -51,7 +51,7 @@ test('plots are those of unbalance.csv, at every station', () =>
       const expected = csvOf('tilting').filter((row) => row.station === station);
       // A page may save ten files at once.
       for (const name of station === 'bearing 1' ? plots : plots.slice(0, 1)) {
-        assert.match(await panelOf(page, name).locator('.subject').textContent(), new RegExp(`^${station}, at the frequency of rotation`));
+        assert.match(await panelOf(page, name).locator('.subject').textContent(), new RegExp(`^${station}, at the rotation frequency`));
         const shown = await shownIn(page, name);
         assert.equal(shown.length, expected.length);
         for (const row of shown) {

@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Amplitudes at the frequency of rotation along X and Y, and the least film, um, at the end of every tenth turn.
+/// Amplitudes at the rotation frequency along X and Y, and the least film, um, at the end of every tenth turn.
 struct CoastDown {
   double time;  ///< s
   double x, y, thinnest;

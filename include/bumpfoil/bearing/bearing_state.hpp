@@ -27,7 +27,7 @@ struct BearingState : Excitation {
   Vector slip_origin;              ///< unknowns that the slip of the last part of the last increment is measured from
   FoilFilmState film;              ///< of all columns, without dimension, see FilmScales; no columns: no film
   LastStep last_step;              ///< of second order in time
-  double work{};                   ///< of the pressing body since the count began, see gap_work(), J
+  double work{};                   ///< of the journal since the count began, see gap_work(), J
   double dissipated_energy{};      ///< by friction since then, J
 
   /// Unstressed foils before their assembly.
@@ -39,14 +39,14 @@ struct BearingState : Excitation {
 
 /// A place inside an increment where parts of the response join.
 struct Waypoint {
-  Eigen::Vector2d position;       ///< of the pressing body, m
+  Eigen::Vector2d position;       ///< of the journal, m
   Eigen::Vector2d force;          ///< that holds it, N
   Eigen::Matrix2Xd pad_forces{};  ///< what each of several pads takes of it, N
 };
 
 /// A change of mode of one contact inside an increment.
 struct StepEvent {
-  Eigen::Vector2d position;  ///< of the pressing body, m
+  Eigen::Vector2d position;  ///< of the journal, m
   int contact{};
   ContactMode from{};
   ContactMode to{};

@@ -26,7 +26,7 @@ class FrictionDissipation {
   explicit FrictionDissipation(const ContactProblem& problem);
 
   /// @param normal_force  p of each contact, N
-  /// @param begin_x       unknowns at the begin of the slip
+  /// @param begin_x       unknowns at the start of the slip
   /// @param end_x         and at its end
   [[nodiscard]] double of(const Vector& normal_force, const Vector& begin_x, const Vector& end_x) const;
 

@@ -27,7 +27,7 @@ struct FilmBearingOptions {
   double last_time_step{10e-3};    ///< s; the march ends at steps longer than this that change little:
   double resting_change{1e-4};     ///< of P and U
   double position_step{0.1};       ///< first length of a step of follow(), in units of c
-  double speed_step{0.1};          ///< the same, of the speed at the begin or end, whichever is larger
+  double speed_step{0.1};          ///< the same, of the speed at the start or end, whichever is larger
   double smallest_fraction{1e-3};  ///< of the first step: where shorter ones fail, the path ends
   /// The same under a load, where steps locate the contacts at which the branch turns back.
   double smallest_load_fraction{1e-6};
@@ -187,7 +187,7 @@ class FilmStepper {
   /// @param steppers  one for each bearing: none twice
   /// @param guesses   of the states at the end, their journals where the guess of y puts them
   /// @param y         first guess of the unknowns of the law; receives the result
-  /// @param states    at the begin; receive the results, later by `dt`. Unless the status is converged y and states
+  /// @param states    at the start; receive the results, later by `dt`. Unless the status is converged y and states
   ///                  stay as they were
   [[nodiscard]] static FilmReport solve_together(const std::vector<FilmStepper*>& steppers, const JointMove& move,
                                                  const std::vector<BearingState>& guesses, Eigen::VectorXd& y,

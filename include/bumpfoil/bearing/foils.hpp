@@ -47,11 +47,11 @@ struct FoilLine {
   std::vector<int> places;
 };
 
-/// Foils ready to be loaded: elastic foils and the contacts between the body that presses on them (the journal of a
-/// bearing, the plate of a strip), the foils, and what carries them (sleeve, base). Never changed once they are made,
-/// so that any number of runs and threads may share them.
+/// Foils ready to be loaded: elastic foils and the contacts between the journal (or the plate that presses on a strip,
+/// called journal below), the foils, and what carries them (sleeve, base). Never changed once they are made, so that
+/// any number of runs and threads may share them.
 ///
-/// The pressing body stands at a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a
+/// The journal stands at a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a
 /// bump with the normal n. The plate of a strip moves along X, and all its normals are (1, 0).
 ///
 /// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
@@ -67,10 +67,10 @@ struct Foils {
   std::vector<StressModel> stress;  ///< of each pad
   ContactProblem problem;
   double rise{};             ///< of the mid-surface of the tallest bump, m
-  double clearance{};        ///< gap between the pressing body, at the origin, and the undeformed foils, m
+  double clearance{};        ///< gap between the journal, at the origin, and the undeformed foils, m
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
   Roundings roundings;
-  Vector assembled_gap;  ///< g0 of each contact without the pressing body, m: height errors, sleeve gaps and waviness
+  Vector assembled_gap;  ///< g0 of each contact without the journal, m: height errors, sleeve gaps and waviness
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
@@ -110,7 +110,7 @@ struct Foils {
   [[nodiscard]] int block(int of_structure) const;
   /// The unknowns that the structure knows among those of the problem, in the mean over the width.
   [[nodiscard]] Vector foil_unknowns(const Vector& x) const;
-  /// Contacts of the pressing body, the first of each bump: entries of a vector of all contacts.
+  /// Contacts of the journal, the first of each bump: entries of a vector of all contacts.
   [[nodiscard]] auto pressed() const {
     return Eigen::seqN(Eigen::Index{structure.first_bump} * contacts_per_block(), Eigen::Index{bumps()},
                        Eigen::Index{contacts_per_block()});
@@ -126,7 +126,7 @@ using SharedFoils = std::shared_ptr<const Foils>;
 
 /// What drives an increment. A plain value.
 struct Excitation {
-  Eigen::Vector2d position{0.0, 0.0};  ///< of the pressing body, m
+  Eigen::Vector2d position{0.0, 0.0};  ///< of the journal, m
   /// Added to the initial gap of each contact, m: sampled errors of heights, sleeve and journal. Empty: none.
   Vector gap_offset{};
   /// Forces on the top foil over each crest, N, positive outward: what loads between the crests come to there, see
@@ -143,7 +143,7 @@ Foils make_foils(const BearingDesign& design);
 /// A strip of foils between its plate and the base: flat, without clearance. Both must be valid.
 Foils make_foils(const PadDesign& whole, const StripSettings& strip);
 
-/// Gaps and loads under an excitation with the pressing body at `position`:
+/// Gaps and loads under an excitation with the journal at `position`:
 ///
 ///     g_r = r_i + u_t,   g_t = -height_error_i - u_t + v_crest,   g_b = sleeve_gap_i - v_foot
 ///
@@ -154,10 +154,10 @@ ContactLoading loading_under(const Foils& foils, const Excitation& excitation);
 /// Rate of loading_under per metre of displacement along the unit vector `direction`.
 ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction);
 
-/// Loads of the pressing body on the foils, N, one per bump.
+/// Loads of the journal on the foils, N, one per bump.
 Vector pressing_loads(const Foils& foils, const Vector& normal_force);
 
-/// Force that holds the pressing body, N.
+/// Force applied to the journal (or plate), N.
 Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force);
 
 /// The part of it that each of several pads takes, one column per pad, N. One pad takes it all, and has no column.

@@ -13,14 +13,14 @@ enum class Branch { loading, unloading };
 struct Increment {
   int index{};
   Branch branch{Branch::loading};
-  double displacement{};        ///< of the pressing body along the direction, m
+  double displacement{};        ///< of the journal along the direction, m
   double x{}, y{};              ///< its position, m
-  double force_x{}, force_y{};  ///< force that holds it, N
+  double force_x{}, force_y{};  ///< applied force, N
   double force_direct{};        ///< F.n, N
   double force_cross{};         ///< F.t with t = n turned by +90 deg, N
   double elastic_energy{};      ///< J
   double dissipated_energy{};   ///< since increment 0, J; at increment 0 that of the assembly is kept apart
-  double work{};                ///< of the pressing body since increment 0, trapezoidal rule, J
+  double work{};                ///< of the journal since increment 0, trapezoidal rule, J
   ContactResiduals residuals;
   Status status{Status::converged};
   SolveCost cost;

@@ -35,7 +35,7 @@ struct RotorSettings {
   std::vector<double> gravity{0.0, -9.81};     ///< along X and Y, m/s^2
   std::optional<double> transverse_inertia{};  ///< kg m^2
   std::optional<double> polar_inertia{};       ///< kg m^2
-  /// z of the bearings, m: from the centre of mass of a rigid rotor, from the begin of a shaft.
+  /// z of the bearings, m: from the centre of mass of a rigid rotor, from the start of a shaft.
   std::vector<double> bearings{};
   std::vector<ShaftSection> shaft{};
   std::vector<ShaftDisc> disks{};

@@ -21,7 +21,7 @@ struct StationOrbit {
 
 /// What a bearing does in a turn.
 struct BearingTurn {
-  double thinnest{};  ///< least film thickness at any node and step, m
+  double thinnest{};  ///< minimum film thickness at any node and step, m
   double power{};     ///< mean, W
   double friction{};  ///< work that friction between foils and sleeve takes, J
 };

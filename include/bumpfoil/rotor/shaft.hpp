@@ -32,7 +32,7 @@ struct ShaftDisc {
 /// A disc of constant thickness with a hole.
 ShaftDisc solid_disc(double z, double thickness, double outer_diameter, double inner_diameter, double density);
 
-/// A flexible shaft with discs. Places are measured from the begin of its first section.
+/// A flexible shaft with discs. Places are measured from the start of its first section.
 struct ShaftDesign {
   std::vector<ShaftSection> sections;
   std::vector<ShaftDisc> discs{};

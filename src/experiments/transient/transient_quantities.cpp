@@ -53,11 +53,11 @@ double turn_end(const TurnView& view) {
 }
 
 constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
-    {"amplitude_x", "m", "amplitude along X at the frequency of rotation", turn_amplitude<0>, csv, "amplitude, X",
+    {"amplitude_x", "m", "amplitude along X at the rotation frequency", turn_amplitude<0>, csv, "amplitude, X",
      shown::micrometres},
     {"phase_x", "degree", "phase of X in x = Re(X exp(i a)), a the size of the angle of the rotor", turn_phase<0>, csv,
      "phase, X"},
-    {"amplitude_y", "m", "amplitude along Y at the frequency of rotation", turn_amplitude<1>, csv, "amplitude, Y",
+    {"amplitude_y", "m", "amplitude along Y at the rotation frequency", turn_amplitude<1>, csv, "amplitude, Y",
      shown::micrometres},
     {"phase_y", "degree", "phase of Y in y = Re(Y exp(i a)), a the size of the angle of the rotor", turn_phase<1>, csv,
      "phase, Y"},
@@ -66,14 +66,14 @@ constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
     {"half_peak_to_peak_y", "m", "half of the way along Y from end to end", turn_way<1>, csv, "half peak-to-peak, Y",
      shown::micrometres},
     {"amplitude_x_half", "m",
-     "amplitude along X at half of the frequency of rotation, of two revolutions with this one in their middle",
+     "amplitude along X at half the rotation frequency, of two revolutions with this one in their middle",
      turn_half<0>, csv, "amplitude at half the speed, X"},
     {"amplitude_y_half", "m",
-     "amplitude along Y at half of the frequency of rotation, of two revolutions with this one in their middle",
+     "amplitude along Y at half the rotation frequency, of two revolutions with this one in their middle",
      turn_half<1>, csv, "amplitude at half the speed, Y"},
-    {"amplitude_x_2x", "m", "amplitude along X at twice the frequency of rotation", turn_twice<0>, csv,
+    {"amplitude_x_2x", "m", "amplitude along X at twice the rotation frequency", turn_twice<0>, csv,
      "amplitude at twice the speed, X"},
-    {"amplitude_y_2x", "m", "amplitude along Y at twice the frequency of rotation", turn_twice<1>, csv,
+    {"amplitude_y_2x", "m", "amplitude along Y at twice the rotation frequency", turn_twice<1>, csv,
      "amplitude at twice the speed, Y"},
     {"mean_x", "m", "mean of the position along X", turn_mean<0>, csv, "mean position, X"},
     {"mean_y", "m", "mean of the position along Y", turn_mean<1>, csv, "mean position, Y"},
@@ -155,7 +155,7 @@ constexpr auto run_quantity_table = std::to_array<RunQuantity>({
      },
      headline | csv | sampled | leading, "largest half peak-to-peak", shown::micrometres},
     {"largest_amplitude_half", "m",
-     "largest amplitude of a journal along X or Y at half of the frequency of rotation: half-speed whirl",
+     "largest amplitude of a journal along X or Y at half the rotation frequency: half-speed whirl",
      [](const TransientReading& reading) {
        return largest_of(reading, [](const TransientTurn& revolution, std::size_t i) {
          const auto& amplitudes = revolution.places[i].half;

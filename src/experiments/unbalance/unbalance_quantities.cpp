@@ -153,11 +153,11 @@ double phase_twice(const StationResponse& response) {
 }
 
 constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
-    {"amplitude_x", "m", "amplitude along X at the frequency of rotation", amplitude<0>, csv, "amplitude, X",
+    {"amplitude_x", "m", "amplitude along X at the rotation frequency", amplitude<0>, csv, "amplitude, X",
      shown::micrometres},
     {"phase_x", "degree", "phase of X in x = Re(X exp(i nu t)), nu the size of Omega", phase<0>, csv, "phase, X",
      shown::degrees},
-    {"amplitude_y", "m", "amplitude along Y at the frequency of rotation", amplitude<1>, csv, "amplitude, Y",
+    {"amplitude_y", "m", "amplitude along Y at the rotation frequency", amplitude<1>, csv, "amplitude, Y",
      shown::micrometres},
     {"phase_y", "degree", "phase of Y in y = Re(Y exp(i nu t)), nu the size of Omega", phase<1>, csv, "phase, Y",
      shown::degrees},
@@ -176,9 +176,9 @@ constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
      "power", shown::watts},
     {"mean_x", "m", "mean of the position along X in a turn of an orbit", mean<0>, csv},
     {"mean_y", "m", "mean of the position along Y in a turn of an orbit", mean<1>, csv},
-    {"amplitude_x_2x", "m", "amplitude along X at twice the frequency of rotation, of an orbit", twice<0>, csv},
+    {"amplitude_x_2x", "m", "amplitude along X at twice the rotation frequency, of an orbit", twice<0>, csv},
     {"phase_x_2x", "degree", "phase of X2 in x = ... + Re(X2 exp(2 i nu t)), of an orbit", phase_twice<0>, csv},
-    {"amplitude_y_2x", "m", "amplitude along Y at twice the frequency of rotation, of an orbit", twice<1>, csv},
+    {"amplitude_y_2x", "m", "amplitude along Y at twice the rotation frequency, of an orbit", twice<1>, csv},
     {"phase_y_2x", "degree", "phase of Y2 in y = ... + Re(Y2 exp(2 i nu t)), of an orbit", phase_twice<1>, csv},
     {"semi_major", "m", "larger semi-axis of the orbit", orbit_axis<&EllipticOrbit::major>, csv | shown_first | leading,
      "semi-major axis", shown::micrometres},

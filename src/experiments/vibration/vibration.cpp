@@ -139,7 +139,7 @@ class VibrationRunner {
   }
 
   /// Takes foils through a program.
-  /// @param forces  receives those at the begin of each increment; may be null
+  /// @param forces  receives those at the start of each increment; may be null
   void take(const Program& program, BearingState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
     Step step;
     march(stepper_, program, reach_, state, step, [&](const Passage& at) {

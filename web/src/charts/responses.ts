@@ -307,7 +307,7 @@ function polarGuides(points: Point[]): ResponseGuide[] {
 /** Amplitude and phase over speed, the polar plot, and Floquet multipliers where there are periodic orbits. */
 export function responseCharts(responses: Responses, selection: GridSelection): HTMLElement[] {
   const across = responses.turnsBack ? 'Speed, from Y to X (rpm)' : 'Speed (rpm)';
-  const subject = (station: number): string => `${responses.stations[station] ?? ''}, at the frequency of rotation`;
+  const subject = (station: number): string => `${responses.stations[station] ?? ''}, at the rotation frequency`;
   const rpm = responses.places.map((place) => responses.revolutionsAt(place));
   const legend = (lines: ResponseLine[]): LegendEntry[] => [...lines.map(entryOf), ...(responses.hasOrbits ? [lastingEntry] : [])];
   const common = { subject, across, note: 'Click a point to select its speed.', legend, csv: (station: number) => csvOf(responses, station) };

@@ -129,14 +129,14 @@ struct PlaceTurn {
   /// t = 0 of its phases is angle 0. Its harmonics are those of two turns with this one in their middle, so that whirl
   /// at half of the frequency is none of them; of the first and last turn those of the turn.
   StationOrbit orbit;
-  /// At half of the frequency of rotation, of the same two turns, m. None of the first and last turn.
+  /// At half the rotation frequency, of the same two turns, m. None of the first and last turn.
   std::optional<Eigen::Vector2cd> half{};
   Eigen::Vector2d at_end{Eigen::Vector2d::Zero()};  ///< m: a point of a Poincare section
 };
 
 /// What a bearing does in a turn.
 struct BearingRecord {
-  double thinnest{};       ///< least film thickness, m
+  double thinnest{};       ///< minimum film thickness, m
   double power{};          ///< mean, W
   double asperity_load{};  ///< largest that asperities carry, N
 };
