@@ -61,19 +61,19 @@ std::vector<std::string> case_warnings(const Case& input) {
     if (ratio > most_flattening) {
       warnings.push_back(
           fmt::format("the top foil{} is formed {:.3g} % flatter than the bearing: beyond {:.3g} % its displacements "
-                      "are not small, and numbers show trends only",
+                      "are no longer small, and results show trends only",
                       of_pad(pads, k), 100.0 * (ratio - 1.0), 100.0 * (most_flattening - 1.0)));
     }
     if (!foils) foils = make_foils(input);
     if (foils->assembly.empty()) {
-      warnings.emplace_back("how the formed top foil lies without a journal was not found");
+      warnings.emplace_back("the shape of the formed top foil without a journal was not found");
       break;
     }
     const double room = foils->room_in(k);
     if (room > 0.0) continue;
     warnings.push_back(fmt::format(
         "the top foil{} bulges by {:.4g} um where it leaves its bumps and presses on a centred journal at rest, {:.4g} "
-        "um farther than it has room: form it less flat",
+        "um more than the assembled clearance: form it less flat",
         of_pad(pads, k), 1e6 * foils->assembly[k].bulge, -1e6 * room));
   }
   return warnings;

@@ -37,7 +37,7 @@ struct SpeedPoint {
 /// Where the motion that grows fastest begins to grow, or ends to.
 struct WhirlOnset {
   bool stuck{};
-  bool by_coefficients{};  ///< as synchronous coefficients have it
+  bool by_coefficients{};  ///< by synchronous coefficients
   bool begins{};           ///< it grows at higher |Omega|
   bool of_foils{};         ///< it is a motion of foils and films
   Onset onset;

@@ -53,7 +53,7 @@ void add_motions(const StabilityResult& result, Dataset& data) {
   constexpr auto contact_words = std::span(enum_names<ContactMotion>);
   data.add_dimension({"contacts", "", "what slipping contacts do", {Form::flag, contact_words}},
                      numbers_from(0.0, contact_words.size()));
-  data.add_dimension({"mode", "1", "motion; it keeps its number from speed to speed", {Form::whole}},
+  data.add_dimension({"mode", "1", "number of the motion, the same at all speeds", {Form::whole}},
                      numbers_from(1.0, result.map.motions));
   for (const MotionQuantity& quantity : motion_quantities()) {
     if (quantity.is(tag::of_place)) continue;

@@ -203,7 +203,7 @@ constexpr auto point_quantity_table = std::to_array<PointQuantity>({
     {"journal_amplitude", "m", "largest semi-major axis of the orbits of the journals, small, full stick",
      stuck_amplitude, none, "amplitude of the journals", shown::micrometres},
     {"journal_amplitude_sliding", "m",
-     "largest semi-major axis of the orbits of the journals, small, sliding contacts slide on",
+     "largest semi-major axis of the orbits of the journals, small, sliding contacts keep sliding",
      journal_amplitude<ResponseKind::linear_sliding>, none, "amplitude of the journals, sliding", shown::micrometres},
     {"journal_amplitude_ratio", "1",
      "largest ratio of such a semi-major axis, full stick, to the minimum film thickness of its bearing in equilibrium",

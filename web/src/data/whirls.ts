@@ -127,7 +127,7 @@ export class Whirls extends Grid {
     return this.order.map((speed) => ({ speed, contacts }));
   }
 
-  /** Growth per radian as synchronous coefficients have it. */
+  /** Growth per radian by synchronous coefficients. */
   growthByCoefficientsAt(place: Place): number {
     return this.numberAt(`growth_by_coefficients${place['contacts'] === 1 ? '_stuck' : ''}`, place);
   }
