@@ -1,4 +1,4 @@
-// docs/theory/width.md: the film over foils that vary over the width, against an independent prototype.
+// docs/verification/width.md: the film over foils that vary over the width, against an independent prototype.
 
 #include <gtest/gtest.h>
 

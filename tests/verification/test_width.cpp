@@ -1,4 +1,4 @@
-// docs/theory/width.md: foils whose displacement varies over the width, against an independent program.
+// docs/verification/width.md: foils whose displacement varies over the width, against an independent program.
 
 #include <gtest/gtest.h>
 
