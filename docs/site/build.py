@@ -51,7 +51,10 @@ def run_examples(folder, environment):
     to_files = environment | {"MPLBACKEND": "agg"}
     for example in sorted((ROOT / "examples").glob("*.py")):
         with open(folder / f"{example.stem}.txt", "w", encoding="utf-8") as lines:
-            subprocess.run([sys.executable, "-B", example], stdout=lines, cwd=folder, env=to_files, check=True)
+            command = [sys.executable, "-B", example]
+            done = subprocess.run(command, stdout=lines, stderr=subprocess.PIPE, text=True, cwd=folder, env=to_files)
+        if done.returncode != 0 or "Warning" in done.stderr:
+            sys.exit(f"{example}: {done.stderr}")
     subprocess.run([sys.executable, "-B", HERE / "draw_cases.py"], cwd=folder, env=to_files, check=True)
 
 

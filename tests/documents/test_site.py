@@ -1,7 +1,8 @@
 """The site of the documentation is built without a warning, and stands alone: links lead to what it holds, and nothing is
-fetched from elsewhere.
+fetched from elsewhere. The example programs that it runs draw their pictures, and those that are there in C++, too, print
+the same lines.
 
-Usage: test_site.py REPOSITORY PACKAGE OUTPUT
+Usage: test_site.py REPOSITORY PACKAGE OUTPUT FOLDER_OF_PROGRAMS
 """
 
 import json
@@ -16,6 +17,7 @@ from urllib.parse import unquote, urlsplit
 
 ROOT = Path(sys.argv[1]).resolve()
 OUTPUT = Path(sys.argv[3]).resolve()
+PROGRAMS = Path(sys.argv[4]).resolve()
 
 
 class Page(HTMLParser):
@@ -45,6 +47,26 @@ class Site(unittest.TestCase):
             raise AssertionError(built.stdout + built.stderr)
         cls.html = OUTPUT / "html"
         cls.pages = {path: Page(path) for path in cls.html.rglob("*.html")}
+
+    def test_examples_draw_and_say_the_same_in_cpp(self):
+        examples = ROOT / "examples"
+        names = {example.stem for example in examples.glob("*.py")}
+        twins = {example.stem for example in examples.glob("*.cpp")}
+        self.assertLessEqual(twins, names)
+        self.assertGreaterEqual(len(twins), 8)
+        made = OUTPUT / "pages/docs/gallery"
+        for name in sorted(names):
+            with self.subTest(example=name):
+                lines = (made / f"{name}.txt").read_text(encoding="utf-8")
+                self.assertGreater(len(lines.splitlines()), 1)
+                if name in twins:
+                    program = [PROGRAMS / f"example_{name}"]
+                    self.assertEqual(subprocess.run(program, stdout=subprocess.PIPE, text=True, cwd=examples).stdout, lines)
+                if name != "quickstart":
+                    pictures = list(made.glob(f"{name}*.svg"))
+                    self.assertEqual(len(pictures), 7 if name == "paper_figure" else 1)
+                    for picture in pictures:
+                        self.assertIn("<svg", picture.read_text(encoding="utf-8"))
 
     def test_has_every_document(self):
         for document in (ROOT / "docs").rglob("*.md"):
