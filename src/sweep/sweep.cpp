@@ -285,7 +285,9 @@ std::vector<std::string> swept_commands() {
 SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome) {
   SweptResult swept = outcome.swept(sweep.with_loops);
   return {.status = outcome.status,
+          .dims = each(swept.dataset.dims, [](const DataDimension& dim) { return dim.name; }),
           .extents = each(swept.dataset.dims, [](const DataDimension& dim) { return dim.size; }),
+          .variables = each(swept.dataset.variables, [](const Variable& variable) { return variable.meaning.name; }),
           .values = each(swept.dataset.variables, [](const Variable& variable) { return variable.values(); }),
           .rows = std::move(swept.rows),
           .coefficients = std::move(swept.coefficients),
@@ -300,7 +302,7 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
 
 std::string bytes_of(const SweepPoint& point) {
   const auto all = nlohmann::json::array({point.status, point.extents, point.values, point.rows, point.coefficients,
-                                          point.lists, point.failures, point.warnings});
+                                          point.lists, point.failures, point.warnings, point.dims, point.variables});
   std::string bytes;
   nlohmann::json::to_msgpack(all, bytes);  // numbers to the last bit, and those that are none
   return bytes;
@@ -317,6 +319,8 @@ SweepPoint point_of_bytes(const std::string& bytes) {
   all.at(5).get_to(point.lists);
   all.at(6).get_to(point.failures);
   all.at(7).get_to(point.warnings);
+  all.at(8).get_to(point.dims);
+  all.at(9).get_to(point.variables);
   return point;
 }
 

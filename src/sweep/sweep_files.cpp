@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -20,12 +21,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rows of every point behind its keys.
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  std::istringstream in(row);
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(std::move(cell));
+  return cells;
+}
+
+/// Rows of every point behind its keys, under the columns of all; what a point has not is left blank.
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points, std::string SweepPoint::*lines) {
   std::string out;
   for (const SweepAxis& axis : sweep.axes) out += key_of(axis.name, axis.unit) + ',';
-  const std::string& first = points.front().*lines;
-  out += first.substr(0, first.find('\n') + 1);
+  std::set<std::string> headers;
+  std::vector<std::string> columns;
+  for (const SweepPoint& point : points) {
+    const std::string header = (point.*lines).substr(0, (point.*lines).find('\n'));
+    if (headers.insert(header).second) merge_names(cells_of(header), columns);
+  }
+  out += fmt::format("{}\n", fmt::join(columns, ","));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::vector<std::size_t> indices = indices_of(sweep, i);
     std::string keys;
@@ -35,7 +48,20 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points,
     std::istringstream rows(points[i].*lines);
     std::string row;
     std::getline(rows, row);  // the header
-    while (std::getline(rows, row)) out += keys + row + '\n';
+    const std::vector<std::string> names = headers.size() > 1 ? cells_of(row) : columns;
+    while (std::getline(rows, row)) {
+      if (names != columns) {
+        const std::vector<std::string> cells = cells_of(row);
+        row = fmt::format("{}", fmt::join(each(columns,
+                                               [&](const std::string& column) {
+                                                 const auto place = static_cast<std::size_t>(
+                                                     std::find(names.begin(), names.end(), column) - names.begin());
+                                                 return place < cells.size() ? cells[place] : std::string();
+                                               }),
+                                          ","));
+      }
+      out += keys + row + '\n';
+    }
   }
   return out;
 }

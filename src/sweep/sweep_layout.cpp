@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <utility>
 
-#include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
 namespace bumpfoil {
@@ -28,7 +29,47 @@ void copy_block(const std::vector<double>& block, const std::vector<std::size_t>
   }
 }
 
+/// Adds what a dataset has besides, each behind what it follows there.
+void merge(const Dataset& more, Dataset& data) {
+  for (const DataDimension& dim : more.dims) {
+    const auto same = [&dim](const DataDimension& one) { return one.name == dim.name; };
+    if (std::none_of(data.dims.begin(), data.dims.end(), same)) data.dims.push_back(dim);
+  }
+  const auto add = [](const std::vector<Variable>& from, std::vector<Variable>& to) {
+    auto place = to.begin();
+    for (const Variable& variable : from) {
+      const auto same = std::find_if(
+          to.begin(), to.end(), [&variable](const Variable& one) { return one.meaning.name == variable.meaning.name; });
+      place = std::next(same == to.end() ? to.insert(place, variable) : same);
+    }
+  };
+  add(more.coordinates, data.coordinates);
+  add(more.variables, data.variables);
+}
+
+/// Size of a dimension of a point; 0 where it has none of the name.
+std::size_t extent_of(const SweepPoint& point, const std::string& name) {
+  const auto dim = std::find(point.dims.begin(), point.dims.end(), name);
+  return dim == point.dims.end() ? 0 : point.extents[static_cast<std::size_t>(dim - point.dims.begin())];
+}
+
 }  // namespace
+
+const std::vector<double>& values_of(const SweepPoint& point, const std::string& name, std::size_t hint) {
+  static const std::vector<double> none;
+  const std::vector<std::string>& names = point.variables;
+  if (hint < names.size() && names[hint] == name) return point.values[hint];
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? none : point.values[static_cast<std::size_t>(found - names.begin())];
+}
+
+void merge_names(const std::vector<std::string>& more, std::vector<std::string>& all) {
+  auto place = all.begin();
+  for (const std::string& name : more) {
+    const auto same = std::find(all.begin(), all.end(), name);
+    place = std::next(same == all.end() ? all.insert(place, name) : same);
+  }
+}
 
 SweepLayout layout_of(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const auto size_of = [](const SweepPoint& point) {
@@ -36,17 +77,21 @@ SweepLayout layout_of(const Sweep& sweep, const std::vector<SweepPoint>& points)
   };
   const auto largest = std::max_element(
       points.begin(), points.end(), [&](const SweepPoint& a, const SweepPoint& b) { return size_of(a) < size_of(b); });
-  Case input = sweep.cases[static_cast<std::size_t>(largest - points.begin())];
   const auto is_list = [](const SweepAxis& axis) { return axis.is_list; };
-  // It stands for all points, whatever their speed.
-  if (std::any_of(sweep.axes.begin(), sweep.axes.end(), is_list)) input.equilibrium->speeds = {absent};
-  SweptResult swept = sweep.experiment->sweeping->not_begun(input).swept(sweep.with_loops);
-  for (const SweepPoint& point : points) {
-    BUMPFOIL_ASSERT(point.extents.size() == swept.dataset.dims.size());
-    BUMPFOIL_ASSERT(point.values.size() == swept.dataset.variables.size());
-    for (std::size_t i = 0; i < point.extents.size(); ++i) {
-      swept.dataset.dims[i].size = std::max(swept.dataset.dims[i].size, point.extents[i]);
-    }
+  const bool lists = std::any_of(sweep.axes.begin(), sweep.axes.end(), is_list);
+  const auto not_begun = [&](std::size_t point) {
+    Case input = sweep.cases[point];
+    if (lists) input.equilibrium->speeds = {absent};  // it stands for all points, whatever their speed
+    return sweep.experiment->sweeping->not_begun(input).swept(sweep.with_loops);
+  };
+  const auto first = static_cast<std::size_t>(largest - points.begin());
+  SweptResult swept = not_begun(first);
+  std::set<std::vector<std::string>> merged{points[first].variables};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (merged.insert(points[i].variables).second) merge(not_begun(i).dataset, swept.dataset);
+  }
+  for (DataDimension& dim : swept.dataset.dims) {
+    for (const SweepPoint& point : points) dim.size = std::max(dim.size, extent_of(point, dim.name));
   }
   return {std::move(swept.dataset), std::move(swept.parts)};
 }
@@ -64,24 +109,18 @@ Dataset sweep_dataset(const Sweep& sweep, const std::vector<SweepPoint>& points)
   data.coordinates.insert(data.coordinates.end(), layout.coordinates.begin(), layout.coordinates.end());
   for (std::size_t i = 0; i < layout.variables.size(); ++i) {
     const Variable& variable = layout.variables[i];
-    std::vector<std::size_t> numbers;  // of the dimensions
-    std::vector<std::size_t> extents;
-    for (const std::string& name : variable.dims) {
-      const auto dim = std::find_if(layout.dims.begin(), layout.dims.end(),
-                                    [&name](const DataDimension& one) { return one.name == name; });
-      numbers.push_back(static_cast<std::size_t>(dim - layout.dims.begin()));
-      extents.push_back(dim->size);
-    }
+    const std::vector<std::size_t> extents =
+        each(variable.dims, [&layout](const std::string& name) { return layout.dimension(name).size; });
     std::vector<std::string> dims = keys;
     dims.insert(dims.end(), variable.dims.begin(), variable.dims.end());
     const std::size_t size = layout.size_of(variable);
     data.add(variable.meaning, std::move(dims),
-             [&points, i, numbers, extents, size] {
+             [&points, i, name = variable.meaning.name, over = variable.dims, extents, size] {
                std::vector<double> all(points.size() * size, absent);
                for (std::size_t point = 0; point < points.size(); ++point) {
-                 const std::vector<double>& values = points[point].values[i];
+                 const std::vector<double>& values = values_of(points[point], name, i);
                  const std::vector<std::size_t> own =
-                     each(numbers, [&](std::size_t number) { return points[point].extents[number]; });
+                     each(over, [&](const std::string& dim) { return extent_of(points[point], dim); });
                  copy_block(values, own, extents, all.begin() + static_cast<std::ptrdiff_t>(point * size));
                }
                return all;

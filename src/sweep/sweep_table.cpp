@@ -34,8 +34,8 @@ std::vector<SweptColumn> columns_of(const Dataset& data, const std::vector<Sweep
   for (std::size_t i = 0; i < data.variables.size(); ++i) {
     const VariableMeaning& meaning = data.variables[i].meaning;
     if ((meaning.tags & tag::headline) == 0) continue;
-    const bool known = std::any_of(points.begin(), points.end(), [i](const SweepPoint& point) {
-      const std::vector<double>& values = point.values[i];
+    const bool known = std::any_of(points.begin(), points.end(), [i, &meaning](const SweepPoint& point) {
+      const std::vector<double>& values = values_of(point, meaning.name, i);
       return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
     });
     const auto& [unit, size] = meaning.shown;
@@ -48,7 +48,11 @@ std::vector<SweptColumn> columns_of(const Dataset& data, const std::vector<Sweep
 class Block {
  public:
   Block(const Sweep& sweep, const std::vector<SweepPoint>& points, const SweepLayout& layout, std::size_t place)
-      : sweep_(sweep), points_(points), place_(place), columns_(columns_of(layout.dataset, points)) {
+      : sweep_(sweep),
+        points_(points),
+        place_(place),
+        names_(each(layout.dataset.variables, [](const Variable& one) { return one.meaning.name; })),
+        columns_(columns_of(layout.dataset, points)) {
     const auto& variables = layout.dataset.variables;
     const auto status = std::find_if(variables.begin(), variables.end(),
                                      [](const Variable& one) { return one.meaning.name == "status"; });
@@ -106,7 +110,7 @@ class Block {
 
   /// Not a number where the point has not so many.
   [[nodiscard]] double value(std::size_t variable, std::size_t point) const {
-    const std::vector<double>& values = points_[point].values[variable];
+    const std::vector<double>& values = values_of(points_[point], names_[variable], variable);
     return place_ < values.size() ? values[place_] : absent;
   }
 
@@ -126,6 +130,7 @@ class Block {
   const Sweep& sweep_;
   const std::vector<SweepPoint>& points_;
   std::size_t place_;
+  std::vector<std::string> names_;  // of the variables
   std::vector<SweptColumn> columns_;
   std::size_t status_{};
   std::span<const std::string_view> words_;

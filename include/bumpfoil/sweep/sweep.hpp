@@ -61,8 +61,10 @@ std::string point_name(const Sweep& sweep, std::size_t point);
 /// What is kept of a point: the numbers and words of its result, and nothing else.
 struct SweepPoint {
   RunStatus status{RunStatus::interrupted};   ///< as it stays where the point was not begun
-  std::vector<std::size_t> extents{};         ///< of the dimensions of the result
-  std::vector<std::vector<double>> values{};  ///< of its quantities and loops; none where all of one are absent
+  std::vector<std::string> dims{};            ///< names of the dimensions of the result
+  std::vector<std::size_t> extents{};         ///< of these
+  std::vector<std::string> variables{};       ///< names of its quantities and loops: not all points have the same
+  std::vector<std::vector<double>> values{};  ///< of these; none where all of one are absent
   std::string rows{};                         ///< of sweep.csv, under their header
   std::string coefficients{};                 ///< of coefficients.csv, likewise; of running bearings
   std::string lists{};  ///< of summary.json, as text, which takes less room than what is read of it

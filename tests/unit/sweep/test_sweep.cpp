@@ -58,7 +58,9 @@ TEST(Sweep, CasesAreThoseOfOverrides) {
 /// Another process of the program sends what it has run.
 TEST(Sweep, PointsAreTheSameAsBytes) {
   SweepPoint point{.status = RunStatus::failed,
+                   .dims = {"state", "step"},
                    .extents = {2, 0},
+                   .variables = {"a", "b", "c"},
                    .values = {{0.1, absent}, {}, {-0.0, 1.0 / 3.0, 5e-324, 7.0}},
                    .rows = "a,b\n1,2\n",
                    .coefficients = "k\n",
@@ -67,7 +69,9 @@ TEST(Sweep, PointsAreTheSameAsBytes) {
                    .warnings = {"two", "three"}};
   const SweepPoint same = point_of_bytes(bytes_of(point));
   EXPECT_EQ(same.status, point.status);
+  EXPECT_EQ(same.dims, point.dims);
   EXPECT_EQ(same.extents, point.extents);
+  EXPECT_EQ(same.variables, point.variables);
   ASSERT_EQ(same.values.size(), 3U);
   EXPECT_EQ(same.values[0][0], 0.1);
   EXPECT_TRUE(std::isnan(same.values[0][1]));

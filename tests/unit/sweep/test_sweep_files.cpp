@@ -438,5 +438,46 @@ TEST(SweepFilesOfRunningBearings, TakePositions) {
   EXPECT_EQ(file.getVar("h_min").getDim(2).getName(), "position");
 }
 
+/// A film that varies over the width has a place where it is thinnest there, which others have not.
+TEST(SweepFilesOfRunningBearings, HaveWhatOnlySomePointsHave) {
+  const Sweep sweep = parse_sweep(
+      case_template("gen1"), "case.toml",
+      {.command = "equilibrium",
+       .over = {"width.crowning=[0 um, 3 um, -3 um]"},
+       .overrides = {"equilibrium.speeds=[4700]", "equilibrium.positions=[[10e-6, 0]]", "equilibrium.path=position_ray",
+                     "equilibrium.paths=one", "film.columns_per_pitch=4", "film.rows=4"}});
+  std::vector<SweepPoint> points(3);
+  for (const std::size_t i : {0U, 1U}) points[i] = run_point(sweep, i);
+  complete(sweep, points);
+  ASSERT_LT(points[0].variables.size(), points[1].variables.size());
+  const test_support::TemporaryFolder folder;
+  for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
+  const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
+  const std::vector<double> places = numbers_of(file.getVar("h_min_z"));
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_EQ(places[0], NC_FILL_DOUBLE);
+  EXPECT_EQ(places[1], 0.0);
+  const std::vector<double> torques = numbers_of(file.getVar("torque"));
+  EXPECT_GT(torques[0], 1e-4);  // N m; the variables behind h_min_z are where they belong
+  EXPECT_NEAR(torques[1], torques[0], 0.1 * torques[0]);
+  std::istringstream csv(folder.read("sweep.csv"));
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(csv, line);) {
+    std::istringstream cells(line + ",");
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  ASSERT_EQ(rows.size(), 4U);
+  for (const auto& row : rows) ASSERT_EQ(row.size(), rows[0].size());
+  const auto cell = [&rows](std::size_t row, const std::string& name) {
+    return rows[row][static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin())];
+  };
+  EXPECT_EQ(cell(1, "h_min_z_m"), "");
+  EXPECT_EQ(std::stod(cell(2, "h_min_z_m")), 0.0);
+  EXPECT_EQ(std::stod(cell(1, "torque_N_m")), torques[0]);
+  EXPECT_EQ(cell(2, "status"), "converged");
+  EXPECT_NE(sweep_table(sweep, points).find("3 um"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace bumpfoil
