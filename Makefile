@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized fuzz mutations lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -100,6 +100,17 @@ test-sanitized: ## the tests of the code again, under the address and undefined-
 	@scripts/require_packages.sh build plot test
 	$(call BUILD,dev)
 	ctest --preset dev --parallel $(JOBS)
+
+FUZZ_MINUTES := 1
+fuzz: ## feed every fuzzer of tests/fuzz/ by clang and its sanitizers for FUZZ_MINUTES=1; what they find is in results/fuzz
+	@scripts/require_packages.sh build plot test fuzz
+	$(call BUILD,fuzz)
+	scripts/fuzz.sh build/fuzz/fuzz_bytes results/fuzz "$(FUZZ_MINUTES)"
+
+mutations: ## change one token of the sources at a time and see whether tests notice; MUTATIONS="--module contact --count 20"
+	@scripts/require_packages.sh build plot test
+	$(call BUILD,release-audit)
+	/usr/bin/python3 -B scripts/mutations.py build/release-audit results/mutations.jsonl $(MUTATIONS)
 
 lint: ## install what is missing, let clang-tidy read the sources
 	@scripts/require_packages.sh build python test bench lint

@@ -13,7 +13,7 @@ install(FILES ${PROJECT_BINARY_DIR}/bumpfoilConfig.cmake ${PROJECT_BINARY_DIR}/b
               cmake/FindNetCDFCxx4.cmake
         DESTINATION ${package_dir})
 # Links between pages, and from them to examples and headers, lead to what is installed.
-install(FILES LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md packages.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md SECURITY.md packages.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN site EXCLUDE PATTERN __pycache__ EXCLUDE)
 file(RELATIVE_PATH headers /${CMAKE_INSTALL_DOCDIR} /${CMAKE_INSTALL_INCLUDEDIR})
 file(CREATE_LINK ${headers} ${PROJECT_BINARY_DIR}/include SYMBOLIC)

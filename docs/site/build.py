@@ -20,8 +20,8 @@ ROOT = HERE.parents[1]
 def lay_out(pages):
     """The documents as they lie in the repository, so that their links lead where they do there."""
     shutil.copytree(ROOT / "docs", pages / "docs", ignore=shutil.ignore_patterns("site"))
-    others = ("CHANGELOG.md", "CONTRIBUTING.md", ".pre-commit-config.yaml", "packages.txt", "examples", "include", "tests")
-    for name in others:
+    others = ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", ".pre-commit-config.yaml", "packages.txt")
+    for name in (*others, "examples", "include", "tests"):
         (pages / name).symlink_to(ROOT / name)
 
 

@@ -56,10 +56,11 @@ double Machine::thinnest_film(const std::vector<BearingState>& states) const {
   return thinnest;
 }
 
-std::deque<FilmStepper> Machine::make_steppers() const {
+std::deque<FilmStepper> Machine::make_steppers(const std::function<bool()>& keep_going) const {
   std::deque<FilmStepper> steppers;
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     FilmBearingOptions options;
+    options.keep_going = keep_going;
     options.newton.thickness_floor = thickness_floors[i] / bearings[i]->scales.thickness;
     steppers.emplace_back(bearings[i], options);
   }

@@ -43,7 +43,7 @@ std::optional<std::complex<double>> fastest_rate(const std::optional<SpeedMotion
 
 /// Adds the onsets of one kind. @param kind  says which contacts, and by what
 void add_onsets(const Rotor& rotor, const RotorEquilibria& equilibria, const WhirlOnset& kind, SpeedMap& map) {
-  for (std::size_t i = 1; i < map.points.size(); ++i) {
+  for (std::size_t i = 1; i < map.points.size() && !map.interrupted; ++i) {
     const SpeedPoint& a = map.points[i - 1];
     const SpeedPoint& b = map.points[i];
     const auto rate_a = fastest_rate(a.motions(kind.stuck), kind.by_coefficients);
@@ -55,7 +55,9 @@ void add_onsets(const Rotor& rotor, const RotorEquilibria& equilibria, const Whi
       if (speed == a.speed) return rate_a;
       if (speed == b.speed) return rate_b;
       std::vector<BearingState> states = a.states;
-      if (equilibria.go_to(speed, states) != Status::converged) return std::optional<std::complex<double>>();
+      const Status status = equilibria.go_to(speed, states);
+      map.interrupted |= status == Status::interrupted;
+      if (status != Status::converged) return std::optional<std::complex<double>>();
       const std::optional<SpeedMotions> motions = free_motions(rotor, equilibria, states, kind.stuck);
       found.of_foils = motions && !motions->whirls.empty() && motions->whirls.front().is_of_foils();
       return fastest_rate(motions, kind.by_coefficients);

@@ -196,7 +196,12 @@ std::string kind_of(const NetcdfImage& file) {
     const auto found = texts.find(name);
     return found != texts.end() ? found->second : std::string();
   };
-  if (text("schema") != "bumpfoil-result/2") file.refuse("", "is not a result of this program");
+  const std::string schema = text("schema");
+  if (!schema.starts_with("bumpfoil-result/")) file.refuse("", "is not a result of this program");
+  if (schema != "bumpfoil-result/2") {
+    file.refuse("schema",
+                fmt::format("is \"{}\", which this version cannot read: use the one that wrote it", printable(schema)));
+  }
   std::string kind = text("bumpfoil_command");
   if (!is_shown(kind)) {
     file.refuse("", fmt::format("is a result of `bumpfoil {}`, which reports cannot show", printable(kind)));

@@ -219,7 +219,8 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   if (!json.is_object() || !json.contains("schema")) checker.refuse("", "is not a summary of this program");
   const std::string schema = checker.text(json, "schema");
   if (schema != "bumpfoil-summary/2") {
-    checker.refuse("schema", fmt::format("is \"{}\", which this version cannot read", printable(schema)));
+    checker.refuse("schema", fmt::format("is \"{}\", which this version cannot read: use the one that wrote it",
+                                         printable(schema)));
   }
   for (const char* key : {"version", "commit", "solver", "status"}) static_cast<void>(checker.text(json, key));
   const std::string command = checker.text(json, "command");

@@ -60,17 +60,17 @@ auto built(std::string_view name, std::string_view advice, const Build& build) t
 }
 
 /// netCDF does not survive a full disk.
-void require_room(const std::filesystem::path& path, std::size_t numbers) {
+void require_room(const ResultFolder& folder, const std::string& name, std::size_t numbers) {
   constexpr std::size_t declarations = 20'000'000;  // with the text of the case
   const std::size_t needed = declarations + numbers * sizeof(double);
   const auto refuse = [&](std::string_view place, std::uintmax_t room, std::string advice) {
     throw Error(ErrorKind::file,
-                {{path.filename().string(), 0, "", "",
+                {{(folder.path() / name).string(), 0, "", "",
                   fmt::format("takes up to {} MB, but {} {} MB", needed / 1'000'000, place, room / 1'000'000),
                   std::move(advice)}});
   };
   std::error_code code;
-  const std::filesystem::space_info space = std::filesystem::space(path.parent_path(), code);
+  const std::filesystem::space_info space = std::filesystem::space(folder.path(), code);
   if (!code && space.available < needed) {
     refuse("the free space of the disk is", space.available, "free some space, or use another folder");
   }
@@ -130,7 +130,7 @@ void stage_result_files(const RunRecord& run, const std::string& netcdf_name, st
 
 ResultStream::ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& folder)
     : files_(std::move(files)), dataset_(std::move(dataset)), folder_(folder), path_(folder.stage(files_.netcdf)) {
-  require_room(path_, count_numbers(dataset_));
+  require_room(folder_, files_.netcdf, count_numbers(dataset_));
   if (!files_.csv.empty()) {
     csv_.emplace(folder.stage(files_.csv), folder.path() / files_.csv, O_WRONLY | O_CREAT | O_TRUNC);
     write_all(*csv_, csv_header(dataset_) + '\n', folder.path() / files_.csv);
@@ -145,7 +145,7 @@ ResultStream::ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& f
 ResultStream::~ResultStream() = default;
 
 void ResultStream::append() {
-  require_room(path_, 0);
+  require_room(folder_, files_.netcdf, 0);
   if (csv_) {
     std::string lines;
     rows_ += append_csv_rows(lines, dataset_, rows_);

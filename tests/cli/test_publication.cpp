@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "support/temporary_folder.hpp"
@@ -86,6 +87,47 @@ TEST_F(RunInShell, ALimitOfFileSizesIsAFaultOfTheFile) {
   EXPECT_EQ(run("ulimit -f 100; $bumpfoil cycle case.toml -o full --force"), 4);
   EXPECT_EQ(consistent_summary("full"), before);
   EXPECT_EQ(listing("full"), set);
+}
+
+/// All that writes, up to the name of what it writes.
+std::vector<std::string> writing_commands() {
+  std::vector<std::string> commands{
+      "$bumpfoil init", "$bumpfoil reproduce --figure 16",
+      "$bumpfoil sweep case.toml --over friction.coefficient=0:0.1:0.1 --set cycle.steps=2",
+      "$bumpfoil montecarlo case.toml --samples 2 --set cycle.steps=2 --set montecarlo.bump_height.std=1um"};
+  if (BUMPFOIL_HAS_DESIGNER) commands.emplace_back("$bumpfoil designer");
+  if (BUMPFOIL_HAS_REPORT) commands.emplace_back("$bumpfoil report base");
+  for (const ExperimentInfo& experiment : experiments()) {
+    std::string command = "$bumpfoil " + std::string(experiment.name) + " case.toml";
+    for (const std::string& key : experiment.small_runs.front()) command += " --set '" + key + "'";
+    commands.push_back(std::move(command));
+  }
+  return commands;
+}
+
+/// Without home, terminal or input, in a locale with decimal commas or without one, with names that have blanks and
+/// letters: all is as ever. What is there stays; where nothing can be written the message says so, and nothing is left.
+TEST_F(RunInShell, EveryCommandThatWritesMeetsTheFaultsOfItsMachine) {
+  ASSERT_EQ(run(cycle + "-o base"), 0);
+  for (const std::string& command : writing_commands()) {
+    SCOPED_TRACE(command);
+    const std::string whole = "env -i LC_ALL=de_DE.UTF-8 " + command + " --quiet -o 'a b \xc3\xa4' < /dev/null";
+    EXPECT_EQ(run(whole), 0) << log();
+    const std::filesystem::path written = folder_.path() / "a b \xc3\xa4";
+    EXPECT_TRUE(std::filesystem::exists(written));
+    EXPECT_EQ(run(whole), 4);
+    EXPECT_NE(log().find("already"), std::string::npos) << log();
+    std::filesystem::remove_all(written);
+
+    EXPECT_EQ(run(command + " --quiet -o case.toml/x"), 4);
+    EXPECT_NE(log().find("case.toml/x"), std::string::npos) << log();
+    EXPECT_EQ(run("ulimit -f 1; " + command + " --quiet -o full"), 4);
+    EXPECT_EQ(log().find("full"), 0U) << log();
+    EXPECT_TRUE(log().find("File too large") != std::string::npos || log().find("ulimit -f") != std::string::npos)
+        << log();
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "full/summary.json"));
+    std::filesystem::remove_all(folder_.path() / "full");
+  }
 }
 
 TEST_F(RunInShell, OfTwoRunsIntoOneFolderOneWinsAndTheOtherSaysWhy) {

@@ -83,7 +83,7 @@ class Push {
   double start_energy_{};
   double start_dissipation_{};  ///< of the assembly
   double largest_work_{};
-  double largest_force_{};  ///< of a contact
+  double largest_force_{};  ///< of all contacts together
   double imbalance_{};      ///< largest
   double balanced_{};       ///< work that is accounted for
 };
@@ -98,7 +98,7 @@ void Push::judge_state(const Step& step) {
         r.equilibrium, r.penetration, r.slip_in_stick, r.complementarity, r.cone));
   }
   energy_ = judged.elastic_energy;
-  largest_force_ = std::max(largest_force_, step.state.contacts.normal_force.maxCoeff());
+  largest_force_ = std::max(largest_force_, step.state.contacts.normal_force.sum());
 }
 
 /// Judges what the solver calls converged, and goes on from there.

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,8 +78,8 @@ struct Machine {
   [[nodiscard]] double thinnest_film(std::size_t bearing, const BearingState& state) const;
   /// The same of all bearings; not a number where there are no states.
   [[nodiscard]] double thinnest_film(const std::vector<BearingState>& states) const;
-  /// A stepper for each bearing of the rotor.
-  [[nodiscard]] std::deque<FilmStepper> make_steppers() const;
+  /// A stepper for each bearing of the rotor. @param keep_going  FilmBearingOptions::keep_going
+  [[nodiscard]] std::deque<FilmStepper> make_steppers(const std::function<bool()>& keep_going = {}) const;
 };
 
 /// Where they are.

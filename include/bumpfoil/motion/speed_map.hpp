@@ -50,6 +50,7 @@ struct SpeedMap {
   /// the same way.
   std::vector<WhirlOnset> onsets;
   std::size_t motions{};  ///< their numbers are below this
+  bool interrupted{};     ///< onsets may be missing, though all speeds are there
 };
 
 /// Follows the equilibria of all bearings from speed to speed, one increment each, and finds the motions at each speed

@@ -3,6 +3,7 @@
 
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "case/case_keys.hpp"
 #include "model/case_table.hpp"
 
@@ -65,6 +66,19 @@ void describe_equilibrium(CaseVisitor& keys, Case& input) {
 }
 
 constexpr double most_speed = 1e6;  // rad/s
+/// States keep their films until all are written: nodes of the mesh, all states together; about 40 bytes each.
+constexpr double most_state_nodes = 1e8;
+
+void judge_memory(Judge& judge, const Case& input, const EquilibriumSettings& equilibrium) {
+  const std::size_t states =
+      equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
+  const double nodes =
+      static_cast<double>(states) * total_bumps(input) * input.film.columns_per_pitch * input.film.rows;
+  for (const char* const command : {"equilibrium", "film"}) {
+    judge.require_for(command, nodes <= most_state_nodes, "equilibrium.speeds", fmt::format("{} states", states),
+                      "would not fit in memory with their films", "give fewer speeds or loads, or a coarser film");
+  }
+}
 
 /// Entries of a list of pairs, each within +-`most`.
 void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen::Vector2d>& vectors, double most,
@@ -80,7 +94,7 @@ void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen
   }
 }
 
-void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
                     "is missing: the minimum film thickness at lift-off",
                     "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
@@ -116,6 +130,7 @@ void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& /*
                   "is zero, so the path to it has no direction", "give a load that is not zero, however small");
   }
   judge.count("equilibrium.steps", equilibrium.steps, "increments");
+  if (foil.bumps) judge_memory(judge, input, equilibrium);
   judge.require(equilibrium.ross_version == 2 || equilibrium.ross_version == 3, "equilibrium.ross_version",
                 std::to_string(equilibrium.ross_version), "is a version that nothing is written for", "give 2 or 3");
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {

@@ -316,7 +316,22 @@ void judge_width(Judge& judge, const Case& input) {
                     "is not supported with mixed contact", advice + ", or remove [asperity]");
 }
 
+/// What a bearing surface in place of the foils cannot have.
+void judge_wall(Judge& judge, const Case& input) {
+  judge.require_for("film", input.pads.empty(), "pad", "",
+                    "are parts of the sleeve: a bearing surface without foils has none",
+                    "remove them, or run equilibrium, which supports pads");
+  judge.require_for("film", input.equilibrium && !input.equilibrium->positions.empty(), "equilibrium.positions", "",
+                    "no position specified", "give a list such as [[\"15 um\", \"0 um\"]] instead of loads");
+  if (!input.film.closed) return;
+  judge.require_for("film", input.bearing.taper == 0.0, "bearing.taper", "", "makes a step in a surface without a slot",
+                    "remove it, or set film.closed = false");
+  judge.require_for("film", !input.film.inlet_pressure, "film.inlet_pressure", "",
+                    "feeds an edge that a closed surface has not", "remove it, or set film.closed = false");
+}
+
 void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+  judge_wall(judge, input);
   judge_width(judge, input);
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "bearing/wall_impedance.hpp"
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
@@ -62,19 +61,6 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
 
 FilmBearing make_wall_bearing(const Case& input) {
   require_bearing(input, {"film"});
-  if (!input.pads.empty()) {
-    throw Error(ErrorKind::input,
-                {{"", 0, "pad", "", "are parts of the sleeve: a bearing surface without foils has none",
-                  "remove them, or run equilibrium, which supports pads"}});
-  }
-  if (input.film.closed && input.bearing.taper != 0.0) {
-    throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a surface without a slot",
-                                    "remove it, or set film.closed = false"}});
-  }
-  if (input.film.closed && input.film.inlet_pressure) {
-    throw Error(ErrorKind::input, {{"", 0, "film.inlet_pressure", "", "feeds an edge that a closed surface has not",
-                                    "remove it, or set film.closed = false"}});
-  }
   const double R = input.bearing.radius;
   const double half_width = 0.5 * input.bearing.axial_length / R;
   const int columns = input.bump_foil.bumps * input.film.columns_per_pitch;
@@ -98,10 +84,6 @@ FilmBearing make_wall_bearing(const Case& input) {
 EquilibriumResult run_wall_films(const Case& input, const std::function<bool(double)>& progress) {
   EquilibriumResult result;
   result.bearing = std::make_shared<const FilmBearing>(make_wall_bearing(input));
-  if (!input.equilibrium || input.equilibrium->positions.empty()) {
-    throw Error(ErrorKind::input, {{"", 0, "equilibrium.positions", "", "no position specified",
-                                    "give a list such as [[\"15 um\", \"0 um\"]] instead of loads"}});
-  }
   const FilmBearing& bearing = *result.bearing;
   const std::size_t count = input.equilibrium->speeds.size() * input.equilibrium->positions.size();
   const Foundation foundation = foundation_of(input, bearing.scales);

@@ -1,5 +1,6 @@
 #include "bumpfoil/experiments/stability/stability.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 
@@ -32,11 +33,16 @@ StabilityResult stability_not_begun(const Case& input) {
 StabilityResult run_stability(const Case& input, const std::function<bool(double)>& progress) {
   StabilityResult result = stability_not_begun(input);
   const std::vector<double>& speeds = settings_of(input).speeds;
-  std::deque<FilmStepper> steppers = result.machine.make_steppers();
+  std::size_t begun = 0;
+  const auto goes_on = [&] {
+    const std::size_t done = std::max<std::size_t>(begun, 1) - 1;
+    return !progress || progress(static_cast<double>(done) / static_cast<double>(speeds.size()));
+  };
+  std::deque<FilmStepper> steppers = result.machine.make_steppers(goes_on);
   const std::vector<FilmStepper*> pointers = pointers_to(steppers);
-  std::size_t done = 0;
   result.map = map_speeds(result.machine.rotor, pointers, rotor_settings_of(input).gravity_vector(), speeds, [&] {
-    return !progress || progress(static_cast<double>(done++) / static_cast<double>(speeds.size()));
+    ++begun;
+    return goes_on();
   });
   return result;
 }

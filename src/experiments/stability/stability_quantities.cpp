@@ -315,6 +315,7 @@ std::vector<SpeedMotion> motions_at(const SpeedPoint& point) {
 }
 
 RunStatus status_of(const StabilityResult& result) {
+  if (result.map.interrupted) return RunStatus::interrupted;
   return run_status(each(result.map.points, [](const SpeedPoint& point) { return point.status; }),
                     result.map.points.size());
 }

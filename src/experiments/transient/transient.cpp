@@ -153,21 +153,19 @@ TransientResult run_transient(const Case& input, TransientResult begun, const st
   const RotorSettings& rotor_settings = rotor_settings_of(input);
   const TransientSettings& settings = result.settings;
   const Rotor& rotor = result.machine.rotor;
-  std::deque<FilmStepper> steppers = result.machine.make_steppers();
-  MachineStepper machine(rotor, pointers_to(steppers));
   const SpeedProgram program = speed_program(settings);
+  MachineState state;
+  const auto goes_on = [&] { return !run.progress || run.progress(state.time / program.duration()); };
+  std::deque<FilmStepper> steppers = result.machine.make_steppers(goes_on);
+  MachineStepper machine(rotor, pointers_to(steppers));
   const double longest = settings.longest_step.value_or(2.0 * std::numbers::pi / settings.steps_per_revolution /
                                                         (slow_part * program.highest()));
   const RotorForces forces = all_forces(rotor_settings, settings, result.machine);
-  const auto goes_on = [&](double time) { return !run.progress || run.progress(time / program.duration()); };
 
-  result.status = Status::interrupted;
-  MachineState state;
   std::vector<double> rows;
   if (run.from) {
     state = *run.from;
   } else {
-    if (!goes_on(0.0)) return result;
     result.status = begin_run(rotor_settings, machine, program.start(), state);
     if (result.status != Status::converged) return result;
     rows = step_row({result.machine, state, {}, 0});
@@ -181,7 +179,7 @@ TransientResult run_transient(const Case& input, TransientResult begun, const st
   EnergyMeter meter(machine, forces, state);
   result.status = Status::converged;
   while (!program.is_over(state)) {
-    if (!goes_on(state.time)) {
+    if (!goes_on()) {
       result.status = Status::interrupted;
       break;
     }

@@ -78,7 +78,11 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   UnbalanceResult result = unbalance_not_begun(input);
   const RotorSettings& settings = rotor_settings_of(input);
   const Rotor& rotor = result.machine.rotor;
-  std::deque<FilmStepper> steppers = result.machine.make_steppers();
+  std::size_t done = 0;
+  const auto goes_on = [&] {
+    return !progress || progress(static_cast<double>(done) / static_cast<double>(result.points.size()));
+  };
+  std::deque<FilmStepper> steppers = result.machine.make_steppers(goes_on);
   const std::vector<FilmStepper*> pointers = pointers_to(steppers);
   MachineStepper machine(rotor, pointers);
   const RotorForces forces = forces_on(settings, rotor);
@@ -93,7 +97,8 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
       point.status = result.points[i - 1].status == Status::interrupted ? Status::interrupted : Status::not_reached;
       continue;
     }
-    if (progress && !progress(static_cast<double>(i) / static_cast<double>(result.points.size()))) continue;
+    done = i;
+    if (!goes_on()) continue;
     point.status = equilibria.go_to(point.speed, states);
     if (point.status != Status::converged) continue;
     point.states = states;
@@ -105,9 +110,6 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
     if (!run.orbits) continue;
     MachineState start = machine.at_rest(states, weight);
     if (point.stuck) add_motion(machine, *point.stuck, start);
-    const auto goes_on = [&] {
-      return !progress || progress(static_cast<double>(i) / static_cast<double>(result.points.size()));
-    };
     point.orbit = follower.find(
         start, {.steps_per_turn = run.steps_per_revolution, .tolerance = orbit_tolerance, .keep_going = goes_on});
     if (point.orbit->status == Status::interrupted) point.status = Status::interrupted;

@@ -276,6 +276,8 @@ TEST(DamagedResult, FillValuesThatAreNotOne) {
 TEST(DamagedResult, FilesThatAreNoResult) {
   EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["schema"] = "other/1"; }),
             "/result.nc: is not a result of this program");
+  EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["schema"] = "bumpfoil-result/9"; }),
+            "/result.nc: schema: is \"bumpfoil-result/9\", which this version cannot read: use the one that wrote it");
   EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["bumpfoil_command"] = "orbit\x1b[2J"; }),
             "/result.nc: is a result of `bumpfoil orbit\\x1b[2J`, which reports cannot show");
   SmallResult result;
@@ -333,8 +335,9 @@ TEST(DamagedSummary, KeysThatAreMissingOrOfAnotherType) {
   EXPECT_EQ(fault_of_summary(summary), "");
   summary = small_summary();
   summary["schema"] = "bumpfoil-summary/9";
-  EXPECT_EQ(fault_of_summary(summary),
-            "/summary.json: schema: is \"bumpfoil-summary/9\", which this version cannot read");
+  EXPECT_EQ(
+      fault_of_summary(summary),
+      "/summary.json: schema: is \"bumpfoil-summary/9\", which this version cannot read: use the one that wrote it");
   summary["schema"] = 1;
   EXPECT_EQ(fault_of_summary(summary), "/summary.json: schema: is not a string");
   summary = small_summary();

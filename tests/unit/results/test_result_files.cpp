@@ -94,7 +94,7 @@ TEST_F(StagedResultFiles, AreRefusedWhereTheDiskHasNoRoom) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::file);
-    EXPECT_NE(std::string(error.what()).find("numbers.nc: takes up to"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("/numbers.nc: takes up to"), std::string::npos) << error.what();
   }
 }
 

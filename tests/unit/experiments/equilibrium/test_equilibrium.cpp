@@ -7,6 +7,7 @@
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/validation.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -325,6 +326,18 @@ TEST(Equilibrium, ReportsProgressAndStops) {
 
 TEST(Equilibrium, NeedsItsTable) {
   EXPECT_THROW(run_equilibrium(film_reference_case({.columns_per_pitch = 4, .rows = 4})), Error);
+}
+
+TEST(Equilibrium, KeepsNoMoreStatesThanTheMemoryHolds) {
+  Case input = film_reference_case({.columns_per_pitch = 6, .rows = 16});
+  const auto faults_of = [&](std::size_t states) {
+    input.equilibrium = EquilibriumSettings{.speeds = std::vector<double>(states, 1.0), .loads = {{1.0, 0.0}}};
+    return find_faults(input, {"equilibrium"});
+  };
+  EXPECT_TRUE(faults_of(10'000).empty());
+  const std::vector<Fault> faults = faults_of(100'000);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].key, "equilibrium.speeds");
 }
 
 TEST(Equilibrium, KnowsNoWavesOfTheJournal) {

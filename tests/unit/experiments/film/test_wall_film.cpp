@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/validation.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_cases.hpp"
 
@@ -142,6 +143,24 @@ TEST(WallFilm, HasSmoothWalls) {
   Case input = wall_case();
   input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
   EXPECT_THROW(run_wall_films(input), Error);
+}
+
+/// Found before it is run, as `bumpfoil check` promises.
+TEST(WallFilm, HasNeitherPadsNorEdgesThatAreNotThere) {
+  const auto faults = [](const auto& change) {
+    Case input = wall_case();
+    change(input);
+    return find_faults(input, {"film"}).size();
+  };
+  EXPECT_EQ(faults([](Case&) {}), 0U);
+  EXPECT_EQ(faults([](Case& input) { input.pads.resize(1); }), 1U);
+  EXPECT_EQ(faults([](Case& input) { input.equilibrium->positions.clear(); }), 1U);
+  EXPECT_EQ(faults([](Case& input) {
+              input.film.closed = true;
+              input.bearing.taper = 1e-6;
+              input.film.inlet_pressure = 110e3;
+            }),
+            2U);
 }
 
 /// The foils that the wall stands for end where their pitches add up to, whatever each is.

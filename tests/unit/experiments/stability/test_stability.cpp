@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -180,14 +181,25 @@ TEST(Stability, TellsUpToWhichSpeedAllMotionsDecay) {
 }
 
 TEST(Stability, EndsWhereItIsStopped) {
-  int asked = 0;
-  const Outcome stopped =
-      experiment_named("stability").run(rotor_case({-12000.0, -13500.0, -14000.0}, {4, 4}), [&](double) {
-        return ++asked < 3;
-      });
+  const Case input = rotor_case({-12000.0, -13500.0, -14000.0}, {4, 4});
+  const auto stopped_where = [&](const std::function<bool(double)>& progress) {
+    return experiment_named("stability").run(input, progress);
+  };
+  const Outcome stopped = stopped_where([](double done) { return done < 0.6; });
   EXPECT_EQ(stopped.status, RunStatus::interrupted);
   EXPECT_FALSE(std::isnan(value_of(stopped.dataset(), "growth", 1)));
   EXPECT_TRUE(std::isnan(value_of(stopped.dataset(), "growth", 2)));
+  // On the way to the first speed, and in the search for the last onset, where all speeds are there.
+  int asked = 0;
+  const Outcome early = stopped_where([&](double) { return ++asked < 3; });
+  EXPECT_EQ(early.status, RunStatus::interrupted);
+  EXPECT_TRUE(std::isnan(value_of(early.dataset(), "growth", 0)));
+  int all = 0;
+  EXPECT_EQ(stopped_where([&](double) { return ++all > 0; }).status, RunStatus::complete);
+  asked = 0;
+  const Outcome late = stopped_where([&](double) { return ++asked < all; });
+  EXPECT_EQ(late.status, RunStatus::interrupted);
+  EXPECT_FALSE(std::isnan(value_of(late.dataset(), "growth", 2)));
 }
 
 /// A film thinner than its threshold: the speed says so, and those behind it are named.
