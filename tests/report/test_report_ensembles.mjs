@@ -31,7 +31,7 @@ test('histograms count every bearing, and say mean and percentiles of the direct
   withReport('many.html', async (page) => {
     assert.equal(await page.locator('h1').textContent(), '</script><b>many</b>');
     const { statistics } = summaryOf('many');
-    // What is asked for stands first, as its limits say; the rest is folded.
+    // Quantities with limits stand first; the rest is folded.
     assert.equal(await page.locator('.maps > .panel:visible').count(), 3);
     for (const [key, unit] of [['clearance_5N_m', 'm'], ['max_force_N', 'N']]) {
       near(quantity(await page.locator(`.tile[data-key="${key}"] strong`).textContent(), unit), statistics['+X'][key].mean, 1e-3, key);
