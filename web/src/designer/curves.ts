@@ -51,7 +51,7 @@ export class CurvePanel {
 
   /** @param choose  told of the speed or the place in the list of loads that is clicked */
   constructor(
-    private readonly title: string,
+    title: string,
     private readonly over: Line['over'],
     private readonly choose: (index: number) => void,
   ) {
@@ -59,7 +59,7 @@ export class CurvePanel {
     this.root = el('div', { class: 'curve' }, el('section', { class: 'panel', 'aria-label': title }, el('header', {}, el('h3', {}, title)), el('p', { class: 'note' }, 'Follows once the state is there.')));
   }
 
-  show(now: EquilibriumAnswer, before: EquilibriumAnswer | undefined, index: number): void {
+  show(title: string, now: EquilibriumAnswer, before: EquilibriumAnswer | undefined, index: number): void {
     const data = { ...now.run, name: '' };
     this.states ? this.states.replace(data) : (this.states = new States(data));
     this.before = before && new States({ ...before.run, name: 'baseline' });
@@ -71,7 +71,7 @@ export class CurvePanel {
     const selection = new GridSelection(states.coordinates, [along]);
     selection.show({ place: { [along.name]: index } });
     selection.onChange(() => this.choose(selection.index(along)));
-    this.panel = new OverPanel(this.title, this.measures(states), selection, '');
+    this.panel = new OverPanel(title, this.measures(states), selection, '');
     this.root.replaceChildren(this.panel.root);
   }
 

@@ -247,7 +247,7 @@ function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Sect
   const { design } = place;
   const head = keys.find((key) => key.path === `${path}[1]`);
   const title = head?.title ?? path;
-  const own = keys.filter((key) => key.path.startsWith(`${path}[1].`));
+  const own = keys.filter((key) => key.path.startsWith(`${path}[1].`) && !key.path.slice(`${path}[1].`.length).includes('.'));
   const heading = el('summary', {}, title);
   const add = el('button', { type: 'button', class: 'quiet', 'aria-label': `Add: ${title}` }, 'Add');
   const body = el('div');

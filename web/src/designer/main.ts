@@ -223,9 +223,11 @@ class Page {
     if (this.results && layout === this.layout) this.results.show(runs);
     else this.layOut(runs, layout);
     this.vibration.show(this.now.text, this.before.text);
-    this.running.show(this.now, this.before);
+    // What samples are drawn of has a cycle, too.
+    const whole = <D extends { text: string }>(design: D): D => ({ ...design, text: withCycle(design.text, this.keys.keys) });
+    this.running.show(whole(this.now), whole(this.before));
     this.rotor.show(this.now, this.before);
-    this.ensemble.show({ ...this.now, text: withCycle(this.now.text, this.keys.keys) });
+    this.ensemble.show(whole(this.now));
   }
 
   /** What the case is of, beside loops. */

@@ -1,6 +1,6 @@
 /** The bearing on its gas film, at one speed under one load or at one position, and about that point. */
 import { bearingInSpace, polarPlot, runningBearing } from '../bearing/running';
-import { pressureMap, runningLoads, thicknessChart } from '../charts/film';
+import { pressureMap, runningLoads, thicknessChart, thicknessMap } from '../charts/film';
 import type { Quantity } from '../data/format';
 import { at, Run } from '../data/run';
 import { States } from '../data/states';
@@ -96,7 +96,7 @@ class StateViews {
     this.selection = new GridSelection(this.states.coordinates, [this.states.speed]);
     const { states, selection } = this;
     this.film = thicknessChart(states, selection, () => this.before);
-    this.others = [pressureMap(states, selection), ...bearingInSpace(states, selection), polarPlot(states, selection), ...runningBearing(states, selection), runningLoads(states, selection)];
+    this.others = [pressureMap(states, selection), ...thicknessMap(states, selection), ...bearingInSpace(states, selection), polarPlot(states, selection), ...runningBearing(states, selection), runningLoads(states, selection)];
   }
 
   show(now: EquilibriumAnswer, before: EquilibriumAnswer | undefined, name: string): void {
@@ -245,9 +245,10 @@ export class RunningView {
       const [now, before] = answers;
       if (!now || isFaulty(now)) continue;
       const index = over === 'speed' ? points.speeds.indexOf(point.speed) : (points[point.held] ?? []).findIndex((one) => isSame(one, point.journal));
-      this.curves[over].show(now, before && !isFaulty(before) ? before : undefined, Math.max(0, index));
+      const what = over === 'speed' ? 'speed' : point.held === 'loads' ? 'load' : 'position';
+      this.curves[over].show(`Over ${what}`, now, before && !isFaulty(before) ? before : undefined, Math.max(0, index));
       const words = verdictOf(line, now);
-      verdicts.push(`over ${over === 'speed' ? 'speed' : point.held === 'loads' ? 'load' : 'position'} ${words.length > 0 ? words.join(', ') : 'all states are stable'}`);
+      verdicts.push(`over ${what} ${words.length > 0 ? words.join(', ') : 'all states are stable'}`);
     }
     this.verdict.textContent = verdicts.length > 0 ? `On the coarse mesh ${verdicts.join('; ')}.` : '';
     this.count('curves');
