@@ -45,11 +45,7 @@ const std::string no_name;
 
 /// @param commands  that answer alike
 Case read(const Json& request, std::vector<std::string> commands) {
-  Case input =
-      parse_case(request.at("text").get<std::string>(), no_name, {.overrides = {}, .commands = std::move(commands)});
-  if (input.pads.empty()) return input;
-  throw Error(ErrorKind::input, {{"", 0, "pad", "", "are not supported by this page: it shows one foil all around",
-                                  "remove [[pad]], or run `bumpfoil cycle`"}});
+  return parse_case(request.at("text").get<std::string>(), no_name, {.overrides = {}, .commands = std::move(commands)});
 }
 
 // What the page begins with -----------------------------------------------------------------------------------------
@@ -91,7 +87,7 @@ std::string_view presence_text(Presence presence) {
     case Presence::defaulted:
       return "defaulted";
     case Presence::inherited:
-      break;  // of pads alone
+      return "inherited";
   }
   return {};
 }
@@ -100,7 +96,6 @@ Json keys_json() {
   Json json = Json::array();
   for (const ListedKey& listed : list_keys(reference_case())) {
     const Key& key = listed.key;
-    if (listed.path.starts_with("pad[") || key.name == "pad_gap") continue;  // which read() refuses
     json.push_back({{"path", listed.path},
                     {"title", key.title},
                     {"text", key.text},
@@ -184,31 +179,6 @@ Json answer_vibration(const Json& request) {
   return json;
 }
 
-/// The settings of the case, where it has any, at one speed with one load or at one position.
-EquilibriumSettings operating_point(const Json& request, const Case& input) {
-  EquilibriumSettings settings = input.equilibrium.value_or(EquilibriumSettings{});
-  const auto vectors = [&request](const char* key) {
-    std::vector<Eigen::Vector2d> all;
-    if (!request.contains(key)) return all;
-    const auto [x, y] = request.at(key).get<std::array<double, 2>>();
-    all.emplace_back(x, y);
-    return all;
-  };
-  settings.speeds = {request.at("speed").get<double>()};
-  settings.loads = vectors("load");
-  settings.positions = vectors("position");
-  // Positions have no load to ramp.
-  if (settings.loads.empty() && settings.path == FilmPath::load_ramp) settings.path = FilmPath::position_ray;
-  return settings;
-}
-
-Json answer_equilibrium(const Json& request) {
-  Case input = read(request, {});
-  input.equilibrium = operating_point(request, input);
-  const EquilibriumResult result = run_equilibrium(input);
-  return {{"run", shown_states(input, result)}, {"state", state_json(*result.bearing, result.states.front())}};
-}
-
 /// Films on a mesh that is no finer than this.
 void coarsen(Case& input, const std::array<int, 2>& mesh) {
   const auto coarsen_film = [&mesh](FilmSettings& film) {
@@ -219,6 +189,39 @@ void coarsen(Case& input, const std::array<int, 2>& mesh) {
   for (RotorBearing& own : input.rotor_bearings) {
     if (own.film) coarsen_film(*own.film);
   }
+}
+
+/// The settings of the case, where it has any, at speeds with loads or at positions.
+EquilibriumSettings operating_points(const Json& request, const Case& input) {
+  EquilibriumSettings settings = input.equilibrium.value_or(EquilibriumSettings{});
+  const auto vectors = [&request](const char* key) {
+    std::vector<Eigen::Vector2d> all;
+    if (!request.contains(key)) return all;
+    for (const auto& [x, y] : request.at(key).get<std::vector<std::array<double, 2>>>()) all.emplace_back(x, y);
+    return all;
+  };
+  settings.speeds = request.at("speeds").get<std::vector<double>>();
+  settings.loads = vectors("loads");
+  settings.positions = vectors("positions");
+  settings.limits = false;
+  // Positions have no load to ramp.
+  if (settings.loads.empty() && settings.path == FilmPath::load_ramp) settings.path = FilmPath::position_ray;
+  return settings;
+}
+
+Json answer_equilibrium(const Json& request) {
+  const bool is_sample = request.contains("sample");
+  Case input = read(request, is_sample ? std::vector<std::string>{"montecarlo"} : std::vector<std::string>{});
+  if (is_sample) input = sampled_case(input, draw_sample(input, request.at("sample").get<std::uint64_t>()));
+  input.equilibrium = operating_points(request, input);
+  if (request.contains("mesh")) {
+    coarsen(input, request.at("mesh").get<std::array<int, 2>>());
+    input.equilibrium->paths = ComparedPaths::one;
+  }
+  const EquilibriumResult result = run_equilibrium(input);
+  Json states = Json::array();
+  for (const RunningState& state : result.states) states.push_back(state_json(*result.bearing, state));
+  return {{"run", shown_states(input, result)}, {"states", std::move(states)}};
 }
 
 Json answer_stability(const Json& request) {
@@ -232,6 +235,10 @@ Json answer_stability(const Json& request) {
 bool is_shown_of_samples(const CycleQuantity& quantity) {
   return quantity.is(tag::sampled) && quantity.form.kind == Form::real && quantity.shown.size > 0.0 &&
          !quantity.is(tag::of_solver);
+}
+
+double number_of(const Json& value) {
+  return value.is_null() ? absent : value.get<double>();
 }
 
 Json answer_samples(const Json& request) {
@@ -263,14 +270,16 @@ Json answer_samples(const Json& request) {
   for (std::size_t direction = 0; direction < input.cycle.directions.size(); ++direction) {
     Json of_direction;
     for (std::size_t k = 0; k < quantities.size(); ++k) {
-      of_direction[quantities[k].key()] = statistics_json(statistics_of(each(samples, [&](const Json& sample) {
-        const Json& value = sample.at(direction).at(k);
-        return value.is_null() ? absent : value.get<double>();
-      })));
+      of_direction[quantities[k].key()] = statistics_json(
+          statistics_of(each(samples, [&](const Json& sample) { return number_of(sample.at(direction).at(k)); })));
     }
     statistics.push_back(std::move(of_direction));
   }
   return {{"quantities", shown}, {"samples", samples}, {"statistics", statistics}};
+}
+
+Json answer_statistics(const Json& request) {
+  return statistics_json(statistics_of(each(request.at("values"), number_of)));
 }
 
 Json faults_json(const Error& error) {
@@ -296,6 +305,7 @@ Json answer_json(const Json& request) {
   if (what == "equilibrium") return answer_equilibrium(request);
   if (what == "stability") return answer_stability(request);
   if (what == "samples") return answer_samples(request);
+  if (what == "statistics") return answer_statistics(request);
   throw Error(ErrorKind::input, {{"", 0, "what", what, "is not a request", ""}});
 }
 

@@ -88,7 +88,15 @@ Json geometry_of(const ResultLayout& layout) {
   for (const NamedNumbers& one : layout.scalars) geometry[one.name] = one.values.front();
   for (const NamedNumbers& one : layout.at_bumps) geometry[one.name] = one.values;
   for (const NamedNumbers& one : layout.at_feet) geometry[one.name] = one.values;
+  for (const NamedNumbers& one : layout.at_pads) geometry[one.name] = one.values;
   return geometry;
+}
+
+/// Sizes of the dimensions of nodes.
+Json nodes_of(const ResultLayout& layout) {
+  Json nodes{{"bump", layout.bumps}, {"foot", layout.feet}};
+  if (layout.pads > 1) nodes["pad"] = layout.pads;
+  return nodes;
 }
 
 /// Of quantities that have no label of their own, those whose names are no words.
@@ -176,7 +184,7 @@ Json shown_run(const Case& input, const CycleResult& result) {
            {"summary", summary_of(input, result)},
            {"meanings", Json::object()},
            {"geometry", geometry_of(layout)},
-           {"nodes", {{"bump", layout.bumps}, {"foot", layout.feet}}},
+           {"nodes", nodes_of(layout)},
            {"last_increment", layout.increments - 1},
            {"cycles", Json::array()},
            {"quantities", Json::array()}};

@@ -177,8 +177,8 @@ test('tables of lists are added, changed and taken out one by one', () =>
 
 test('of radius and diameter one is given, and the taper has a slider, too', () =>
   withPage(async (page) => {
-    // With the charts of loads out of sight.
-    await page.getByRole('tab', { name: 'Table' }).click();
+    // With the charts out of sight.
+    await page.getByRole('tab', { name: 'Case file' }).click();
     await type(page, 'bearing.diameter', '40 mm');
     assert.match(await textOf(page), /^diameter = "40 mm"$/m);
     assert.doesNotMatch(await textOf(page), /^radius/m);
@@ -195,26 +195,106 @@ test('of radius and diameter one is given, and the taper has a slider, too', () 
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
 
+test('fields are found by key, title and unit, and groups fold', () =>
+  withPage(async (page) => {
+    const search = page.getByRole('searchbox');
+    const shown = () => page.locator('.field:visible').evaluateAll((fields) => fields.map((one) => one.dataset.key));
+    await search.fill('radial clear');
+    assert.deepEqual(await shown(), ['bearing.radial_clearance']);
+    await search.fill('TILT');
+    assert.deepEqual(await shown(), ['width.tilt']);
+    await search.fill('gpa');
+    assert.deepEqual(await shown(), ['bump_foil.youngs_modulus', 'bump_foil.yield_stress', 'top_foil.youngs_modulus', 'top_foil.yield_stress']);
+    // What the case has none of is found by what could be added.
+    await search.fill('lobe');
+    assert.deepEqual(await page.locator('.form .group:visible').evaluateAll((groups) => groups.map((one) => one.dataset.table)), ['pad']);
+    await search.fill('');
+    assert.ok((await shown()).includes('bearing.radius') && !(await shown()).includes('width.tilt'));
+    await page.getByRole('button', { name: 'Fold all' }).click();
+    assert.deepEqual(await shown(), []);
+  }));
+
+test('bumps are given one by one, by a law or all alike', () =>
+  withPage(async (page) => {
+    await page.locator('[data-table="bumps"] summary').click();
+    const cell = (title, bump) => page.getByLabel(`${title}, bump ${bump}, mm`);
+    const way = page.getByLabel('Pitch: how it is given');
+    await answered(page, () => way.selectOption('linear'));
+    assert.match(await textOf(page), /^pitch = \{ start = "4\.572 mm", end = "4\.572 mm", law = "linear" \}/m);
+    await answered(page, async () => {
+      await cell('Pitch', 26).fill('4.4');
+      await cell('Pitch', 26).press('Tab');
+    });
+    assert.match(await textOf(page), /^pitch = \{ start = "4\.572 mm", end = "4\.4 mm", law = "linear" \}/m);
+    assert.equal(await cell('Pitch', 1).inputValue(), '4.572');
+    assert.equal(await cell('Pitch', 11).inputValue(), '4.5032');
+    await answered(page, () => way.selectOption('one'));
+    assert.equal(await textOf(page), reference);
+    // A section gives way to the column that is changed.
+    await answered(page, () => page.locator('.editor').evaluate((one, text) => {
+      one.value = text;
+      one.dispatchEvent(new Event('input', { bubbles: true }));
+    }, `${reference}\n[[bump_foil.section]]\nfrom = 1\nto = 5\nthickness = "0.127 mm"\n`));
+    assert.equal(await cell('Thickness', 5).inputValue(), '0.127');
+    await answered(page, async () => {
+      await cell('Thickness', 6).fill('0,11');
+      await cell('Thickness', 6).press('Tab');
+    });
+    const sheet = Array.from({ length: 26 }, (_, i) => `"${i < 5 ? 0.127 : i === 5 ? 0.11 : 0.102} mm"`).join(', ');
+    assert.ok((await textOf(page)).includes(`\nthickness = [${sheet}]`), await textOf(page));
+    assert.doesNotMatch(await textOf(page), /^\[\[bump_foil\.section\]\]/m);
+    assert.equal(await page.locator('.general-faults').textContent(), '');
+    assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
+  }));
+
+test('a bearing of pads is shown and changed pad by pad', () =>
+  withPage(async (page) => {
+    await answered(page, () => page.getByLabel('Start from').selectOption('gen3-three-pad'));
+    await page.locator('[data-table="pad"] > summary').click();
+    const before = await tile(page, 'max_force_N');
+    await type(page, 'pad[2].lobe', '25 um');
+    const pads = (await textOf(page)).split(/^\[\[pad\]\]/m);
+    assert.match(pads[2], /^lobe = "25 um"/m);
+    assert.match(pads[1], /^lobe = "10 um"/m);
+    await page.locator('[data-table="pad[3]"] .own-foils summary').click();
+    await type(page, 'pad[3].bump_foil.thickness', '0.12 mm');
+    assert.match((await textOf(page)).split(/^\[\[pad\]\]/m)[3], /^bump_foil\.thickness = "0\.12 mm"$/m);
+    assert.equal(await page.locator('.general-faults').textContent(), '');
+    await page.locator('.numbers [role="group"] button').getByText('−X').click();
+    assert.notEqual(await tile(page, 'max_force_N'), before);
+    assert.equal(await page.locator('tr[data-key="pad_force_2_N"]').count(), 1);
+  }));
+
 /** What a tab shows is judged when it is there. */
 async function settled(page, tab) {
   const title = await tab.textContent();
   if (title === 'Running' || title === 'Rotor') await page.waitForFunction((view) => document.querySelector(view).dataset.answered, `.${title.toLowerCase()}`);
 }
 
-test('the page fits from 768 px up and has no fault for those who cannot see it', async () => {
-  for (const width of [768, 1366, 1920]) {
+test('the page fits from 390 px up, with its results in sight, and has no fault for those who cannot see it', async () => {
+  for (const [width, height] of [[390, 844], [768, 900], [1366, 768], [2560, 1300]]) {
     await withPage(
       async (page) => {
         // The narrowest has the least room for any of them.
         const tabs = await page.getByRole('tab').all();
-        for (const tab of width === 768 ? tabs : tabs.slice(0, 1)) {
+        for (const tab of width === 390 ? tabs : tabs.slice(0, 1)) {
           await tab.click();
           await settled(page, tab);
           const excess = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
           assert.ok(excess <= 0, `${excess} px too wide at ${width}: ${await tab.textContent()}`);
         }
+        await page.getByRole('tab', { name: 'Loops' }).click();
+        await page.evaluate(() => window.scrollTo(0, 0));
+        const numbers = await page.locator('#view-loops .tile').last().boundingBox();
+        const chart = await page.locator('#view-loops .plot').first().boundingBox();
+        assert.ok(numbers.y + numbers.height < chart.y && chart.y + 0.7 * chart.height < height, `at ${width} the chart begins ${chart.y} px down`);
+        if (width !== 390) return;
+        const side = page.locator('.side-body');
+        assert.equal(await side.isVisible(), false);
+        await page.getByRole('button', { name: 'The case' }).click();
+        assert.equal(await side.isVisible(), true);
       },
-      { viewport: { width, height: 900 } },
+      { viewport: { width, height } },
     );
   }
   for (const colorScheme of ['light', 'dark']) {

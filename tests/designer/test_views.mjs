@@ -56,7 +56,25 @@ test('the running bearing is that of the program, beside the design before', () 
     await page.getByRole('button', { name: 'Compare from here' }).click();
     await page.getByRole('tab', { name: 'Running' }).click();
     await page.waitForFunction(() => document.querySelector('.running').dataset.answered === '1');
-    assert.match(await view.locator('> .note').textContent(), /^45000 rpm, load \(50, 0\) N: the journal runs at x = /);
+    assert.match(await view.locator('> .note').first().textContent(), /^45000 rpm, load \(50, 0\) N: the journal runs at x = .*, on the mesh of the case\.$/);
+    // About the point, on a coarse mesh: over speed and over load.
+    await page.waitForFunction(() => document.querySelector('.running').dataset.curves === '1');
+    const curveOf = async (title) => {
+      const download = page.waitForEvent('download');
+      await page.getByRole('button', { name: `${title}: save the data as CSV` }).click();
+      return readFileSync(await (await download).path(), 'utf8').trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+    };
+    const [overSpeed, overLoad] = [await curveOf('Over speed'), await curveOf('Over load')];
+    withFolder((place) => {
+      run('equilibrium', process.env.BUMPFOIL_CASE, '-o', join(place, 'e'), '--set', 'film.columns_per_pitch=4', 'film.rows=5', 'equilibrium.paths=one', 'equilibrium.speeds=["45000 rpm"]', 'equilibrium.loads=[["50 N", "0 N"]]');
+      const [coarse] = JSON.parse(readFileSync(join(place, 'e', 'summary.json'), 'utf8')).states;
+      // Under loads one after the other, friction has another history.
+      for (const [curve, tolerance] of [[overSpeed, 1e-6], [overLoad, 1e-2]]) {
+        assert.equal(curve.length, 6);
+        assert.equal(curve.filter((row) => Math.abs(row[row.length - 1] - coarse.h_min_m) <= tolerance * coarse.h_min_m).length, 1);
+      }
+    });
+    assert.match(await view.locator('> .note').last().textContent(), /^On the coarse mesh over speed .*unstable at .*45000 rpm.*; over load /);
     await answeredIn(page, '.running', async () => {
       await view.getByLabel('Speed, rpm').fill('40000');
       await view.getByLabel('Speed, rpm').press('Tab');
@@ -78,12 +96,12 @@ test('the running bearing is that of the program, beside the design before', () 
     // What is no number is said, and what was there comes back.
     await view.getByLabel('Speed, rpm').fill('fast');
     await view.getByLabel('Speed, rpm').press('Tab');
-    assert.match(await view.locator('> .note').textContent(), /are numbers/);
+    assert.match(await view.locator('> .note').first().textContent(), /are numbers/);
     await answeredIn(page, '.running', async () => {
       await view.getByLabel('Speed, rpm').fill('40000');
       await view.getByLabel('Speed, rpm').press('Tab');
     });
-    assert.match(await view.locator('> .note').textContent(), /^40000 rpm, load \(50, 0\) N: the journal runs at x = /);
+    assert.match(await view.locator('> .note').first().textContent(), /^40000 rpm, load \(50, 0\) N: the journal runs at x = /);
     // Another design: the one before stays beside it.
     await answeredIn(page, '.running', () => type(page, 'bearing.radial_clearance', '25 um'));
     const [before, now, difference] = await shown('h_min_m');
@@ -98,9 +116,25 @@ test('the running bearing is that of the program, beside the design before', () 
     assert.match(await view.locator('.remarks').textContent(), /load \(5000, 0\) N: touchdown: the film is thinner than the contact threshold film\.h_floor; last state/);
     await answeredIn(page, '.running', () => page.locator('[data-key="solver.name"] select').selectOption('events', { force: true }));
     assert.match(await view.locator('.remarks').textContent(), /solver\.name = events: cannot solve contacts under a film; use newton/);
-    // A case that says where it runs is run there.
-    await answeredIn(page, '.running', () => write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n[equilibrium]\nspeeds = ["30000 rpm"]\npositions = [["5 um", "0 um"]]\n`));
-    assert.match(await view.locator('> .note').textContent(), /^30000 rpm, position \(5, 0\) µm: the journal runs at x = 5\.00 µm, y = 0/);
+    // A case that says where it runs is run there, and one with tolerances has a spread of films.
+    await answeredIn(page, '.running', () => write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n[equilibrium]\nspeeds = ["30000 rpm"]\npositions = [["5 um", "0 um"]]\n[montecarlo]\nradial_clearance = { distribution = "normal", std = "1 um" }\n`));
+    assert.match(await view.locator('> .note').first().textContent(), /^30000 rpm, position \(5, 0\) µm: the journal runs at x = 5\.00 µm, y = 0/);
+    await page.waitForFunction(() => /^[48] of 40 bearings/.test(document.querySelector('.spread > .note').textContent));
+    assert.match(await page.locator('.spread .subject').textContent(), /^mean [\d.]+ µm ± .*30000 rpm, position \(5, 0\) µm/);
+    console.log(`running bearing: ${await view.getAttribute('data-took')} ms to the last quick answer`);
+  }));
+
+test('a case of a running bearing opens with it, and needs no cycle', () =>
+  withPage(async (page) => {
+    await write(page, readFileSync(join(process.env.BUMPFOIL_EXAMPLES, 'misaligned.toml'), 'utf8'));
+    assert.equal(await page.getByRole('tab').first().textContent(), 'Running');
+    assert.equal(await page.getByRole('tab', { selected: true }).textContent(), 'Running');
+    await page.waitForFunction(() => document.querySelector('.running').dataset.answered);
+    assert.equal(await page.locator('.tile[data-key="stable"] strong:visible').textContent(), 'stable');
+    assert.equal(await page.locator('[data-key="width.tilt"] input').inputValue(), '["0.131 mrad", "0 mrad"]');
+    assert.match(await page.getByRole('region', { name: 'Bearing in space' }).locator('.subject').textContent(), /film and displacements ×\d+/);
+    await page.getByRole('tab', { name: 'Loops' }).click();
+    assert.equal(await page.locator('.numbers [role="group"] button').first().textContent(), '+X');
   }));
 
 test('the rotor is that of the program, quickly at first, beside the design before', () =>
@@ -243,7 +277,7 @@ test('what is shown is saved as a report', () =>
 test('charts out of sight are drawn when one comes to them', () =>
   withPage(async (page) => {
     await type(page, 'friction.coefficient', '0.2');
-    const plot = page.locator('#view-loads .plot').last();
+    const plot = page.locator('#view-loops .plot').last();
     await plot.locator('svg').waitFor({ state: 'attached' });
     const [drawn, label] = [await plot.innerHTML(), await plot.locator('..').getAttribute('aria-label')];
     await type(page, 'friction.coefficient', '0.3');

@@ -31,6 +31,13 @@ test('histograms count every bearing, and say mean and percentiles of the direct
   withReport('many.html', async (page) => {
     assert.equal(await page.locator('h1').textContent(), '</script><b>many</b>');
     const { statistics } = summaryOf('many');
+    // Quantities with limits stand first; the rest is folded.
+    assert.equal(await page.locator('.maps > .panel:visible').count(), 3);
+    for (const [key, unit] of [['clearance_5N_m', 'm'], ['max_force_N', 'N']]) {
+      near(quantity(await page.locator(`.tile[data-key="${key}"] strong`).textContent(), unit), statistics['+X'][key].mean, 1e-3, key);
+    }
+    assert.equal(await panelOf(page, 'Maximum bump load').locator('.chart').isVisible(), false);
+    await page.locator('.more summary').click();
     for (const [name, key, unit] of [['Maximum force', 'max_force_N', 'N'], ['Structural stiffness', 'loaded_stiffness_N_per_m', 'N/m'], ['Maximum bump load', 'largest_bump_load_N', 'N']]) {
       for (const direction of ['+X', '+Y']) {
         await directionChooser(page).selectOption(direction);

@@ -108,6 +108,43 @@ test('film, bumps and journal are those of the state looked at', () =>
       const polar = await panelOf(page, 'Film around the journal').locator('svg.round').innerHTML();
       assert.doesNotMatch(polar + drawn, /NaN|undefined/);
     }
+    // In space it is turned by keys and by dragging, and goes back.
+    const space = panelOf(page, 'Bearing in space').locator('canvas');
+    const label = await space.getAttribute('aria-label');
+    near(quantity(label.match(/minimum film thickness (\S+ .?m)/)[1], 'm'), states[states.length - 1].h_min_m, 1e-3, 'said of it');
+    assert.match(label, /pressure on the top foil [\d.]+ to [\d.]+ kPa, ambient 101\.3 kPa; film and displacements ×\d+, heights of bumps ×\d/);
+    // Small, since browsers paint the same now with these roundings, now with those.
+    const painted = () =>
+      space.evaluate((canvas) => {
+        const small = document.createElement('canvas');
+        [small.width, small.height] = [24, 24];
+        const context = small.getContext('2d');
+        context.drawImage(canvas, 0, 0, 24, 24);
+        return [...context.getImageData(0, 0, 24, 24).data];
+      });
+    const differs = async (from) => (await painted()).some((value, i) => Math.abs(value - from[i]) > 24);
+    const until = async (from, different) => {
+      for (let i = 0; (await differs(from)) !== different; i += 1) {
+        assert.ok(i < 100, `it ${different ? 'stays' : 'does not come back'}`);
+        await page.waitForTimeout(50);
+      }
+    };
+    await space.scrollIntoViewIfNeeded();
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    const first = await painted();
+    await space.focus();
+    for (const key of ['ArrowLeft', '+']) {
+      await page.keyboard.press(key);
+      await until(first, true);
+      await page.keyboard.press('Home');
+      await until(first, false);
+    }
+    const { x, y, width, height } = await space.boundingBox();
+    await page.mouse.move(x + 0.5 * width, y + 0.5 * height);
+    await page.mouse.down();
+    await page.mouse.move(x + 0.7 * width, y + 0.4 * height);
+    await page.mouse.up();
+    await until(first, true);
   }));
 
 test('stiffness and damping over frequency are those of coefficients.csv', () =>

@@ -79,6 +79,32 @@ test('the chart shows the quantity chosen over the key, a line for each value of
     assert.deepEqual(await page.getByRole('region', { name: over }).locator('.legend li').allTextContents(), directions);
   }));
 
+test('maps over two keys come first, and pale is what misses a limit', () =>
+  withReport('grid.html', async (page) => {
+    const map = page.getByRole('region', { name: 'Map of maximum force' });
+    assert.equal(await page.locator('.maps > .panel').count(), 3);
+    const shown = rowsOf((await saved(page, 'Map of maximum force', /CSV/)).bytes.toString());
+    const expected = rowsIn('grid').filter((row) => Number(row.direction_deg) === 0);
+    assert.equal(shown.length, expected.length);
+    for (const row of shown) {
+      const same = expected.find((one) => Math.abs(one.cycle_amplitude_m - row.cycle_amplitude_m) < 1e-9 && Math.abs(one.friction_coefficient - row.friction_coefficient) < 1e-6);
+      near(Number(row.max_force_N), Number(same.max_force_N), 1e-6, JSON.stringify(row));
+    }
+    const lines = () => map.locator('.plot path[fill=none]').count();
+    const without = await lines();
+    const limit = page.getByRole('group', { name: 'Feasible region' });
+    await limit.getByLabel('Feasible where').selectOption('Maximum force');
+    await limit.getByLabel('Side of the limit').selectOption('at most');
+    await limit.getByLabel('Limit', { exact: true }).fill('0.5');
+    assert.match(await map.locator('.subject').textContent(), /feasible where Maximum force ≤ 500\.0 N/);
+    assert.equal(await lines(), without + 1);
+    // A click takes the nearest point, here that at the foot on the right.
+    const { width, height } = await map.locator('.plot').boundingBox();
+    await map.locator('.plot').click({ position: { x: width - 24, y: height - 52 } });
+    assert.equal(await chooser(page, 'Amplitude').inputValue(), '90 µm');
+    assert.equal(await chooser(page, 'Both coefficients').inputValue(), '0');
+  }));
+
 test('a waterfall has the last spectrum of every run in time, and a click on one selects its run', () =>
   withReport('spinning.html', async (page) => {
     const panel = page.getByRole('region', { name: 'Waterfall' });
@@ -104,6 +130,7 @@ test('a click on a point looks at it, and its loop is the thick one', () =>
     const mark = panel.locator('.cursor.point');
     await chooser(page, 'Amplitude').selectOption('70 µm');
     await chooser(page, 'Both coefficients').selectOption('0.3');
+    await panel.scrollIntoViewIfNeeded();
     const there = await mark.boundingBox();
     const subject = await loops.locator('.subject').textContent();
     assert.equal(subject, 'Direct force vs. displacement · Both coefficients 0.3, +X · thick: Amplitude 70 µm · grid');

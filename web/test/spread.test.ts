@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { countsOf } from '../src/designer/spread';
+import { countsOf } from '../src/designer/counts';
 
 describe('how numbers spread', () => {
   it('is drawn by counts in intervals of equal width', () => {

@@ -106,3 +106,15 @@ describe('quantities', () => {
     expect(converted({ number: 31.8, unit: 'um' }, 'mm', 'm', units)).toEqual({ number: 0.0318, unit: 'mm' });
   });
 });
+
+describe('a table within one of a list', () => {
+  const text = '[[pad]]\nlobe = "1 um"\n\n[[pad]]\n\n[[pad]]\nlobe = "3 um"\n';
+
+  it('is given by dotted keys, where its pad is', () => {
+    const thicker = withValue(text, 'pad[1].bump_foil.thickness', '"0.1 mm"');
+    expect(thicker).toBe(text.replace('"1 um"', '"1 um"\nbump_foil.thickness = "0.1 mm"'));
+    expect(withValue(thicker, 'pad[1].bump_foil.pitch', '1')).toContain('"0.1 mm"\nbump_foil.pitch = 1\n');
+    expect(withValue(text, 'pad[2].lobe', '"2 um"')).toBe(text.replace('[[pad]]\n\n', '[[pad]]\nlobe = "2 um"\n\n'));
+    expect(without(thicker, 'pad[1].bump_foil.thickness')).toBe(text);
+  });
+});

@@ -209,46 +209,86 @@ TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
   for (const char* part : {"case", "status"}) EXPECT_EQ(run["summary"][part], expected["summary"][part]) << part;
 }
 
-TEST(DesignerAnswer, RunsTheBearingAtOnePoint) {
+/// Without what differs from run to run.
+json states_of(const json& request) {
+  json states = ask(request)["states"];
+  for (json& state : states) state.erase("wall_time_s");
+  return states;
+}
+
+json states_of(const Case& input) {
+  const EquilibriumResult result = run_equilibrium(input);
+  json states = json::array();
+  for (const RunningState& state : result.states) {
+    states.push_back(json::parse(state_json(*result.bearing, state).dump()));
+    states.back().erase("wall_time_s");
+  }
+  return states;
+}
+
+TEST(DesignerAnswer, RunsTheBearingAtPoints) {
   Case input = parse_case(running_text(), "case");
-  const auto ask_at = [](const json& journal) {
-    json request{{"what", "equilibrium"}, {"text", running_text()}, {"speed", 2500.0}};
-    request.update(journal);
-    json answer = ask(request);
-    answer["state"].erase("wall_time_s");
-    return answer;
-  };
-  const auto state_of = [&input] {
-    const EquilibriumResult result = run_equilibrium(input);
-    json state = json::parse(state_json(*result.bearing, result.states.front()).dump());
-    state.erase("wall_time_s");
-    return state;
-  };
-  input.equilibrium->speeds = {2500.0};
-  input.equilibrium->loads = {{30.0, -10.0}};
-  const json loaded = ask_at({{"load", {30.0, -10.0}}});
-  EXPECT_EQ(loaded["state"], state_of());
-  EXPECT_EQ(loaded["state"]["status"], "converged");
-  EXPECT_EQ(loaded["run"]["dimensions"]["state"], 1);
+  json request{{"what", "equilibrium"},
+               {"text", running_text()},
+               {"speeds", {2500.0, 3500.0}},
+               {"loads", {{30.0, -10.0}, {40.0, -10.0}}}};
+  input.equilibrium->speeds = {2500.0, 3500.0};
+  input.equilibrium->loads = {{30.0, -10.0}, {40.0, -10.0}};
+  const json loaded = states_of(request);
+  EXPECT_EQ(loaded, states_of(input));
+  ASSERT_EQ(loaded.size(), 4U);
+  EXPECT_EQ(loaded[0]["status"], "converged");
+  // Its own mesh has 4 columns and 4 rows, and a quick answer is of one path.
+  request["mesh"] = {4, 3};
+  input.film.rows = 3;
+  input.equilibrium->paths = ComparedPaths::one;
+  EXPECT_EQ(states_of(request), states_of(input));
+  EXPECT_NE(states_of(request)[0], loaded[0]);
   // Of all that the case says of paths, a ramp of loads leads to no position.
   input.equilibrium->loads.clear();
   input.equilibrium->positions = {{10e-6, 5e-6}};
   input.equilibrium->path = FilmPath::position_ray;
-  EXPECT_EQ(ask_at({{"position", {10e-6, 5e-6}}})["state"], state_of());
-  const json touching = ask_at({{"load", {5000.0, 0.0}}});
-  EXPECT_EQ(touching["state"]["status"], "touchdown");
-  EXPECT_EQ(touching["state"]["reason"], touching["run"]["attributes"]["status_message"]);
-  EXPECT_NE(touching["state"]["reason"].get<std::string>().find("touchdown: the film is thinner"), std::string::npos);
+  request.erase("loads");
+  request["positions"] = {{10e-6, 5e-6}};
+  EXPECT_EQ(states_of(request), states_of(input));
+  const json touching =
+      ask({{"what", "equilibrium"}, {"text", running_text()}, {"speeds", {2500.0}}, {"loads", {{5000.0, 0.0}}}});
+  EXPECT_EQ(touching["states"][0]["status"], "touchdown");
+  EXPECT_EQ(touching["states"][0]["reason"], touching["run"]["attributes"]["status_message"]);
+  EXPECT_NE(touching["states"][0]["reason"].get<std::string>().find("touchdown: the film is thinner"),
+            std::string::npos);
+}
+
+TEST(DesignerAnswer, RunsBearingsOfAnEnsemble) {
+  const std::string text = with_ensemble(running_text());
+  const json request{
+      {"what", "equilibrium"}, {"text", text}, {"speeds", {3000.0}}, {"loads", {{20.0, 0.0}}}, {"sample", 2}};
+  const Case input = parse_case(text, "case", {.overrides = {}, .commands = {"montecarlo"}});
+  Case second = sampled_case(input, draw_sample(input, 2));
+  second.equilibrium->speeds = {3000.0};
+  EXPECT_EQ(states_of(request), states_of(second));
+  json without = request;
+  without["text"] = running_text();
+  EXPECT_EQ(ask(without)["faults"][0]["key"], "montecarlo");
 }
 
 TEST(DesignerAnswer, RunsWhatSaysNothingOfRunning) {
-  const json request{{"what", "equilibrium"}, {"text", case_text()}, {"speed", 4000.0}, {"load", {50.0, 0.0}}};
-  EXPECT_EQ(ask(request)["state"]["status"], "converged");
+  const json request{{"what", "equilibrium"}, {"text", case_text()}, {"speeds", {4000.0}}, {"loads", {{50.0, 0.0}}}};
+  EXPECT_EQ(ask(request)["states"][0]["status"], "converged");
+}
+
+TEST(DesignerAnswer, KnowsPads) {
+  const json keys = ask({{"what", "keys"}});
+  const std::string text = keys["presets"]["gen3-three-pad"];
+  EXPECT_NE(std::find_if(keys["keys"].begin(), keys["keys"].end(),
+                         [](const json& one) { return one["path"] == "pad[1].lobe"; }),
+            keys["keys"].end());
+  EXPECT_EQ(ask({{"what", "cycles"}, {"text", text}})["run"]["nodes"]["pad"], 3);
 }
 
 TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
   const auto fault = [](const std::string& text, double speed) {
-    return ask({{"what", "equilibrium"}, {"text", text}, {"speed", speed}, {"load", {50.0, 0.0}}})["faults"][0];
+    return ask({{"what", "equilibrium"}, {"text", text}, {"speeds", {speed}}, {"loads", {{50.0, 0.0}}}})["faults"][0];
   };
   EXPECT_EQ(fault(running_text(), 0.0)["what"], "a journal at rest has no film");
   EXPECT_EQ(fault(running_text(), 0.0)["key"], "equilibrium.speeds[1]");
@@ -344,6 +384,14 @@ TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
   const CycleResult second = run_sample(sampled_case(input, draw_sample(input, 2))).value();
   EXPECT_EQ(answer["samples"][1][3][static_cast<std::size_t>(place)], second.cycles[3].turning_point->max_force);
   EXPECT_NE(answer["samples"][0], answer["samples"][1]);
+  const auto of_last = [&](const char* key) {
+    json values = json::array();
+    for (const json& sample : answer["samples"]) values.push_back(sample[3][static_cast<std::size_t>(place)]);
+    values.push_back(nullptr);
+    return ask({{"what", "statistics"}, {"values", values}})[key];
+  };
+  EXPECT_EQ(of_last("mean"), answer["statistics"][3]["max_force_N"]["mean"]);
+  EXPECT_EQ(of_last("undefined"), 1);
   EXPECT_EQ(ask({{"what", "samples"}, {"text", case_text()}, {"first", 0}, {"count", 1}})["faults"][0]["key"],
             "montecarlo");
 }

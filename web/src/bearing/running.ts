@@ -16,6 +16,7 @@ import { BearingGeometry } from './geometry';
 import { marks } from './panel';
 import { drawRound } from './round';
 import { fittingAlong, fittingInwards, shapeAt } from './shape';
+import { spaceView } from './space';
 
 /** A drawing of the state that the reader looks at, redrawn with it. */
 function drawnPanel(
@@ -64,12 +65,21 @@ function drawnOf(states: States): Drawn | undefined {
   return { data: states.data, cycle, geometry, inwards: fittingInwards(geometry), largestForce: largest(cycle.field('normal_force_bump_sleeve').values) || 1 };
 }
 
+/** Foils and cycle of the states as they are, found once for each of them; nothing without foils. */
+function drawnOnce(states: States): () => Drawn | undefined {
+  let drawn = drawnOf(states);
+  return () => (drawn?.data === states.data ? drawn : (drawn = drawnOf(states)));
+}
+
+/** The bearing in space. */
+export function bearingInSpace(states: States, selection: GridSelection): HTMLElement[] {
+  return spaceView(states, selection, drawnOnce(states));
+}
+
 /** The journal among the foils at the state; nothing without foils. */
 export function runningBearing(states: States, selection: GridSelection): HTMLElement[] {
-  let drawn = drawnOf(states);
-  if (!drawn) return [];
-  /** Of the states as they are. */
-  const current = (): Drawn | undefined => (drawn?.data === states.data ? drawn : (drawn = drawnOf(states)));
+  const current = drawnOnce(states);
+  if (!current()) return [];
   let stretch = 1;
   return [
     drawnPanel(states, selection, {

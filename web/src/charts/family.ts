@@ -1,5 +1,5 @@
 import { at } from '../data/run';
-import type { Coordinate, Place } from '../data/grid';
+import { columnNameOf, type Coordinate, type Place } from '../data/grid';
 import { toCsv, type Cell } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import { choice } from '../ui/dom';
@@ -172,7 +172,7 @@ export class FamilyPanel {
 
   private csv(): string {
     const { coordinates } = this.selection;
-    const header = coordinates.map(({ name, numbers, unit }) => (numbers && unit !== '' ? `${name}_${unit}` : name));
+    const header = coordinates.map(columnNameOf);
     const rows = [...this.drawn].sort((a, b) => a - b).flatMap((index) => {
       const place = this.placeOf(index);
       const forces = this.loops.forces.map(({ values }) => values(place));

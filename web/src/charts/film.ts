@@ -11,6 +11,7 @@ import { fileName } from '../ui/save';
 import { rampColour, type Look } from '../ui/theme';
 import { axis, roundAbove, tooltip, tooltipBox, type Option, type RenderApi } from './chart';
 import { ChartPanel, type ChartPanelContents } from './chart_panel';
+import { colourBar, rangeText } from './colour_bar';
 
 /** What a chart of a state has of its own. */
 type Contents = Pick<ChartPanelContents, 'title' | 'note' | 'legend' | 'csv' | 'option' | 'height'> & { what: string; told: () => string };
@@ -62,9 +63,6 @@ function whereText(angle: number, { name }: Pick<PadColumns, 'name'>): string {
   return `${angle.toFixed(1)}° from the weld${name === '' ? '' : ` of ${name}`}`;
 }
 
-/** In how many colours a scale is drawn. */
-const shades = 24;
-
 /** What a map shows at every node. */
 interface Field {
   name: string;
@@ -73,6 +71,8 @@ interface Field {
   /** What its file is called. */
   what: string;
   told: (range: [number, number]) => string;
+  /** A value that stands out on the scale of colours. */
+  mark?: () => { value: number; text: string };
   tips: (value: number) => [string, string][];
 }
 
@@ -84,7 +84,8 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
     unit: 'Pa',
     title: 'Pressure',
     what: 'pressure',
-    told: (range) => `${range.map((value) => formatQuantity(value, 'Pa')).join(' to ')}, ambient ${formatQuantity(ambient(), 'Pa')}`,
+    told: (range) => `${rangeText(range, 'Pa')}, ambient ${formatQuantity(ambient(), 'Pa')}`,
+    mark: () => ({ value: ambient(), text: 'ambient' }),
     tips: (value) => [['Gauge pressure', formatQuantity(value - ambient(), 'Pa', 3)]],
   });
 }
@@ -94,8 +95,8 @@ export function thicknessMap(states: States, selection: GridSelection): HTMLElem
   if (!states.variable('film_thickness')?.has('row')) return [];
   const told = ([least, most]: [number, number]): string => {
     const z = states.numberAt('h_min_z', selection.place);
-    const place = Number.isFinite(z) ? `, ${formatQuantity(z, 'm', 3)} from the mid-plane,` : '';
-    return `${formatQuantity(least, 'm')}${place} to ${formatQuantity(most, 'm')}`;
+    const place = Number.isFinite(z) ? `, thinnest ${formatQuantity(z, 'm', 3)} from the mid-plane` : '';
+    return `${rangeText([least, most], 'm')}${place}`;
   };
   return [filmMap(states, selection, { name: 'film_thickness', unit: 'm', title: 'Film thickness', what: 'film-thickness-map', told, tips: () => [] })];
 }
@@ -180,11 +181,7 @@ function filmMap(states: States, selection: GridSelection, field: Field): HTMLEl
     what: field.what,
     told: () => (states.isFound(selection.place) ? field.told(range()) : unknown),
     legend: () => [
-      {
-        width: 5 * shades,
-        draw: (current) => Array.from({ length: shades }, (_, i) => svg('rect', { x: 5 * i, y: 1, width: 5.5, height: 10, fill: rampColour(current, i / (shades - 1)) })),
-        text: states.isFound(selection.place) ? range().map((value) => formatQuantity(value, field.unit)).join(' to ') : field.title.toLowerCase(),
-      },
+      ...(states.isFound(selection.place) ? [colourBar(range(), field.unit, field.mark?.())] : []),
     ],
     csv: () => {
       const [theta, z, pads] = [columnsOf(states), across(), padCells(states)];

@@ -1,4 +1,4 @@
-import { axisScale, type Place } from '../data/grid';
+import { axisScale, columnNameOf, type Place } from '../data/grid';
 import { at, largest } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { axisTitle, formatNumber, formatQuantity, scaleFor, type Scale } from '../data/units';
@@ -100,7 +100,8 @@ export class OverPanel {
     });
   }
 
-  private refresh(): void {
+  /** To be called when the numbers have changed. */
+  refresh(): void {
     this.read();
     this.panel.refresh();
     this.chart.fit();
@@ -251,7 +252,7 @@ export class OverPanel {
     const { coordinates } = this.selection;
     const keys = [...new Set(this.lines.map(({ part }) => part.key))];
     const known = coordinates.filter(({ name }) => at(this.measure.parts, 0).has(name));
-    const header = [...known.map(({ name, numbers, unit }) => (numbers && unit !== '' ? `${name}_${unit}` : name)), ...keys];
+    const header = [...known.map(columnNameOf), ...keys];
     const row = (place: Place, values: Cell[]): Cell[] => [
       ...known.map(({ name, numbers, texts }) => (numbers ?? texts)[place[name] ?? 0]),
       ...values,

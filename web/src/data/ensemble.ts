@@ -55,6 +55,11 @@ export class Ensemble extends Result<EnsembleData> {
     return this.data.quantities.filter(({ name }) => this.distribution(name) !== undefined);
   }
 
+  /** Names of the quantities that limits are set on: "h_min > 13 um". */
+  get limited(): string[] {
+    return this.data.summary.limits.map(({ limit }) => limit.split(/[\s<>=]/)[0] ?? '');
+  }
+
   distribution(name: string): DistributionData | undefined {
     return this.data.distributions[name];
   }

@@ -112,6 +112,11 @@ export interface Coordinate {
   unit: string;
 }
 
+/** What its column in files is called. */
+export function columnNameOf({ name, numbers, unit }: Coordinate): string {
+  return numbers && unit !== '' ? `${name}_${unit}` : name;
+}
+
 /** Places of all combinations of their values, the last fastest. */
 export function placesOf(coordinates: Coordinate[]): Place[] {
   return coordinates.reduce<Place[]>(

@@ -47,16 +47,16 @@ export function gridWarnings(result: Result<GridData>): string[] {
   return [...partialWarning(result), ...told.filter((text) => text !== '').map((text) => `${text}.`), ...missing];
 }
 
-/** What readers should mind about a run. */
+/** What readers should mind about a run: each thing once, with the cycles that it is said of. */
 export function warningsOf(run: Run): string[] {
-  const warnings = partialWarning(run);
+  const saidOf = new Map<string, string[]>();
   for (const cycle of run.cycles) {
-    const { name, summary } = cycle;
     const shortfall = shortfallOf(run, cycle);
-    if (shortfall !== undefined) warnings.push(`${name}: ${shortfall}.`);
-    if (summary) warnings.push(...ownWarnings(summary).map((warning) => `${name}: ${warning}.`));
+    for (const text of [...(shortfall === undefined ? [] : [shortfall]), ...(cycle.summary ? ownWarnings(cycle.summary) : [])]) {
+      saidOf.set(text, [...(saidOf.get(text) ?? []), cycle.name]);
+    }
   }
-  return warnings;
+  return [...partialWarning(run), ...[...saidOf].map(([text, names]) => `${names.join(', ')}: ${text}.`)];
 }
 
 /** That not all increments of the runs are there to be looked at; empty where they are. */

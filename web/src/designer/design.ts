@@ -32,7 +32,7 @@ export class Design {
   }
 
   /** One table alone of a list is written as other tables are, too. */
-  private spelled(path: string): string {
+  spelled(path: string): string {
     const [, list, key = ''] = /^(.*)\[1\](.*)$/.exec(path) ?? [];
     return list !== undefined && this.outline.heads.has(list) ? list + key : path;
   }

@@ -1,6 +1,7 @@
 /** A field for every key of the case that the page answers to, made from the solver's own description of the keys. */
 import type { CaseValue } from '../data/format';
 import { el } from '../ui/dom';
+import { bumpTable } from './bump_table';
 import type { Design } from './design';
 import type { CaseKey, Fault, Units } from './format';
 import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
@@ -9,7 +10,7 @@ import { inList } from './toml';
 import { listOf, valueOf, withPoint } from './typed';
 
 /** What a field needs to know of the page. */
-interface Place {
+export interface Place {
   design: Design;
   units: Units;
   /** The value as understood, in SI, of the last case that was right. */
@@ -19,6 +20,8 @@ interface Place {
 interface Field {
   path: string;
   root: HTMLElement;
+  /** By which it is found: key, title, unit. */
+  words: string;
   refresh: (faults: Fault[]) => void;
 }
 
@@ -31,12 +34,16 @@ function ofFirst(path: string): string {
 }
 
 /** Whether a fault is of a key, or of what it holds. */
-function concerns({ key }: Fault, path: string): boolean {
+export function concerns({ key }: Fault, path: string): boolean {
   return key === path || key.startsWith(`${path}[`) || key.startsWith(`${path}.`);
 }
 
 function idOf(path: string): string {
   return `field-${path.replaceAll(/[^a-z0-9_]/g, '-')}`;
+}
+
+function wordsOf({ path, title, unit = '', example = '' }: CaseKey): string {
+  return `${path} ${title} ${unit} ${readQuantity(example)?.unit ?? ''}`.toLowerCase();
 }
 
 /** Label, controls, and the solver's messages under them. */
@@ -122,6 +129,7 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
       plain = si === '' || (written !== undefined && now.unit === '');
       unit = now.unit === '' ? si : now.unit;
     }
+    if (key.presence === 'inherited') text.placeholder = 'as the case';
     if (text !== document.activeElement || now?.number !== Number(text.value)) show();
     if (si !== '') {
       const names = offered.includes(unit) ? offered : [...offered, unit];
@@ -140,7 +148,7 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
     }
     tell(faults, written !== undefined);
   };
-  return { path, root, refresh };
+  return { path, root, words: wordsOf(key), refresh };
 }
 
 /** One of a few words, or true and false. */
@@ -157,7 +165,7 @@ function choiceField(key: CaseKey, words: string[], { design, understood }: Plac
     list.value = value;
     tell(faults, written !== undefined);
   };
-  return { path, root, refresh };
+  return { path, root, words: wordsOf(key), refresh };
 }
 
 /** Lists and texts, as they are written in the file. */
@@ -177,7 +185,7 @@ function textField(key: CaseKey, { design }: Place): Field {
     if (input !== document.activeElement) input.value = (isText ? written?.replace(/^["']|["']$/g, '') : written) ?? '';
     tell(faults, written !== undefined);
   };
-  return { path, root, refresh };
+  return { path, root, words: wordsOf(key), refresh };
 }
 
 function fieldOf(key: CaseKey, place: Place): Field | undefined {
@@ -188,8 +196,11 @@ function fieldOf(key: CaseKey, place: Place): Field | undefined {
   return numberField(key, place);
 }
 
-interface Section {
-  root: HTMLElement;
+export interface Section {
+  root: HTMLDetailsElement;
+  /** Of the table itself. */
+  words: string;
+  fields: () => Field[];
   /** Whether a fault is told beside one of its fields. */
   tells: (fault: Fault) => boolean;
   refresh: (faults: Fault[]) => void;
@@ -223,7 +234,12 @@ function section(group: Group, keys: CaseKey[], place: Place): Section {
     root.classList.toggle('faulty', faulty);
     if (faulty) root.open = true;
   };
-  return { root, tells: (fault) => fields.some(({ path }) => concerns(fault, path)), refresh };
+  return { root, words: `${group.path} ${head?.title ?? ''}`.toLowerCase(), fields: () => (body.hidden ? [] : fields), tells: (fault) => fields.some(({ path }) => concerns(fault, path)), refresh };
+}
+
+/** Keys of [bump_foil] and [top_foil] that a pad may have of its own. */
+function ownFoilKeys(pad: string, keys: CaseKey[]): CaseKey[] {
+  return keys.flatMap((key) => (/^(bump_foil|top_foil)\.\w+$/.test(key.path) ? [{ ...key, path: `${pad}.${key.path}`, presence: 'inherited' as const }] : []));
 }
 
 /** The tables of a list, each with its fields, and what adds one more. */
@@ -231,7 +247,7 @@ function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Sect
   const { design } = place;
   const head = keys.find((key) => key.path === `${path}[1]`);
   const title = head?.title ?? path;
-  const own = keys.filter((key) => key.path.startsWith(`${path}[1].`));
+  const own = keys.filter((key) => key.path.startsWith(`${path}[1].`) && !key.path.slice(`${path}[1].`.length).includes('.'));
   const heading = el('summary', {}, title);
   const add = el('button', { type: 'button', class: 'quiet', 'aria-label': `Add: ${title}` }, 'Add');
   const body = el('div');
@@ -241,12 +257,14 @@ function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Sect
   const entry = (number: number): (typeof entries)[number] => {
     const table = `${path}[${number}]`;
     const fields = own.flatMap((key) => fieldOf({ ...key, path: key.path.replace('[1]', `[${number}]`) }, place) ?? []);
+    const foils = path === 'pad' ? ownFoilKeys(table, keys).flatMap((key) => fieldOf(key, place) ?? []) : [];
     const takeOut = el('button', { type: 'button', class: 'quiet', 'aria-label': `Remove: ${title} ${number}` }, 'Remove');
     takeOut.addEventListener('click', () => design.remove(table));
+    const inner = foils.length > 0 ? [el('details', { class: 'own-foils' }, el('summary', {}, 'Foils of its own'), el('p', { class: 'note' }, 'What is not given is as in the bump foil and the top foil of the case.'), ...foils.map((field) => field.root))] : [];
     return {
-      fields,
+      fields: [...fields, ...foils],
       takeOut,
-      root: el('div', { role: 'group', 'aria-label': `${title} ${number}`, 'data-table': table }, el('div', { class: 'group-tools' }, el('p', { class: 'note' }, `No. ${number}`), takeOut), el('div', { class: 'fields' }, ...fields.map((field) => field.root))),
+      root: el('div', { role: 'group', 'aria-label': `${title} ${number}`, 'data-table': table }, el('div', { class: 'group-tools' }, el('p', { class: 'note' }, `No. ${number}`), takeOut), el('div', { class: 'fields' }, ...fields.map((field) => field.root), ...inner)),
     };
   };
   const refresh = (faults: Fault[]): void => {
@@ -263,7 +281,13 @@ function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Sect
     root.classList.toggle('faulty', faulty);
     if (faulty) root.open = true;
   };
-  return { root, tells: (fault) => entries.some(({ fields }) => fields.some((field) => concerns(fault, field.path))), refresh };
+  return {
+    root,
+    words: [path, title, ...own.map(wordsOf)].join(' ').toLowerCase(),
+    fields: () => entries.flatMap(({ fields }) => fields),
+    tells: (fault) => entries.some(({ fields }) => fields.some((field) => concerns(fault, field.path))),
+    refresh,
+  };
 }
 
 /** With a table that has what it needs. */
@@ -271,7 +295,8 @@ export function withTable(text: string, path: string, keys: CaseKey[]): string {
   const first = `${ofFirst(path)}.`;
   const own = keys.filter((key) => key.path.startsWith(first) && key.kind !== '' && !key.path.slice(first.length).includes('.'));
   const needed = own.filter(({ presence }) => presence === 'required');
-  const lines = (needed.length > 0 ? needed : own.slice(0, 1)).map((key) => `${key.path.slice(first.length)} = ${key.example ?? ''}`);
+  // One of a list may be without keys: pads.
+  const lines = (needed.length > 0 || path.endsWith(']') ? needed : own.slice(0, 1)).map((key) => `${key.path.slice(first.length)} = ${key.example ?? ''}`);
   const scatter = path === 'montecarlo' ? ['bump_height = { distribution = "normal", std = "5 um" }'] : [];
   const head = path.endsWith(']') ? `[[${path.replace(/\[\d+\]$/, '')}]]` : `[${path}]`;
   return `${text.replace(/\s*$/, '')}\n\n${head}\n${[...lines, ...scatter].join('\n')}\n`;
@@ -283,13 +308,39 @@ export interface Form {
   refresh: (faults: Fault[]) => void;
   /** Whether a fault is told beside a field. */
   tells: (fault: Fault) => boolean;
+  /** Shows those alone that have all of the words. @return how many */
+  search: (typed: string) => number;
+  /** Opens all groups, or folds them. */
+  fold: (open: boolean) => void;
 }
 
 export function form(keys: CaseKey[], place: Place): Form {
-  const sections = groups.map((group) => (group.list ? listSection : section)(group, keys, place));
+  const sections = groups.flatMap((group): Section[] => [(group.list ? listSection : section)(group, keys, place), ...(group.path === 'bump_foil' ? [bumpTable(keys, place)] : [])]);
+  /** Groups that were open before something was searched. */
+  let open: Set<Section> | undefined;
+  const search = (typed: string): number => {
+    const words = typed.toLowerCase().split(/\s+/).filter((word) => word !== '');
+    const has = (text: string): boolean => words.every((word) => text.includes(word));
+    const searching = words.length > 0;
+    if (searching) open ??= new Set(sections.filter(({ root }) => root.open));
+    let count = 0;
+    for (const one of sections) {
+      const whole = has(one.words);
+      const found = one.fields().filter((field) => whole || has(field.words));
+      for (const field of one.fields()) field.root.hidden = searching && !found.includes(field);
+      one.root.hidden = searching && !whole && found.length === 0;
+      if (open) one.root.open = searching ? !one.root.hidden : open.has(one);
+      for (const inner of one.root.querySelectorAll('details')) inner.open = searching && found.some(({ root }) => inner.contains(root));
+      count += found.length;
+    }
+    if (!searching) open = undefined;
+    return count;
+  };
   return {
     root: el('form', { class: 'form', 'aria-label': 'The case', autocomplete: 'off' }, ...sections.map(({ root }) => root)),
     refresh: (faults) => sections.forEach(({ refresh }) => refresh(faults)),
     tells: (fault) => sections.some(({ tells }) => tells(fault)),
+    search,
+    fold: (all) => sections.forEach(({ root }) => (root.open = all)),
   };
 }

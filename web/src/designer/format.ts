@@ -7,7 +7,8 @@ export interface CaseKey {
   text: string;
   /** Empty for a table. */
   kind: string;
-  presence: 'required' | 'optional' | 'defaulted';
+  /** Those of pads that are not given are as in the case. */
+  presence: 'required' | 'optional' | 'defaulted' | 'inherited';
   /** SI. */
   unit?: string;
   /** Key whose value it has where it is not given. */
@@ -56,10 +57,12 @@ export interface VibrationAnswer {
   directions: Record<'stiffness' | 'loss_factor' | 'dissipation', (number | null)[]>[];
 }
 
+/** As summary.json has it; with a `reason` where it was not found. */
+export type StateOfSummary = Record<string, string | number | boolean | null>;
+
 export interface EquilibriumAnswer {
   run: Omit<GridData, 'name'>;
-  /** As summary.json has it; with a `reason` where it was not found. */
-  state: Record<string, string | number | null>;
+  states: StateOfSummary[];
 }
 
 export interface StabilityAnswer {

@@ -1,9 +1,17 @@
 /** The loops of a case, half of the directions in each of two workers. */
 import { at } from '../data/run';
-import type { CyclesAnswer, Faults } from './format';
+import type { CaseKey, CyclesAnswer, Faults } from './format';
 import { isFaulty, type Solver } from './solver';
+import { outlineOf } from './toml';
 
 const parts = 2;
+
+/** Of a case that says nothing of cycles: those of the reference case. */
+export function withCycle(text: string, keys: CaseKey[]): string {
+  if (outlineOf(text).tables.has('cycle')) return text;
+  const usual = keys.filter(({ path }) => path === 'cycle.directions' || path === 'cycle.amplitude');
+  return `${text.replace(/\s*$/, '')}\n\n[cycle]\n${usual.map(({ path, value }) => `${path.replace('cycle.', '')} = ${JSON.stringify(value)}`).join('\n')}\n`;
+}
 
 /** The answer; nothing where a later case came first. */
 export async function askLoops(solver: Solver, text: string): Promise<CyclesAnswer | Faults | undefined> {

@@ -9,13 +9,14 @@ import { Design } from './design';
 import { EnsembleView } from './ensemble';
 import { form, withTable } from './fields';
 import type { CyclesAnswer, Fault, KeysAnswer } from './format';
-import { askLoops } from './loops';
+import { askLoops, withCycle } from './loops';
 import { reportOf } from './report';
 import { layoutOf, results, type Results } from './results';
 import { RotorView } from './rotor';
 import { RunningView } from './running';
+import { Side } from './side';
 import { caseIn, fragmentOf } from './share';
-import { isFaulty, makeSolvers, type Request, type Solver } from './solver';
+import { isFaulty, makeSolvers, type Request } from './solver';
 import { tabs } from './tabs';
 import { VibrationView } from './vibration';
 import '../style/page.css';
@@ -47,10 +48,10 @@ class Page {
   private results: Results | undefined;
   private layout = '';
   private readonly views = el('div', { class: 'results' });
-  private readonly bar = el('div', { class: 'bar' });
   private readonly state = el('p', { class: 'state', role: 'status' });
   private readonly general = el('ul', { class: 'general-faults' });
   private readonly fields;
+  private readonly side;
   private readonly vibration;
   private readonly running;
   private readonly rotor;
@@ -61,26 +62,27 @@ class Page {
 
   constructor(
     private readonly keys: KeysAnswer,
-    private readonly quick: Solver,
-    slow: Solver,
+    private readonly solvers: Awaited<ReturnType<typeof makeSolvers>>,
     text: string,
   ) {
+    const { quick, slow } = solvers;
+    const giveTolerances = (): void => this.design.change(withTable(this.design.text, 'montecarlo', keys.keys), false);
     this.design = new Design(text);
     this.vibration = new VibrationView(slow);
-    this.running = new RunningView(slow);
-    this.rotor = new RotorView(slow, (text) => withTable(text, 'rotor', keys.keys), (text) => this.design.change(text, false));
-    this.ensemble = new EnsembleView(slow, () => this.design.change(withTable(this.design.text, 'montecarlo', keys.keys), false));
+    this.running = new RunningView(quick, slow, giveTolerances);
+    this.rotor = new RotorView(quick, slow, (text) => withTable(text, 'rotor', keys.keys), (text) => this.design.change(text, false));
+    this.ensemble = new EnsembleView(slow, giveTolerances);
     this.fields = form(keys.keys, { design: this.design, units: keys.units, understood: (path) => this.understood.get(path) });
+    this.side = new Side(this.fields, el('div', { role: 'alert' }, this.general));
     document.getElementById('designer')?.append(
       el('a', { class: 'skip', href: '#contents' }, 'Skip to the results'),
       this.masthead(),
       el(
         'div',
         { class: 'sides' },
-        el('aside', { class: 'side', 'aria-label': 'The case' }, el('div', { role: 'alert' }, this.general), this.fields.root),
+        this.side.root,
         el('main', { id: 'contents', tabindex: -1 }, el('h2', { class: 'unseen' }, 'Results'), this.views),
       ),
-      this.bar,
       el('footer', {}, 'Computed in this page: nothing is sent. Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
     );
     this.design.onChange(() => this.changed());
@@ -96,8 +98,8 @@ class Page {
       { 'aria-label': 'Start from' },
       el('option', {}, 'Start from …'),
       ...Object.keys(this.keys.presets)
-        // Those that are pushed and pulled as bearings.
-        .filter((name) => /^\[cycle\]/m.test(this.keys.presets[name] ?? ''))
+        // Bearings: they are pushed and pulled, or run.
+        .filter((name) => /^\[(cycle|equilibrium)\]/m.test(this.keys.presets[name] ?? ''))
         .map((name) => el('option', { value: name }, name)),
     );
     presets.addEventListener('change', () => {
@@ -121,6 +123,7 @@ class Page {
       { class: 'masthead' },
       el('h1', {}, el('span', { class: 'brand' }, 'Bumpfoil designer')),
       this.state,
+      presets,
       roving(
         el(
           'div',
@@ -135,7 +138,6 @@ class Page {
           theme,
         ),
       ),
-      presets,
       file,
     );
   }
@@ -183,7 +185,7 @@ class Page {
   private async compute(): Promise<void> {
     const { text } = this.design;
     const began = performance.now();
-    const answer = await askLoops(this.quick, text);
+    const answer = await askLoops(this.solvers.loops, withCycle(text, this.keys.keys));
     if (!answer) return;
     if (isFaulty(answer)) {
       this.faults = answer.faults;
@@ -216,28 +218,40 @@ class Page {
     if (!this.now || !this.before) return;
     const now = runOf(this.now.answer, 'current');
     const runs = this.before.text === this.now.text ? [now] : [now, runOf(this.before.answer, 'baseline')];
-    const layout = layoutOf(runs);
+    const { running, rotor } = this.kinds;
+    const layout = `${layoutOf(runs)} ${running} ${rotor}`;
     if (this.results && layout === this.layout) this.results.show(runs);
     else this.layOut(runs, layout);
     this.vibration.show(this.now.text, this.before.text);
-    this.running.show(this.now, this.before);
+    // What samples are drawn of has a cycle, too.
+    const whole = <D extends { text: string }>(design: D): D => ({ ...design, text: withCycle(design.text, this.keys.keys) });
+    this.running.show(whole(this.now), whole(this.before));
     this.rotor.show(this.now, this.before);
-    this.ensemble.show(this.now);
+    this.ensemble.show(whole(this.now));
   }
 
-  /** Views of another layout are made anew. */
+  /** What the case is of, beside loops. */
+  private get kinds(): { running: boolean; rotor: boolean } {
+    const tables = this.now?.answer.run.summary.case ?? {};
+    return { running: tables['equilibrium'] !== undefined, rotor: tables['rotor'] !== undefined };
+  }
+
+  /** Views of another layout are made anew, those first that the case is of. */
   private layOut(runs: Run[], layout: string): void {
     this.layout = layout;
     this.results = results(runs);
-    this.bar.replaceChildren(this.results.bar);
+    const { kinds } = this;
+    const loops = { name: 'loops', title: 'Loops', body: this.results.root };
+    const running = { name: 'running', title: 'Running', body: this.running.root, shown: () => this.running.refresh() };
+    const rotor = { name: 'rotor', title: 'Rotor', body: this.rotor.root, shown: () => this.rotor.refresh() };
     this.views.replaceChildren(
-      this.results.main,
       tabs([
-        { name: 'loads', title: 'Bump loads', body: this.results.loads },
-        { name: 'table', title: 'Table', body: this.results.table },
+        ...(kinds.running ? [running] : []),
+        ...(kinds.rotor ? [rotor] : []),
+        loops,
+        ...(kinds.running ? [] : [running]),
+        ...(kinds.rotor ? [] : [rotor]),
         { name: 'vibration', title: 'Vibration', body: this.vibration.root, shown: () => this.vibration.refresh() },
-        { name: 'running', title: 'Running', body: this.running.root, shown: () => this.running.refresh() },
-        { name: 'rotor', title: 'Rotor', body: this.rotor.root, shown: () => this.rotor.refresh() },
         { name: 'ensemble', title: 'Ensemble', body: this.ensemble.root, shown: () => this.ensemble.refresh() },
         { name: 'case', title: 'Case file', body: el('div', { class: 'panel' }, this.editor) },
       ]),
@@ -247,13 +261,13 @@ class Page {
 
 async function start(): Promise<void> {
   startTheme();
-  const { quick, slow } = await makeSolvers();
+  const solvers = await makeSolvers();
   // For those who want numbers without clicking: include/bumpfoil/pages/designer.hpp says what may be asked.
-  Object.assign(window, { bumpfoilAsk: (request: Request) => slow.ask(request) });
-  const keys = await quick.ask<KeysAnswer>({ what: 'keys' });
+  Object.assign(window, { bumpfoilAsk: (request: Request) => solvers.slow.ask(request) });
+  const keys = await solvers.quick.ask<KeysAnswer>({ what: 'keys' });
   if (!keys || isFaulty(keys)) throw new Error(keys?.faults[0]?.message ?? 'the solver does not answer');
   const shared = await caseIn(location.hash);
-  new Page(keys, quick, slow, shared ?? Object.values(keys.presets)[0] ?? '');
+  new Page(keys, solvers, shared ?? Object.values(keys.presets)[0] ?? '');
 }
 
 start().catch((error: unknown) => {

@@ -15,7 +15,10 @@ export const groups: Group[] = [
   { path: 'bump_foil', optional: false, open: true },
   { path: 'top_foil', optional: false, open: true },
   { path: 'friction', optional: false, open: true },
-  { path: 'cycle', optional: false, open: false },
+  { path: 'pad', optional: true, open: false, list: true },
+  { path: 'equilibrium', optional: true, open: false },
+  { path: 'width', optional: false, open: false },
+  { path: 'cycle', optional: true, open: false },
   { path: 'bearing.sleeve_waviness', optional: true, open: false, list: true },
   { path: 'bearing.journal_waviness', optional: true, open: false, list: true },
   { path: 'bump_foil.section', optional: true, open: false, list: true },
@@ -37,7 +40,7 @@ export const alternatives = [
 ];
 
 /** Keys of the tables above that nothing here answers to, or that come from files: of films over walls in place of foils, of limits, matrices. */
-export const without = ['film.wall', 'film.wall_stiffness', 'film.closed', 'film.h_lift_off', ...['M', 'C', 'G', 'K'].map((name) => `rotor.matrix.${name}`)];
+export const without = ['film.wall', 'film.wall_stiffness', 'film.closed', 'film.h_lift_off', 'equilibrium.limits', 'equilibrium.ross_version', 'montecarlo.limits', ...['M', 'C', 'G', 'K'].map((name) => `rotor.matrix.${name}`)];
 
 /** One key that stands for several: whoever sets one of these gives the others what it was, and takes it out. */
 export const commons = [{ once: 'friction.coefficient', each: ['friction.top_bump', 'friction.bump_sleeve'] }];
@@ -59,6 +62,10 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'bearing.journal_waviness[1].amplitude': [0, 30 * um],
   'bearing.journal_waviness[1].phase': [0, 360 * deg, 1 * deg],
   'bump_foil.shim[1].thickness': [0, 100 * um],
+  'pad[1].weld_angle': [0, 360 * deg, 1 * deg],
+  'pad[1].arc': [20 * deg, 180 * deg, 1 * deg],
+  'pad[1].lobe': [0, 60 * um],
+  'bearing.pad_gap': [0, 60 * deg, 1 * deg],
   'bump_foil.bumps': [3, 60, 1],
   'bump_foil.pitch': [1 * mm, 12 * mm],
   'bump_foil.length': [0.5 * mm, 10 * mm],

@@ -10,6 +10,7 @@ import { resultTable } from '../tables/results';
 import { Comparison } from '../ui/comparison';
 import { el, svg } from '../ui/dom';
 import { Selection } from '../ui/selection';
+import { remarks } from './remarks';
 import { numberTiles } from './tiles';
 
 /** The loops of the design before: pale, without marks. */
@@ -24,10 +25,7 @@ export function layoutOf(runs: Run[]): string {
 }
 
 export interface Results {
-  main: HTMLElement;
-  loads: HTMLElement;
-  table: HTMLElement;
-  bar: HTMLElement;
+  root: HTMLElement;
   /** Shows others of the same layout. */
   show: (runs: Run[]) => void;
   readonly comparison: Comparison;
@@ -54,23 +52,22 @@ export function results(runs: Run[]): Results {
   );
   const bearing = new BearingPanels(selection);
   const notes = el('div', { class: 'notes', role: 'status' });
-  const warn = (): void => {
-    const texts = warningsOf(at(comparison.runs, 0));
-    notes.replaceChildren(...(texts.length === 0 ? [] : [el('ul', { class: 'remarks' }, ...texts.map((text) => el('li', {}, text)))]));
-  };
+  const warn = (): void => notes.replaceChildren(...remarks(warningsOf(at(comparison.runs, 0))));
   comparison.onChange(warn);
   warn();
   return {
-    main: el(
+    root: el(
       'div',
-      {},
+      { class: 'loops' },
       numberTiles(keys, comparison),
       notes,
       el('div', { class: 'views' }, loops.root, bearing.round),
+      loadSection(named, comparison),
+      bearing.unwrapped,
+      resultTable(comparison, keys),
+      // At the foot of the window.
+      player(selection, comparison),
     ),
-    loads: el('div', {}, loadSection(named, comparison), bearing.unwrapped),
-    table: resultTable(comparison, keys),
-    bar: player(selection, comparison),
     show: (next) => comparison.replace(next, at(next, next.length - 1)),
     comparison,
   };

@@ -3,21 +3,21 @@ import { motionCharts } from '../charts/motions';
 import type { Place } from '../data/grid';
 import { at, capital } from '../data/run';
 import { speedText } from '../data/states';
-import { differences, formatNumber, formatQuantity } from '../data/units';
+import { formatNumber, formatQuantity } from '../data/units';
 import { Whirls } from '../data/whirls';
 import { choice, el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import type { CyclesAnswer, Faults, StabilityAnswer } from './format';
 import { NumberControl } from './number_control';
 import { notesOf, remarks } from './remarks';
-import { isFaulty, settled, type Request, type Solver } from './solver';
+import { isFaulty, quickMesh, settled, type Request, type Solver } from './solver';
 import { isSeen } from './tabs';
+import { compared, tile } from './tiles';
 
 const rpm = Math.PI / 30;
 /** Speeds of a case that names none, over the one that is asked for: from the highest on, since low ones may carry nothing. */
 const usualSpeeds = Array.from({ length: 11 }, (_, i) => 1.5 - i / 8);
-/** Most columns per pitch and rows, and about how many speeds, of the answer that comes first. */
-const quickMesh = [4, 5];
+/** About how many speeds the answer has that comes first. */
 const quickSpeeds = 6;
 
 interface Design {
@@ -132,16 +132,6 @@ function oscillation(whirls: Whirls, motion: Place): string {
   return Number.isFinite(decrement) ? `log. decrement ${formatNumber(decrement, 3)}, ${formatNumber(whirls.frequencyAt(motion), 3)} Hz` : 'without oscillation';
 }
 
-function tile(key: string, what: string, value: string, ...more: string[]): HTMLElement {
-  const text = more.filter((one) => one !== '').join(', ');
-  return el('div', { class: 'tile', 'data-key': key }, el('span', { class: 'what' }, what), el('strong', {}, value), el('span', { class: 'change' }, text));
-}
-
-function compared(value: number, old: number): string {
-  const [, percent] = differences(Number.isFinite(value) ? value : null, Number.isFinite(old) ? old : null, { factor: 1, unit: '' });
-  return percent === '–' ? '' : percent === '0 %' ? 'unchanged' : `${percent} vs. baseline`;
-}
-
 /** A place that is none where the run has no such speed. */
 function placeOf(whirls: Whirls, speed: number): Place {
   return { speed: whirls.speeds.findIndex((one) => Math.abs(one - speed) <= 1e-6 * Math.abs(speed)) };
@@ -200,11 +190,13 @@ export class RotorView {
   private known = new Map<string, Answer>();
 
   /**
+   * @param quick      for the answers that come first
    * @param withRotor  gives a case that has no rotor the usual one
    * @param change     takes a case in the place of that which is worked on
    */
   constructor(
-    private readonly solver: Solver,
+    private readonly quick: Solver,
+    private readonly slow: Solver,
     private readonly withRotor: (text: string) => string,
     change: (text: string) => void,
   ) {
@@ -265,7 +257,7 @@ export class RotorView {
           if (!isSeen(this.root)) this.begun = '';
           if (this.begun !== wanted) return;
           // Without one it was overtaken, by a change or by what asked elsewhere.
-          const answer = await this.solver.ask<StabilityAnswer>(quick ? pair[0] : pair[1]);
+          const answer = await (quick ? this.quick : this.slow).ask<StabilityAnswer>(quick ? pair[0] : pair[1]);
           if (answer) this.known.set(key, answer);
         }
         const [now, before] = keys.map((pairs) => this.known.get(at(pairs, quick ? 0 : 1)));

@@ -1,57 +1,51 @@
-/** The bearing on its gas film, at one speed under one load or at one position. */
-import { polarPlot, runningBearing } from '../bearing/running';
-import { pressureMap, runningLoads, thicknessChart } from '../charts/film';
-import type { CaseValue, Quantity } from '../data/format';
-import { vectorText } from '../data/grid';
+/** The bearing on its gas film, at one speed under one load or at one position, and about that point. */
+import { bearingInSpace, polarPlot, runningBearing } from '../bearing/running';
+import { pressureMap, runningLoads, thicknessChart, thicknessMap } from '../charts/film';
+import type { Quantity } from '../data/format';
 import { at, Run } from '../data/run';
-import { speedText, States } from '../data/states';
-import { formatQuantity } from '../data/units';
+import { States } from '../data/states';
+import { formatNumber, formatQuantity } from '../data/units';
 import { resultTable } from '../tables/results';
 import { Comparison } from '../ui/comparison';
 import { dropDown, el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { Selection } from '../ui/selection';
-import type { CyclesAnswer, EquilibriumAnswer, Faults } from './format';
+import { CurvePanel, linesAbout, verdictOf } from './curves';
+import { FilmSpread } from './film_spread';
+import type { CyclesAnswer, EquilibriumAnswer, Faults, StateOfSummary } from './format';
 import { NumberControl } from './number_control';
+import { isSame, pointOf, settingsOf, textOf, type Point, type RunningSettings } from './point';
 import { notesOf, remarks } from './remarks';
-import { isFaulty, settled, type Solver } from './solver';
+import { isFaulty, quickMesh, settled, type Request, type Solver } from './solver';
 import { isSeen } from './tabs';
+import { compared, tile } from './tiles';
 
 const rpm = Math.PI / 30;
 
 /** What holds the journal, with its unit as people write it. */
 const holds = [
-  { key: 'load', text: 'Load', unit: 'N', size: 1, most: 200 },
-  { key: 'position', text: 'Position', unit: 'µm', size: 1e-6, most: 60 },
+  { key: 'loads', text: 'Load', unit: 'N', size: 1, most: 200 },
+  { key: 'positions', text: 'Position', unit: 'µm', size: 1e-6, most: 60 },
 ] as const;
 type Hold = (typeof holds)[number];
-
-/** Where the bearing runs, as it is asked for; SI. */
-interface Point {
-  speed: number;
-  load?: [number, number];
-  position?: [number, number];
-}
 
 interface Design {
   text: string;
   answer: CyclesAnswer;
 }
 
-/** Whatever the case says of running: the first speed with the first load or position. */
-function pointOf(settings: CaseValue | undefined): Point | undefined {
-  const { speeds, loads, positions } = (settings ?? {}) as { speeds?: number[]; loads?: [number, number][]; positions?: [number, number][] };
-  const [speed, load, position] = [speeds?.[0], loads?.[0], positions?.[0]];
-  if (speed === undefined) return undefined;
-  return load ? { speed, load } : position ? { speed, position } : undefined;
+function stateOf({ states }: EquilibriumAnswer): StateOfSummary {
+  return at(states, 0);
 }
 
-function textOf({ speed, load, position }: Point): string {
-  return `${speedText(speed)}, ${load ? `load ${vectorText(...load, 'N')}` : `position ${vectorText(...(position ?? [0, 0]), 'm')}`}`;
+function isFound(answer: EquilibriumAnswer): boolean {
+  return stateOf(answer)['status'] === 'converged';
 }
 
 /** The quantities of a state as those of a cycle, which tables compare. */
-function runOf({ run, state }: EquilibriumAnswer, name: string): Run {
+function runOf(answer: EquilibriumAnswer, name: string): Run {
+  const { run } = answer;
+  const state = stateOf(answer);
   const byLoad = state['load_x_N'] !== null;
   // What is asked for is not found.
   const asked = byLoad ? /^(speed|load_[xy]|force_[xy])$/ : /^(speed|[xy])$/;
@@ -69,30 +63,45 @@ function runOf({ run, state }: EquilibriumAnswer, name: string): Run {
   });
 }
 
+/** Main numbers of a state, and whether film and foils stay in it. */
+function tilesOf(now: StateOfSummary, before: StateOfSummary | undefined): HTMLElement[] {
+  const number = (state: StateOfSummary | undefined, key: string): number => (typeof state?.[key] === 'number' ? state[key] : NaN);
+  const of = (key: string, what: string, text: (value: number) => string): HTMLElement =>
+    tile(key, what, Number.isFinite(number(now, key)) ? text(number(now, key)) : '–', before ? compared(number(now, key), number(before, key)) : '');
+  const growth = number(now, 'growth_held');
+  const { stable } = now;
+  return [
+    of('h_min_m', 'Minimum film thickness', (value) => formatQuantity(value, 'm', 4)),
+    tile('stable', 'Journal held', stable === true ? 'stable' : stable === false ? 'unstable' : '–', Number.isFinite(growth) ? `foils ${growth < 0 ? 'settle' : 'flutter'}: growth ${formatNumber(growth, 2)} × speed` : ''),
+    of('attitude_angle_deg', 'Attitude angle', (value) => `${formatNumber(value, 3)}°`),
+    of('power_W', 'Power loss', (value) => formatQuantity(value, 'W', 3)),
+    of('p_max_Pa', 'Maximum pressure', (value) => formatQuantity(value, 'Pa', 4)),
+    of('critical_mass_kg', 'Critical mass', (value) => formatQuantity(value, 'kg', 3)),
+  ];
+}
+
 /** Views of one state; the next one takes its place. */
 class StateViews {
-  readonly root: HTMLElement;
+  /** The film over the foil first; the others follow the curves. */
+  readonly film: HTMLElement;
+  readonly others: HTMLElement[];
+  readonly tables = el('div');
   private readonly states: States;
   private before: States | undefined;
   private readonly selection: GridSelection;
-  private readonly tables = el('div');
   private comparison: Comparison | undefined;
 
   constructor(now: EquilibriumAnswer, name: string) {
     this.states = new States({ ...now.run, name });
     this.selection = new GridSelection(this.states.coordinates, [this.states.speed]);
     const { states, selection } = this;
-    this.root = el(
-      'div',
-      {},
-      el('div', { class: 'multiples' }, pressureMap(states, selection), thicknessChart(states, selection, () => this.before), runningLoads(states, selection), polarPlot(states, selection), ...runningBearing(states, selection)),
-      this.tables,
-    );
+    this.film = thicknessChart(states, selection, () => this.before);
+    this.others = [pressureMap(states, selection), ...thicknessMap(states, selection), ...bearingInSpace(states, selection), polarPlot(states, selection), ...runningBearing(states, selection), runningLoads(states, selection)];
   }
 
   show(now: EquilibriumAnswer, before: EquilibriumAnswer | undefined, name: string): void {
     this.states.replace({ ...now.run, name });
-    this.before = before?.state['status'] === 'converged' ? new States({ ...before.run, name: 'baseline' }) : undefined;
+    this.before = before && isFound(before) ? new States({ ...before.run, name: 'baseline' }) : undefined;
     this.selection.show({});
     const runs = [runOf(now, 'current'), ...(before ? [runOf(before, 'baseline')] : [])];
     const reference = at(runs, runs.length - 1);
@@ -106,10 +115,15 @@ class StateViews {
   }
 }
 
+/** Answers that are kept. */
+const mostKnown = 24;
+
 export class RunningView {
   readonly root: HTMLElement;
   private readonly told = el('p', { class: 'note', role: 'status' });
   private readonly notes = el('div');
+  private readonly tiles = el('div', { class: 'tiles' });
+  private readonly verdict = el('p', { class: 'note', role: 'status' });
   private readonly place = el('div');
   private readonly speed = new NumberControl(() => this.refresh());
   private readonly journal = [0, 1].map(() => new NumberControl(() => this.refresh()));
@@ -117,48 +131,69 @@ export class RunningView {
     this.hold(hold);
     this.refresh();
   });
+  private readonly curves = {
+    speed: new CurvePanel('Over speed', 'speed', (index) => this.go(this.lines[0]?.points.speeds[index])),
+    journal: new CurvePanel('Over load', 'journal', (index) => this.go(undefined, this.lines[1]?.points[this.held.key]?.[index])),
+  };
+  private readonly spread: FilmSpread;
   private held: Hold = holds[0];
   private views: StateViews | undefined;
+  /** Of another design layout the views are made anew: pads, modes over the width. */
+  private layout = '';
+  private lines: ReturnType<typeof linesAbout> = [];
   private designs: { now: Design; before: Design } | undefined;
   /** What the case said of running when it was last asked. */
   private said = '';
   /** What the answers are to, or will be. */
   private begun = '';
-  private waiting = 0;
-  /** Answers to what is shown, by their requests. */
+  /** Answers by their requests. */
   private known = new Map<string, EquilibriumAnswer | Faults>();
 
-  constructor(private readonly solver: Solver) {
+  /**
+   * @param quick  for the answer on a coarse mesh, which comes first
+   * @param give   gives the case tolerances
+   */
+  constructor(
+    private readonly quick: Solver,
+    private readonly slow: Solver,
+    give: () => void,
+  ) {
+    this.spread = new FilmSpread(slow, give);
     this.speed.call('Speed', 'rpm', [1000, 120000, 500]);
-    this.take({ speed: 45000 * rpm, load: [50, 0] });
+    this.take({ speed: 45000 * rpm, held: 'loads', journal: [50, 0] });
     this.root = el(
       'div',
       { class: 'running' },
       el('div', { class: 'tools', role: 'group', 'aria-label': 'Running' }, this.speed.root, el('label', { class: 'control' }, 'Journal held by', this.holding), ...this.journal.map(({ root }) => root)),
+      this.tiles,
       this.told,
       this.notes,
+      this.verdict,
       this.place,
     );
   }
 
   show(now: Design, before: Design): void {
     this.designs = { now, before };
-    const settings = now.answer.run.summary.case['equilibrium'];
-    const said = JSON.stringify(settings) ?? '';
+    const settings = this.settings;
+    const said = JSON.stringify(settings);
     const point = pointOf(settings);
     if (point && said !== this.said) this.take(point);
     this.said = said;
     this.refresh();
   }
 
-  /** Computes what is in sight once it has settled, unless it has begun. */
+  private get settings(): RunningSettings {
+    return settingsOf(this.designs?.now.answer.run.summary.case['equilibrium']);
+  }
+
+  /** Computes what is in sight, unless it has begun. */
   refresh(): void {
     if (!isSeen(this.root) || !this.designs) return;
     const point = this.point;
     if (!point) {
       this.told.textContent = 'Speed, loads and positions are numbers.';
       this.begun = '';
-      window.clearTimeout(this.waiting);
       this.root.setAttribute('aria-busy', 'false');
       return;
     }
@@ -167,56 +202,96 @@ export class RunningView {
     const wanted = JSON.stringify([texts, point]);
     if (wanted === this.begun) return;
     this.begun = wanted;
-    this.told.textContent = 'Computing …';
     this.root.setAttribute('aria-busy', 'true');
-    window.clearTimeout(this.waiting);
-    this.waiting = window.setTimeout(() => void this.compute(wanted, texts, point), settled);
+    void this.compute(wanted, texts, point);
   }
 
+  /** What answers soon, and once the design has settled what answers exactly; then what is about the point. */
   private async compute(wanted: string, texts: string[], point: Point): Promise<void> {
-    if (!isSeen(this.root)) {
-      // Looked at again it begins anew.
-      this.begun = '';
-      return;
-    }
-    const requests = texts.map((text) => ({ what: 'equilibrium', ...point, text }));
-    const keys = requests.map((request) => JSON.stringify(request));
-    this.known = new Map([...this.known].filter(([key]) => keys.includes(key)));
-    for (const [i, request] of requests.entries()) {
-      const key = at(keys, i);
-      if (!this.known.has(key)) {
-        const answer = await this.solver.ask<EquilibriumAnswer>(request);
-        if (this.begun !== wanted) return;
-        // Overtaken by what asked for running bearings elsewhere.
-        if (!answer) return this.compute(wanted, texts, point);
-        this.known.set(key, answer);
-      } else if (i > 0) {
-        // Drawn already, beside the first.
-        continue;
+    const began = performance.now();
+    const { speed, held, journal } = point;
+    for (const quick of [true, false]) {
+      if (!quick) await new Promise((resolve) => setTimeout(resolve, Math.max(0, began + settled - performance.now())));
+      const answers: (EquilibriumAnswer | Faults)[] = [];
+      for (const text of texts) {
+        const answer = await this.answer(quick ? this.quick : this.slow, { what: 'equilibrium', text, speeds: [speed], [held]: [journal], ...(quick ? { mesh: quickMesh } : {}) }, wanted);
+        if (!answer) return;
+        answers.push(answer);
+        // Drawn at once, and again beside the one before.
+        const [now, before] = answers;
+        if (now) this.draw(now, before && !isFaulty(before) ? before : undefined, point, quick);
       }
-      const [now, before] = keys.map((one) => this.known.get(one));
-      if (now) this.draw(now, before && !isFaulty(before) ? before : undefined, point);
+      this.count(quick ? 'quick' : 'answered');
+      if (quick) this.root.dataset['took'] = (performance.now() - began).toFixed(0);
     }
     this.root.setAttribute('aria-busy', 'false');
-    this.root.dataset['answered'] = String(Number(this.root.dataset['answered'] ?? 0) + 1);
+    await this.drawCurves(wanted, texts, point);
+    if (this.begun === wanted && this.designs) await this.spread.show(at(texts, 0), this.designs.now.answer, point, () => this.begun === wanted && isSeen(this.root));
   }
 
-  private draw(now: EquilibriumAnswer | Faults, before: EquilibriumAnswer | undefined, point: Point): void {
+  /** Of both designs on the coarse mesh, over speed and over load. */
+  private async drawCurves(wanted: string, texts: string[], point: Point): Promise<void> {
+    this.lines = linesAbout(point, this.settings);
+    this.curves.journal.root.hidden = this.lines.length < 2;
+    const verdicts: string[] = [];
+    for (const line of this.lines) {
+      const { over, points } = line;
+      const answers: (EquilibriumAnswer | Faults)[] = [];
+      for (const text of texts) {
+        const answer = await this.answer(this.slow, { what: 'equilibrium', text, ...points, mesh: quickMesh }, wanted);
+        if (!answer) return;
+        answers.push(answer);
+      }
+      const [now, before] = answers;
+      if (!now || isFaulty(now)) continue;
+      const index = over === 'speed' ? points.speeds.indexOf(point.speed) : (points[point.held] ?? []).findIndex((one) => isSame(one, point.journal));
+      const what = over === 'speed' ? 'speed' : point.held === 'loads' ? 'load' : 'position';
+      this.curves[over].show(`Over ${what}`, now, before && !isFaulty(before) ? before : undefined, Math.max(0, index));
+      const words = verdictOf(line, now);
+      verdicts.push(`over ${what} ${words.length > 0 ? words.join(', ') : 'all states are stable'}`);
+    }
+    this.verdict.textContent = verdicts.length > 0 ? `On the coarse mesh ${verdicts.join('; ')}.` : '';
+    this.count('curves');
+  }
+
+  /** Kept; nothing where something else is wanted by now. */
+  private async answer(solver: Solver, request: Request, wanted: string): Promise<EquilibriumAnswer | Faults | undefined> {
+    const key = JSON.stringify(request);
+    while (!this.known.has(key)) {
+      // What is no longer in sight begins anew when it is looked at again.
+      if (!isSeen(this.root)) this.begun = '';
+      if (this.begun !== wanted) return undefined;
+      // Without one it was overtaken by what asked for running bearings elsewhere.
+      const answer = await solver.ask<EquilibriumAnswer>(request);
+      if (answer) this.known.set(key, answer);
+    }
+    for (const old of [...this.known.keys()].slice(0, -mostKnown)) this.known.delete(old);
+    return this.begun === wanted ? this.known.get(key) : undefined;
+  }
+
+  private count(name: string): void {
+    this.root.dataset[name] = String(Number(this.root.dataset[name] ?? 0) + 1);
+  }
+
+  private draw(now: EquilibriumAnswer | Faults, before: EquilibriumAnswer | undefined, point: Point, quick: boolean): void {
     this.place.classList.toggle('stale', isFaulty(now));
     if (isFaulty(now)) {
       this.tell(`This bearing cannot run${this.views ? '; showing the last valid results' : ''}.`, now.faults.map(({ message }) => message));
       return;
     }
-    const { state, run } = now;
-    const [x, y, film] = ['x_m', 'y_m', 'h_min_m'].map((key) => formatQuantity(state[key] as number | null, 'm', 3));
-    const found = state['status'] === 'converged';
+    const state = stateOf(now);
+    const [x, y] = ['x_m', 'y_m'].map((key) => formatQuantity(state[key] as number | null, 'm', 3));
     this.tell(
-      `${textOf(point)}: ${found ? `the journal runs at x = ${x ?? ''}, y = ${y ?? ''}; minimum film thickness ${film ?? ''}.` : 'no state was found.'}`,
-      notesOf(run),
+      `${textOf(point)}: ${isFound(now) ? `the journal runs at x = ${x ?? ''}, y = ${y ?? ''}` : 'no state was found'}${quick ? ', on a coarse mesh; that of the case follows …' : ', on the mesh of the case.'}`,
+      notesOf(now.run),
     );
-    if (!this.views) {
+    this.tiles.replaceChildren(...tilesOf(state, before && stateOf(before)));
+    const { dimensions, variables } = now.run;
+    const layout = JSON.stringify([dimensions['pad'], Object.keys(variables), variables['film_thickness']?.dims]);
+    if (!this.views || layout !== this.layout) {
+      this.layout = layout;
       this.views = new StateViews(now, textOf(point));
-      this.place.replaceChildren(this.views.root);
+      this.place.replaceChildren(el('div', { class: 'multiples' }, this.views.film, this.curves.speed.root, this.curves.journal.root, this.spread.root, ...this.views.others), this.views.tables);
     }
     this.views.show(now, before, textOf(point));
   }
@@ -229,18 +304,24 @@ export class RunningView {
   /** Nothing where it is not given in numbers. */
   private get point(): Point | undefined {
     const speed = this.speed.value * rpm;
-    const journal = this.journal.map(({ value }) => value * this.held.size);
-    if (![speed, ...journal].every(Number.isFinite)) return undefined;
-    return { speed, [this.held.key]: journal };
+    const [x = NaN, y = NaN] = this.journal.map(({ value }) => value * this.held.size);
+    return [speed, x, y].every(Number.isFinite) ? { speed, held: this.held.key, journal: [x, y] } : undefined;
   }
 
-  private take(point: Point): void {
-    const { speed, load, position } = point;
-    const hold = at(holds, load ? 0 : 1);
+  /** To a point of a curve. */
+  private go(speed: number | undefined, journal?: [number, number]): void {
+    const { point } = this;
+    if (!point || (speed === undefined && !journal)) return;
+    this.take({ ...point, ...(speed === undefined ? {} : { speed }), ...(journal ? { journal } : {}) });
+    this.refresh();
+  }
+
+  private take({ speed, held, journal }: Point): void {
+    const hold = at(holds, holds.findIndex(({ key }) => key === held));
     this.holding.selectedIndex = holds.indexOf(hold);
     this.hold(hold);
     this.speed.value = speed / rpm;
-    this.journal.forEach((control, axis) => (control.value = at(load ?? position ?? [0, 0], axis) / hold.size));
+    this.journal.forEach((control, axis) => (control.value = at(journal, axis) / hold.size));
   }
 
   private hold(hold: Hold): void {

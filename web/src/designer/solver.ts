@@ -103,12 +103,15 @@ export function bytesIn(id: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(document.getElementById(id)?.textContent?.trim() ?? ''), (c) => c.charCodeAt(0));
 }
 
-/** Two solvers out of the page itself: one answers while the reader drags, the other takes what lasts longer. */
-export async function makeSolvers(): Promise<{ quick: Solver; slow: Solver }> {
+/** Solvers out of the page itself: one for loops, one for other quick answers while the reader drags, one for what lasts longer. */
+export async function makeSolvers(): Promise<{ loops: Solver; quick: Solver; slow: Solver }> {
   const script = new TextDecoder().decode(bytesIn('bumpfoil-solver-script'));
   const module = await WebAssembly.compile(bytesIn('bumpfoil-solver-module'));
-  return { quick: new Solver(script, module), slow: new Solver(script, module) };
+  return { loops: new Solver(script, module), quick: new Solver(script, module), slow: new Solver(script, module) };
 }
+
+/** Most columns per pitch and rows of the film for answers that come first. */
+export const quickMesh = [4, 5];
 
 export function isFaulty(answer: object): answer is Faults {
   return 'faults' in answer;

@@ -13,21 +13,24 @@ export function isSeen(element: HTMLElement): boolean {
   return element.isConnected && element.closest('[hidden]') === null;
 }
 
-/** The one last looked at, so that it stays when the views are made anew. */
+/** The one last chosen, so that it stays when the views are made anew. */
 let chosen = '';
 
-/** Views of which one is shown; arrows, Home and End go from tab to tab. */
+/** Views of which one is shown, the first unless one was chosen; arrows, Home and End go from tab to tab. */
 export function tabs(all: Tab[]): HTMLElement {
   const buttons = all.map(({ name, title }) => el('button', { type: 'button', role: 'tab', id: `tab-${name}`, 'aria-controls': `view-${name}` }, title));
   const bodies = all.map(({ name, body }) => el('section', { role: 'tabpanel', id: `view-${name}`, 'aria-labelledby': `tab-${name}` }, body));
-  const choose = (place: number): void => {
-    chosen = all[place]?.name ?? '';
+  const show = (place: number): void => {
     buttons.forEach((button, i) => {
       button.setAttribute('aria-selected', String(i === place));
       button.tabIndex = i === place ? 0 : -1;
     });
     bodies.forEach((body, i) => (body.hidden = i !== place));
     all[place]?.shown?.();
+  };
+  const choose = (place: number): void => {
+    chosen = all[place]?.name ?? '';
+    show(place);
   };
   buttons.forEach((button, i) => {
     button.addEventListener('click', () => choose(i));
@@ -39,6 +42,6 @@ export function tabs(all: Tab[]): HTMLElement {
       buttons[to]?.focus();
     });
   });
-  choose(Math.max(0, all.findIndex(({ name }) => name === chosen)));
-  return el('div', { class: 'tabs' }, el('div', { class: 'tab-list', role: 'tablist', 'aria-label': 'More on the design' }, ...buttons), ...bodies);
+  show(Math.max(0, all.findIndex(({ name }) => name === chosen)));
+  return el('div', { class: 'tabs' }, el('div', { class: 'tab-list', role: 'tablist', 'aria-label': 'Results' }, ...buttons), ...bodies);
 }

@@ -50,3 +50,15 @@ export function numberTiles(keys: number[], comparison: Comparison): HTMLElement
     tiles,
   );
 }
+
+/** A number in large letters, and what is said of it. */
+export function tile(key: string, what: string, value: string, ...more: string[]): HTMLElement {
+  const text = more.filter((one) => one !== '').join(', ');
+  return el('div', { class: 'tile', 'data-key': key }, el('span', { class: 'what' }, what), el('strong', {}, value), el('span', { class: 'change' }, text));
+}
+
+/** By how much a number differs from that of the design before; empty where one of both is not known. */
+export function compared(value: number, old: number): string {
+  const [, percent] = differences(Number.isFinite(value) ? value : null, Number.isFinite(old) ? old : null, { factor: 1, unit: '' });
+  return percent === '–' ? '' : percent === '0 %' ? 'unchanged' : `${percent} vs. baseline`;
+}

@@ -92,6 +92,10 @@ export function withValue(text: string, path: string, value: string): string {
     return `${text.slice(0, inline.start)}{ ${inner === '' ? '' : `${inner}, `}${line} }${text.slice(inline.end)}`;
   }
   const place = tables.get(table);
+  // A table within one of a list: its key is dotted, as a head would stand for that of the last one.
+  const entry = /^.*\[\d+\](?=\.)/.exec(table)?.[0];
+  const after = entry === undefined ? undefined : tables.get(entry);
+  if (place === undefined && entry !== undefined && after !== undefined) return `${text.slice(0, after)}\n${path.slice(entry.length + 1)} = ${value}${text.slice(after)}`;
   if (place === undefined) return `${text.replace(/\s*$/, '')}\n\n[${table}]\n${line}\n`;
   const before = text.slice(0, place);
   return `${before}${before === '' ? '' : '\n'}${line}${before === '' ? '\n' : ''}${text.slice(place)}`;

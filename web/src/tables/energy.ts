@@ -4,6 +4,7 @@ import { formatQuantity } from '../data/units';
 import { el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
+import { scroller } from '../ui/scroller';
 
 /** Terms of the balance by their keys in summary.json: what drives, what is taken, what is left. */
 const terms: [key: string, side: string, text: string][] = [
@@ -35,6 +36,6 @@ export function energyTable(run: TimeRun): HTMLElement {
       file: () => fileName('energy', run.label),
       csv: () => toCsv(['term', 'energy_J'], rows.map(({ key, value }) => [key.replace(/_J$/, ''), value])),
     },
-    el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of energies' }, table),
+    scroller('Table of energies', table),
   ).root;
 }

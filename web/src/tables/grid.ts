@@ -1,5 +1,5 @@
 import type { Quantity } from '../data/format';
-import { placesOf, type Coordinate, type Grid, type Place } from '../data/grid';
+import { columnNameOf, placesOf, type Coordinate, type Grid, type Place } from '../data/grid';
 import { largest } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { formatNumber, scaleFor } from '../data/units';
@@ -7,6 +7,7 @@ import { choice, el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { term } from './glossary';
+import { scroller } from '../ui/scroller';
 
 export interface GridColumn {
   /** Of files. */
@@ -64,7 +65,8 @@ export function gridTable({ title, label, coordinates, columns, main }: GridTabl
   const scales = new Map(columns.map((column) => [column, scaleFor(largest(places.map(column.value)), column.unit)]));
   const head = columns.filter(({ name }) => main.includes(name));
   let shown = head.length > 0 ? head : columns;
-  const scroller = el('div', { class: 'scroller points', tabindex: 0, role: 'group', 'aria-label': `Table: ${title}` });
+  const place = scroller(`Table: ${title}`);
+  place.classList.add('points');
   const search = el('input', { type: 'search', placeholder: 'Search rows', 'aria-label': `Search rows: ${title}` });
   const count = el('output', { class: 'count' });
   const textsOf = (place: Place): string[] => [
@@ -92,7 +94,7 @@ export function gridTable({ title, label, coordinates, columns, main }: GridTabl
     });
     const some = found.slice(0, mostRows).map(textsOf);
     count.textContent = `${some.length} of ${places.length} shown${some.length < found.length ? `, ${found.length} found` : ''}`;
-    scroller.replaceChildren(
+    place.replaceChildren(
       el(
         'table',
         { class: 'results' },
@@ -129,7 +131,7 @@ export function gridTable({ title, label, coordinates, columns, main }: GridTabl
       file: () => fileName(title.toLowerCase(), label),
       csv: () => csv(coordinates, columns, places),
     },
-    scroller,
+    place,
   );
   fill();
   return panel.root;
@@ -137,7 +139,7 @@ export function gridTable({ title, label, coordinates, columns, main }: GridTabl
 
 function csv(coordinates: Coordinate[], columns: GridColumn[], places: Place[]): string {
   return toCsv(
-    [...coordinates.map(({ name, numbers, unit }) => (numbers && unit !== '' ? `${name}_${unit}` : name)), ...columns.map(({ key }) => key)],
+    [...coordinates.map(columnNameOf), ...columns.map(({ key }) => key)],
     places.map((place): Cell[] => [
       ...coordinates.map(({ name, numbers, texts }) => (numbers ?? texts)[place[name] ?? 0]),
       ...columns.map(({ value, words }) => (words.length > 0 ? words[value(place)] : value(place))),

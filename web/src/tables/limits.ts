@@ -6,6 +6,7 @@ import { formatQuantity } from '../data/units';
 import { el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
+import { scroller } from '../ui/scroller';
 
 function isSpeed({ kind }: LimitData): boolean {
   return kind === 'lift_off_speed';
@@ -58,9 +59,8 @@ export function limitTable(states: States): HTMLElement[] {
           limits.map((limit) => [nameOf(limit), limit.speed_rad_per_s, limit.load_N, boundText(limit), unstableText(limit), limit.thick.h_min_m, limit.thin.h_min_m, limit.status]),
         ),
     },
-    el(
-      'div',
-      { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of limits' },
+    scroller(
+      'Table of limits',
       el(
         'table',
         { class: 'results' },

@@ -3,6 +3,7 @@ import { contactKinds, onsetText, type Whirls } from '../data/whirls';
 import { el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
+import { scroller } from '../ui/scroller';
 
 /** Where whirl begins and ends, in the words of the terminal. */
 export function onsetTable(whirls: Whirls): HTMLElement {
@@ -25,9 +26,8 @@ export function onsetTable(whirls: Whirls): HTMLElement {
           ),
         ),
     },
-    el(
-      'div',
-      { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of onsets' },
+    scroller(
+      'Table of onsets',
       el('table', {}, el('tbody', {}, ...rows.map(({ name, texts }) => el('tr', {}, el('th', { scope: 'row' }, name), el('td', {}, ...texts.map((text) => el('div', {}, text))))))),
     ),
   );

@@ -6,6 +6,7 @@ import { formatQuantity } from '../data/units';
 import { el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
+import { scroller } from '../ui/scroller';
 
 /** Speeds at which the largest orbit of all stations has a maximum. */
 export function peakTable(responses: Responses): HTMLElement {
@@ -25,6 +26,6 @@ export function peakTable(responses: Responses): HTMLElement {
       file: () => fileName('peaks', responses.label),
       csv: () => toCsv(['kind', 'station', 'speed_rad_per_s', 'semi_major_m'], peaks.map(({ kind, station, speed_rad_per_s: speed, semi_major_m: size }) => [kind, station, speed, size])),
     },
-    peaks.length > 0 ? el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of peaks' }, table) : el('p', {}, 'The orbits have no peak between these speeds.'),
+    peaks.length > 0 ? scroller('Table of peaks', table) : el('p', {}, 'The orbits have no peak between these speeds.'),
   ).root;
 }

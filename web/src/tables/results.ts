@@ -8,6 +8,7 @@ import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { isPrinting, onPrint } from '../ui/theme';
 import { term } from './glossary';
+import { scroller } from '../ui/scroller';
 
 type Value = CycleSummary[string] | undefined;
 
@@ -122,7 +123,7 @@ function table(columns: Column[], reference: Run | undefined, name: (key: number
 export function resultTable(comparison: Comparison, keys: number[]): HTMLElement {
   const { kind } = at(comparison.runs, 0);
   const { several, selection } = comparison;
-  const place = el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of results' });
+  const place = scroller('Table of results');
   let key = selection.cycle.key;
   // Paper has no room for more than can be told apart: of many runs, the reference and the one looked at.
   const runs = (): Run[] => (isPrinting() ? comparison.focus : comparison.shown);

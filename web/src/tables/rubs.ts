@@ -4,6 +4,7 @@ import { formatQuantity } from '../data/units';
 import { el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
+import { scroller } from '../ui/scroller';
 
 /** Rows that are shown; the file has more. */
 const mostRows = 200;
@@ -33,6 +34,6 @@ export function rubTable(run: TimeRun): HTMLElement {
       file: () => fileName('rubs', run.label),
       csv: () => toCsv(['bearing', 'begin_s', 'end_s', 'asperity_load_N'], rubs.map((rub) => [rub.bearing, rub.begin_s, rub.end_s, rub.asperity_load_N])),
     },
-    el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of rubs' }, table),
+    scroller('Table of rubs', table),
   ).root;
 }

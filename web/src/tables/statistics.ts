@@ -8,6 +8,7 @@ import type { EnsembleSelection } from '../ui/ensemble_selection';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { term } from './glossary';
+import { scroller } from '../ui/scroller';
 
 const columns = [
   { key: 'mean', text: 'mean' },
@@ -37,7 +38,7 @@ function row(ensemble: Ensemble, quantity: Quantity, direction: number): HTMLEle
 
 /** Mean, scatter and percentiles of every quantity in the direction, or state, that is looked at. */
 export function statisticsTable(ensemble: Ensemble, selection: EnsembleSelection): HTMLElement {
-  const place = el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of statistics' });
+  const place = scroller('Table of statistics');
   const direction = (): string => at(ensemble.directions, selection.direction);
   const panel = new Panel(
     {
@@ -66,6 +67,28 @@ export function statisticsTable(ensemble: Ensemble, selection: EnsembleSelection
   selection.onChange(fill);
   fill();
   return panel.root;
+}
+
+/** Mean of the main quantities in large letters, and between which values nine of ten bearings lie. */
+export function statisticTiles(ensemble: Ensemble, selection: EnsembleSelection, quantities: Quantity[]): HTMLElement {
+  const root = el('div', { class: 'tiles' });
+  const fill = (): void =>
+    root.replaceChildren(
+      ...quantities.map((quantity) => {
+        const [mean = NaN, low = NaN, high = NaN] = ['mean', 'p5', 'p95'].map((key) => numberOf(ensemble, quantity, selection.direction, key));
+        const { factor, unit } = scaleFor(Math.abs(mean), quantity.unit);
+        return el(
+          'div',
+          { class: 'tile', 'data-key': quantity.key, title: quantity.meaning },
+          el('span', { class: 'what' }, `${quantity.label}, mean`),
+          el('strong', {}, `${formatNumber(mean * factor)} ${unit}`.trimEnd()),
+          el('span', { class: 'change' }, `90 % from ${formatNumber(low * factor)} to ${formatNumber(high * factor)}`),
+        );
+      }),
+    );
+  selection.onChange(fill);
+  fill();
+  return root;
 }
 
 function csv(ensemble: Ensemble): string {
@@ -110,9 +133,8 @@ export function yieldTable(ensemble: Ensemble): HTMLElement[] {
       file: () => fileName('yield', ensemble.label),
       csv: () => toCsv(['limit', 'passed', 'samples', 'low', 'high'], rows.map(({ text, passed, samples, interval_95: [low, high] }) => [text, passed, samples, low, high])),
     },
-    el(
-      'div',
-      { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of yields' },
+    scroller(
+      'Table of yields',
       el(
         'table',
         { class: 'results' },

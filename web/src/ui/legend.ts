@@ -3,14 +3,16 @@ import type { Look } from './theme';
 
 /** What a colour, a dash or a marker means. */
 export interface LegendEntry {
-  /** In a box of this width and 12 px height. */
+  /** In a box of this width, and of 12 px height or more. */
   width: number;
+  height?: number;
   draw: (current: Look) => SVGElement[];
   text: string;
 }
 
 export function sampleOf(entry: LegendEntry, current: Look): SVGSVGElement {
-  return svg('svg', { width: entry.width, height: 12, viewBox: `0 0 ${entry.width} 12`, 'aria-hidden': 'true' }, ...entry.draw(current));
+  const { width, height = 12 } = entry;
+  return svg('svg', { width, height, viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' }, ...entry.draw(current));
 }
 
 /** Named samples; `look` is that of now, so they are to be made anew when it changes. */

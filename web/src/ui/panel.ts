@@ -2,7 +2,7 @@ import { el, type Child } from './dom';
 import { legend, type LegendEntry } from './legend';
 import { pictureOf } from './picture';
 import { roving } from './roving';
-import { saveCsv, savePng, saveSvg } from './save';
+import { saveCanvas, saveCsv, savePng, saveSvg } from './save';
 import { look, onLookChange } from './theme';
 
 export interface PanelContents {
@@ -17,6 +17,8 @@ export interface PanelContents {
   /** Name of saved files, without its end. */
   file: () => string;
   drawing?: () => SVGSVGElement | null;
+  /** In place of a drawing: what is painted. */
+  canvas?: () => HTMLCanvasElement;
   csv: () => string;
 }
 
@@ -31,13 +33,14 @@ export class Panel {
     private readonly contents: PanelContents,
     ...body: Child[]
   ) {
-    const { note, controls = [], drawing } = contents;
+    const { note, controls = [], drawing, canvas } = contents;
     const buttons = drawing
       ? [
           this.button('SVG', 'the drawing as SVG', () => this.save(saveSvg)),
           this.button('PNG', 'the drawing as PNG', () => this.save(savePng)),
         ]
       : [];
+    if (canvas) buttons.push(this.button('PNG', 'the drawing as PNG', () => saveCanvas(contents.file(), canvas())));
     buttons.push(this.button('CSV', 'the data as CSV', () => saveCsv(contents.file(), contents.csv())));
     this.root = el(
       'section',

@@ -31,9 +31,11 @@ function legendRows(entries: LegendEntry[], top: number, room: number, current: 
   const rows: SVGElement[] = [];
   let x = 0;
   let y = top;
+  let row = leading;
   for (const entry of entries) {
     const width = entry.width + 7 + widthOf(entry.text, 12);
-    if (x > 0 && x + width > room) [x, y] = [0, y + leading];
+    if (x > 0 && x + width > room) [x, y, row] = [0, y + row, leading];
+    row = Math.max(row, (entry.height ?? 12) + leading - 12);
     const sample = sampleOf(entry, current);
     sample.setAttribute('x', String(margin + x));
     sample.setAttribute('y', String(y));
@@ -41,7 +43,7 @@ function legendRows(entries: LegendEntry[], top: number, room: number, current: 
     rows.push(sample, svg('text', words, entry.text));
     x += width + 20;
   }
-  return { rows, bottom: entries.length > 0 ? y + leading : top };
+  return { rows, bottom: entries.length > 0 ? y + row : top };
 }
 
 export function pictureOf({ title, subject, drawing, legend }: PictureContents, current: Look): string {

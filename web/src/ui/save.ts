@@ -25,6 +25,10 @@ export async function savePng(name: string, markup: string): Promise<void> {
   canvas.width = 2 * image.width;
   canvas.height = 2 * image.height;
   canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
+  saveCanvas(name, canvas);
+}
+
+export function saveCanvas(name: string, canvas: HTMLCanvasElement): void {
   canvas.toBlob((blob) => {
     if (blob) download(`${name}.png`, blob);
   }, 'image/png');

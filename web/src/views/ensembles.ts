@@ -7,18 +7,24 @@ import { loadSpread } from '../charts/load_spread';
 import { LoopPanel } from '../charts/loops';
 import { axisText } from '../data/counted';
 import { Ensemble } from '../data/ensemble';
-import type { CaseKeys, EnsembleData, ResultData } from '../data/format';
+import type { CaseKeys, EnsembleData, Quantity, ResultData } from '../data/format';
+import { mainQuantities } from '../data/main_quantities';
 import { partialWarning } from '../data/outcome';
 import { allKeys } from '../data/run';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
-import { statisticsTable, yieldTable } from '../tables/statistics';
+import { statisticsTable, statisticTiles, yieldTable } from '../tables/statistics';
 import { Comparison } from '../ui/comparison';
 import { dropDown, el } from '../ui/dom';
 import { EnsembleSelection } from '../ui/ensemble_selection';
 import { Selection } from '../ui/selection';
 import { familyScale } from './chooser';
 import { part, type View } from './view';
+
+/** What is not asked for first, folded. */
+function more(text: string, panels: HTMLElement[]): HTMLElement[] {
+  return panels.length === 0 ? [] : [el('details', { class: 'more' }, el('summary', {}, text), el('div', { class: 'multiples' }, ...panels))];
+}
 
 /** Hidden where there is no choice. */
 function directionChooser(ensemble: Ensemble, selection: EnsembleSelection): HTMLElement[] {
@@ -82,10 +88,13 @@ function bearings(ensemble: Ensemble, looked: EnsembleSelection, id: string, tit
 function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
   const { label, runs, quantities } = ensemble;
   const looked = new EnsembleSelection(runs[0]);
-  const histograms = quantities.flatMap((quantity) => {
-    const distribution = ensemble.distribution(quantity.name);
-    return distribution && distribution.from !== null ? [new HistogramPanel(ensemble, quantity, distribution, looked).root] : [];
-  });
+  const histograms = (those: Quantity[]): HTMLElement[] =>
+    those.flatMap((quantity) => {
+      const distribution = ensemble.distribution(quantity.name);
+      return distribution && distribution.from !== null ? [new HistogramPanel(ensemble, quantity, distribution, looked).root] : [];
+    });
+  const main = mainQuantities(quantities, ensemble.limited);
+  const others = histograms(quantities.filter((quantity) => !main.includes(quantity)));
   const factors = [
     { name: 'Sensitivity to bump heights', along: axisText('bump', ensemble.hasPads), of: ensemble.heightFactors },
     { name: 'Sensitivity to what is common to a bearing', along: 'What scatters', of: ensemble.commonFactors(caseKeys) },
@@ -93,7 +102,7 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
   const compared = { several: false, focus: [ensemble], shown: [ensemble], names: label, onChange: () => undefined };
   const first = runs.length === 1 ? 'A bearing' : `The first ${runs.length} bearings`;
   return [
-    part(`${id}-distributions`, title('Ensemble'), ...directionChooser(ensemble, looked), ...yieldTable(ensemble), el('div', { class: 'multiples' }, ...histograms)),
+    part(`${id}-distributions`, title('Ensemble'), ...directionChooser(ensemble, looked), ...yieldTable(ensemble), statisticTiles(ensemble, looked, main), el('div', { class: 'multiples maps' }, ...histograms(main)), ...more(`${others.length} more distributions`, others)),
     ...bearings(ensemble, looked, `${id}-bearings`, title(first)),
     part(`${id}-factors`, title('Sensitivities'), el('div', { class: 'multiples' }, ...factors, ...(ensemble.hasLoads ? [loadSpread(ensemble, looked)] : []))),
     part(`${id}-statistics`, title('Statistics'), statisticsTable(ensemble, looked)),

@@ -1,4 +1,4 @@
-import { polarPlot, runningBearing } from '../bearing/running';
+import { bearingInSpace, polarPlot, runningBearing } from '../bearing/running';
 import { pressureMap, runningLoads, thicknessChart, thicknessMap } from '../charts/film';
 import { OverPanel, type Measure, type Part } from '../charts/over';
 import type { CaseKeys, GridData, ResultData } from '../data/format';
@@ -104,7 +104,8 @@ function sectionsOf(states: States, id: string, title: (text: string) => string,
       `${id}-film`,
       title('Running bearing'),
       gridControls(selection),
-      el('div', { class: 'multiples' }, ...film, ...loads, ...(film.length > 0 ? [polarPlot(states, selection)] : []), ...runningBearing(states, selection)),
+      ...(film.length > 0 ? [el('div', { class: 'halves' }, ...bearingInSpace(states, selection), el('div', {}, ...film.slice(0, 2)))] : []),
+      el('div', { class: 'multiples' }, ...film.slice(2), ...(film.length > 0 ? [polarPlot(states, selection)] : []), ...runningBearing(states, selection), ...loads),
     ),
     ...(curves.length > 0 ? [part(`${id}-curves`, title('Over speed and load'), el('div', { class: 'multiples' }, ...curves))] : []),
     ...frequencySections(states, { id, title, coordinates: states.coordinates, axes: [speed, journal], value: (name, place) => states.numberAt(name, place) }),

@@ -1,10 +1,12 @@
 import { FamilyPanel, type Loops } from '../charts/family';
 import { OverPanel, type Measure } from '../charts/over';
+import { Limit, mapPanel } from '../charts/map';
 import { sweptWaterfall } from '../charts/waterfall';
 import { isSpeed, valueText } from '../data/case_values';
 import type { CaseKeys, GridData, Quantity, ResultData } from '../data/format';
-import { Grid, numbersOf, vectorText, type Coordinate, type Place, type Variable } from '../data/grid';
+import { Grid, numbersOf, placesOf, vectorText, type Coordinate, type Place, type Variable } from '../data/grid';
 import { kinds } from '../data/kinds';
+import { mainQuantities } from '../data/main_quantities';
 import { gridWarnings } from '../data/outcome';
 import { at, capital } from '../data/run';
 import { formatQuantity, scaleFor } from '../data/units';
@@ -109,6 +111,18 @@ function measuresOf(quantities: SweptQuantity[]): Measure[] {
   }));
 }
 
+/** Over two keys of numbers: what the case is asked for, with the region that a limit leaves. */
+function mapsOf(grid: Grid, keys: Coordinate[], quantities: SweptQuantity[], measures: Measure[], selection: GridSelection): HTMLElement[] {
+  const axes = keys.filter(({ numbers = [] }) => new Set(numbers).size > 1);
+  const [across, up] = axes;
+  if (!across || !up || axes.length > 2 || measures.length === 0) return [];
+  const main = mainQuantities(quantities.filter(({ key }) => measures.some(({ parts }) => at(parts, 0).key === key)));
+  const limit = new Limit(measures);
+  limit.sizes = (measure) => placesOf([across, up]).map((place) => at(measure.parts, 0).value({ ...selection.place, ...place })).filter(Number.isFinite);
+  const panels = main.flatMap(({ key }) => measures.filter(({ parts }) => at(parts, 0).key === key)).map((measure) => mapPanel(measures, measure, [across, up], selection, limit, grid.label));
+  return [limit.root, el('div', { class: 'multiples maps' }, ...panels)];
+}
+
 function loopsOf(grid: Grid): Loops | undefined {
   const displacement = grid.variable('displacement');
   const force = grid.variable('force_direct');
@@ -141,7 +155,8 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const selection = new GridSelection(coordinates, axes);
   const quantities = quantitiesOf(grid);
   const loops = loopsOf(grid);
-  const over = new OverPanel('Result vs. parameter', measuresOf(quantities), selection, grid.label);
+  const measures = measuresOf(quantities);
+  const over = new OverPanel('Result vs. parameter', measures, selection, grid.label);
   const spectra = grid.variable('last_spectrum_speed')?.values.some(Number.isFinite) ? [sweptWaterfall(grid, selection)] : [];
   const charts = [over.root, ...(loops ? [new FamilyPanel(loops, selection, grid.label).root] : []), ...spectra];
   const compared = { several: false, focus: [grid], shown: [grid], names: grid.label, onChange: () => undefined };
@@ -151,7 +166,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const ofPoints = quantities.filter(({ variable }) => isOfRotors(grid) && !variable.has('speed'));
   const ofParts = quantities.filter((one) => !ofPoints.includes(one));
   return [
-    part(`${id}-charts`, title('Sweep'), gridControls(selection), el('div', { class: 'multiples' }, ...charts)),
+    part(`${id}-charts`, title('Sweep'), gridControls(selection), ...mapsOf(grid, keys, quantities, measures, selection), el('div', { class: 'multiples' }, ...charts)),
     ...frequencySections(grid, { id, title, coordinates, axes, value: (name, place) => grid.variable(name)?.at(place) ?? NaN }),
     part(
       `${id}-points`,
