@@ -117,6 +117,11 @@ void describe(CaseVisitor& keys, FitSettings& fit) {
   keys.value({"huber", optional, "Huber's constant",
               "residuals beyond so many standard deviations count linearly, not by their squares", "1.345"},
              &fit.huber);
+  keys.value(
+      {"profile", defaulted, "Profiles",
+       "true: also what the sum of squares rises by where a parameter is held near its best value and the others "
+       "are fitted again; takes minutes where a fit takes seconds"},
+      &fit.profile);
   list_of_tables(keys, {"data", required, "Measured loop", "one for each loop"}, fit.data,
                  [](CaseVisitor& inner, FitData& data) { describe(inner, data); });
   list_of_tables(keys, {"parameter", required, "Parameter", "one for each key that is fitted"}, fit.parameters,
