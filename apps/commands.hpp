@@ -28,6 +28,7 @@ void add_check_command(CLI::App& program, Session& session);
 void add_properties_command(CLI::App& program, Session& session);
 void add_montecarlo_command(CLI::App& program, Session& session);
 void add_schema_command(CLI::App& program, Session& session);
+void add_export_command(CLI::App& program, Session& session);
 void add_sweep_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -15,15 +16,20 @@ struct InitOptions {
 };
 
 void run_init(const InitOptions& options, const Session& session) {
-  const std::string text = options.keys ? case_reference() : case_template(options.preset);
-  write_text(options.path, text, options.force, session);
+  if (options.keys) return write_text(options.path, case_reference(), options.force, session);
+  write_text(options.path, case_template(options.preset), options.force, session);
+  // Editors read it beside the case; other cases there may use it already.
+  const std::filesystem::path schema = std::filesystem::path(options.path).replace_filename(case_schema_name);
+  if (options.path.empty() || (std::filesystem::exists(schema) && !options.force)) return;
+  write_text(schema, case_schema(), options.force, session);
 }
 
 }  // namespace
 
 void add_init_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<InitOptions>();
-  CLI::App* command = program.add_subcommand("init", "Write a commented case file to start from");
+  CLI::App* command =
+      program.add_subcommand("init", "Write a commented case file to start from, and its schema for editors");
   command->add_option("--preset", options->preset, "Bearing to start from")
       ->check(one_of(preset_names()))
       ->capture_default_str();

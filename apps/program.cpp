@@ -88,6 +88,7 @@ void describe_program(CLI::App& program, Session& session) {
   for (const ExperimentInfo& experiment : experiments()) add_experiment(program, session, experiment);
   add_montecarlo_command(program, session);
   add_sweep_command(program, session);
+  add_export_command(program, session);
   add_schema_command(program, session);
   add_reproduce_command(program, session);
   add_report_command(program, session);

@@ -170,6 +170,7 @@ MEANINGS = {
     "parameters[].unit": "its SI unit; 1 of a plain number",
     "parameters[].start": "given start",
     "parameters[].correlations": "with all parameters, in their order; null where it is not known",
+    "parameters[].profile": "best minima with the parameter held, on request",
     "loops": "one object per measured loop",
     "loops[].points": "parts of equal arc length in which it has readings",
     "minima": "minima that are nearly as deep as the best, which is the first",

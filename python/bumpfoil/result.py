@@ -190,6 +190,25 @@ class Result:
         """
         write_report({self.command: self}, path, force=force)
 
+    def to_vtk(self, folder: str | os.PathLike[str], *, force: bool = False) -> int:
+        """Writes files for ParaView, PyVista or meshio, as ``bumpfoil export --to vtk`` does: foils, journal, pressure, film
+        thickness and contact forces of every state of ``cycle``, ``path``, ``equilibrium`` or ``film``.
+
+        Parameters
+        ----------
+        folder : path
+            Created if it does not exist; has ``cylinder.pvd`` and ``unwrapped.pvd``, which list the files of the states.
+        force : bool
+            Whether to replace existing files; refused otherwise.
+
+        Returns
+        -------
+        int
+            Number of states.
+        """
+        with netcdf:
+            return _native.write_vtk(self._data_file, Path(folder), force)
+
     def plot_loops(self, *, ax: Axes | None = None) -> Axes:
         """Plots the direct force (N) against the displacement (µm), cycle by cycle.
 

@@ -25,6 +25,7 @@
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
 #include "bumpfoil/pages/report.hpp"
+#include "bumpfoil/readers/vtk_export.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/results/result_folder.hpp"
@@ -207,4 +208,7 @@ PYBIND11_MODULE(_native, m) {
   m.def("checksum", [](const py::bytes& bytes) { return xxh3_128(std::string_view(bytes)); });
   m.def("is_sealed", [](const py::bytes& text, const std::string& checksum) { return is_sealed(text, checksum); });
   m.def("write_report", write_report);
+  m.def("write_vtk", [](const py::bytes& contents, const std::filesystem::path& folder, bool force) {
+    return write_vtk(std::string(contents), "result.nc", folder, force ? Existing::replace : Existing::refuse);
+  });
 }

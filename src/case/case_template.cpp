@@ -46,18 +46,19 @@ std::string commented(std::string_view prefix, const std::string& code, std::str
 constexpr std::string_view template_head =
     R"(# Case file of Bumpfoil. Quantities are strings with a unit ("31.8 um", "214 GPa", "150 MN/m", "30 deg") or plain
 # numbers in SI (m, Pa, N/m, rad). Lines that start with # are comments; keys that are commented out show their default
-# or an example.
+# or an example. `bumpfoil init -o` and `bumpfoil schema -o` write the schema that the first line names: with it, editors
+# complete and check keys.
 
 )";
 
-/// Value of a key that the case file does not give.
-std::string default_of(const ListedKey& reference, const ListedKey& unset) {
+/// What a key has that the case file does not give.
+std::string fallback_of(const ListedKey& reference, const ListedKey& unset) {
   const Key& key = reference.key;
   if (reference.instead) return "–";
   if (!key.otherwise.empty()) return fmt::format("that of `{}`", key.otherwise);
   if (key.presence == Presence::required) return "required";
   if (key.presence == Presence::optional) return "none";
-  return fmt::format("`{}`", reference.value == unset.value ? example_of(reference) : toml_of(unset.value));
+  return fmt::format("`{}`", default_of(reference, unset));
 }
 
 constexpr std::string_view reference_head =
@@ -100,7 +101,7 @@ std::string case_template(std::string_view name) {
     throw Error(ErrorKind::input, {{"", 0, "preset", std::string(name), "unknown preset",
                                     fmt::format("use one of {}", fmt::join(preset_names(), ", "))}});
   }
-  std::string out = std::string(preset->head) + std::string(template_head);
+  std::string out = fmt::format("#:schema ./{}\n{}{}", case_schema_name, preset->head, template_head);
   bool live_table = true;
   for (const ListedKey& listed : list_keys(preset->input)) {
     if (listed.is_table()) {
@@ -125,7 +126,7 @@ std::string case_reference() {
   std::size_t i = 0;
   for (const ListedKey& listed : list_keys(reference_case())) {
     const Key& key = listed.key;
-    const std::string fallback = default_of(listed, unset[i++]);
+    const std::string fallback = fallback_of(listed, unset[i++]);
     if (listed.is_table()) {
       out += fmt::format("\n## `{}`\n\n{}{}{}.{}\n{}", table_header(listed.path), key.title,
                          key.text.empty() ? "" : ": ", key.text, key.presence == Presence::required ? " Required." : "",

@@ -271,6 +271,10 @@ std::string example_of(const ListedKey& listed) {
   return listed.key.dimension && !example.starts_with('[') ? fmt::format("\"{}\"", example) : std::string(example);
 }
 
+std::string default_of(const ListedKey& reference, const ListedKey& unset) {
+  return reference.value == unset.value ? example_of(reference) : toml_of(unset.value);
+}
+
 std::string authored_value(const ListedKey& listed) {
   const std::string_view example = listed.key.example;
   if (!listed.key.dimension || example.empty()) return toml_of(listed.value);

@@ -52,6 +52,10 @@ std::string toml_of(const nlohmann::ordered_json& value);
 /// A value that the key might have, as an author would write it in a case file.
 std::string example_of(const ListedKey& listed);
 
+/// The value of a key with a default that a case does not give. @param reference, unset  the key in the reference case,
+/// and in a case that gives none
+std::string default_of(const ListedKey& reference, const ListedKey& unset);
+
 /// The value that it has, as an author would write it: in the unit of the example.
 std::string authored_value(const ListedKey& listed);
 

@@ -11,9 +11,11 @@ namespace {
 
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
+}  // namespace
+
 /// Written in place: pages contain megabytes of it, and appending character by character took as long as solving four
 /// cycles.
-std::string encode(const std::vector<std::uint8_t>& bytes) {
+std::string base64_of(const std::vector<std::uint8_t>& bytes) {
   std::string out((bytes.size() + 2) / 3 * 4, '=');
   auto letter = out.begin();
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -28,8 +30,6 @@ std::string encode(const std::vector<std::uint8_t>& bytes) {
   return out;
 }
 
-}  // namespace
-
 std::string base64_of(const std::vector<double>& numbers) {
   std::vector<std::uint8_t> bytes(4 * numbers.size());
   auto byte = bytes.begin();
@@ -40,11 +40,11 @@ std::string base64_of(const std::vector<double>& numbers) {
     std::memcpy(&bits, &single, sizeof bits);  // std::bit_cast is younger than the library of Emscripten
     for (const unsigned shift : {0U, 8U, 16U, 24U}) *byte++ = static_cast<std::uint8_t>(bits >> shift);
   }
-  return encode(bytes);
+  return base64_of(bytes);
 }
 
 std::string base64_of(const std::vector<signed char>& flags) {
-  return encode({flags.begin(), flags.end()});
+  return base64_of(std::vector<std::uint8_t>(flags.begin(), flags.end()));
 }
 
 }  // namespace bumpfoil

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,8 @@ namespace bumpfoil {
 
 /// Base64 of numbers rounded to binary32, little-endian; of a NaN for those that are not finite.
 std::string base64_of(const std::vector<double>& numbers);
+
+std::string base64_of(const std::vector<std::uint8_t>& bytes);
 
 /// Base64 of signed bytes.
 std::string base64_of(const std::vector<signed char>& flags);

@@ -46,9 +46,21 @@ inline std::string quantity(double value, std::string_view unit) {
   return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
 
+/// What a key is compared with.
+struct CheckedKey {
+  std::string key;
+  Range range;
+};
+
+/// The ranges of all numbers that a case holds, of those that have one of their own.
+std::vector<CheckedKey> checked_keys(const Case& input);
+
 /// Collects the errors of a case.
 class Judge {
  public:
+  /// @param checked  where the ranges go that keys are compared with, for those who list them
+  explicit Judge(std::vector<CheckedKey>* checked = nullptr) : checked_(checked) {}
+
   /// Keeps the error if `right` is false; returns `right`.
   bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
     return require_for("", right, std::move(key), std::move(value), std::move(what), std::move(advice));
@@ -69,6 +81,7 @@ class Judge {
   }
 
   bool within(const std::string& key, double value, const Range& range) {
+    note(key, range);
     if (value >= std::max(range.least, 0.0) && value <= range.most) return true;
     if (!finite(key, value, range.unit)) return false;
     const std::string shown = quantity(value, range.unit);
@@ -84,6 +97,7 @@ class Judge {
   }
 
   bool angle(const std::string& key, double value) {
+    note(key, {-turn, turn, "rad"});
     if (std::abs(value) <= turn * (1.0 + round_off)) return true;
     return finite(key, value, "rad") && require(false, key, quantity(value, "rad"), "is more than a full turn",
                                                 "give at most 360 degrees either way");
@@ -91,6 +105,7 @@ class Judge {
 
   /// A number of something that is counted: "increments".
   bool count(const std::string& key, int value, std::string_view what, std::pair<int, int> ends = {1, most_steps}) {
+    note(key, {static_cast<double>(ends.first), static_cast<double>(ends.second), ""});
     if (value >= ends.first && value <= ends.second) return true;
     return require(false, key, std::to_string(value), fmt::format("is not a valid number of {}", what),
                    fmt::format("give a whole number from {} to {}", ends.first, ends.second));
@@ -106,7 +121,12 @@ class Judge {
   std::vector<JudgedFault> take() { return std::move(faults_); }
 
  private:
+  void note(const std::string& key, const Range& range) {
+    if (checked_ != nullptr) checked_->push_back({key, range});
+  }
+
   std::vector<JudgedFault> faults_;
+  std::vector<CheckedKey>* checked_;
 };
 
 /// Whether a run of so many increments and bumps can be kept in memory.

@@ -193,8 +193,8 @@ std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<Ju
 }
 
 /// Those of the bearing of the case, and of what is to be run.
-std::vector<JudgedFault> judge_bearing_and_runs(const Case& input) {
-  Judge judge;
+std::vector<JudgedFault> judge_bearing_and_runs(const Case& input, std::vector<CheckedKey>* checked = nullptr) {
+  Judge judge(checked);
   const BumpFoil& foil = input.bump_foil;
   const bool strip = std::any_of(case_tables().begin(), case_tables().end(),
                                  [&](const CaseTable& table) { return table.flat && table.given(input); });
@@ -262,6 +262,12 @@ std::vector<JudgedFault> judge_case(const Case& input) {
   const std::vector<JudgedFault> more = find_rotor_bearing_faults(input, faults);
   faults.insert(faults.end(), more.begin(), more.end());
   return faults;
+}
+
+std::vector<CheckedKey> checked_keys(const Case& input) {
+  std::vector<CheckedKey> checked;
+  static_cast<void>(judge_bearing_and_runs(input, &checked));
+  return checked;
 }
 
 std::vector<Fault> find_faults(const Case& input, const std::vector<std::string>& commands) {

@@ -146,7 +146,7 @@ Json deviations_json(const Json& result) {
 
 /// What of a summary a report shows.
 Json summary_shown(const Json& summary, const std::string& kind) {
-  if (has_cycles(kind)) return summary;
+  if (has_cycles(kind) || has_parameters(kind)) return summary;
   Json shown = Json::object();
   for (const char* key : shown_of_summary) shown[key] = summary[key];
   if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];
@@ -171,7 +171,7 @@ Json summary_shown(const Json& summary, const std::string& kind) {
 /// The file of numbers in a folder: each command has one.
 const char* result_name_in(const fs::path& folder) {
   std::error_code code;
-  for (const char* name : {"ensemble.nc", "sweep.nc"}) {
+  for (const char* name : {"ensemble.nc", "sweep.nc", "fit.nc"}) {
     if (fs::exists(published_file(folder, name), code)) return name;
   }
   return "result.nc";

@@ -4,7 +4,7 @@ namespace bumpfoil {
 
 bool is_shown(std::string_view kind) {
   return has_cycles(kind) || has_distributions(kind) || has_states(kind) || has_onsets(kind) || has_peaks(kind) ||
-         has_revolutions(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
+         has_revolutions(kind) || has_parameters(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
 }
 
 bool has_cycles(std::string_view kind) {
@@ -25,6 +25,10 @@ bool has_onsets(std::string_view kind) {
 
 bool has_peaks(std::string_view kind) {
   return kind == "unbalance";
+}
+
+bool has_parameters(std::string_view kind) {
+  return kind == "fit";
 }
 
 bool has_revolutions(std::string_view kind) {

@@ -23,6 +23,9 @@ bool has_onsets(std::string_view command);
 /// Whether these are revolutions of a rotor in time, with its rubs and the balance of its energy in the summary.
 bool has_revolutions(std::string_view command);
 
+/// Whether these are parameters of a case with what they were found from, in the summary as well.
+bool has_parameters(std::string_view command);
+
 /// Whether these are responses of a rotor to unbalance over speed, with their peaks in the summary.
 bool has_peaks(std::string_view command);
 

@@ -160,6 +160,28 @@ class SummaryChecker {
     }
   }
 
+  /// Best values of parameters; what is not known of them is null.
+  void check_parameters(const Json& summary) const {
+    for (const char* key : {"reduced_chi_square", "degrees_of_freedom", "collinearity"}) {
+      check_value(key, at(summary, key), {});
+    }
+    if (!at(summary, "parameters").is_array()) refuse("parameters", "is not a list");
+    for (const Json& parameter : summary["parameters"]) {
+      for (const char* key : {"key", "unit"}) static_cast<void>(text(parameter, key));
+      if (!at(parameter, "at_bound").is_boolean()) refuse("at_bound", "is neither true nor false");
+      for (const char* key : {"start", "fitted_value", "standard_error", "lower_95", "upper_95"}) {
+        check_value(key, at(parameter, key), {});
+      }
+      if (!at(parameter, "correlations").is_array()) refuse("correlations", "is not a list");
+      for (const Json& one : parameter["correlations"]) check_value("correlations", one, {});
+      if (!parameter.contains("profile")) continue;
+      if (!parameter["profile"].is_array()) refuse("profile", "is not a list");
+      for (const Json& point : parameter["profile"]) {
+        for (const char* key : {"profile_value", "profile_cost"}) check_value(key, at(point, key), {});
+      }
+    }
+  }
+
   /// The balance of energy of a run in time, and where its journals rub.
   void check_revolutions(const Json& summary) const {
     if (!at(summary, "revolutions").is_number_unsigned()) refuse("revolutions", "is not an integer");
@@ -239,6 +261,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   if (has_peaks(command) || has_revolutions(command)) checker.check_stations(json);
   if (has_peaks(command)) checker.check_peaks(json);
   if (has_revolutions(command)) checker.check_revolutions(json);
+  if (has_parameters(command)) checker.check_parameters(json);
   summary.xxh3_128 = checker.text(json, "xxh3_128");
   summary.run_id = checker.text(json, "run_id");
   if (summary.run_id.empty()) checker.refuse("run_id", "is empty");

@@ -1,10 +1,10 @@
-// Measured loops beside computed ones: drawn together, and their differences listed.
+// Measured loops beside computed ones: drawn together, and their differences listed. Fits of cases to such loops.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { before, test } from 'node:test';
-import { cycle, folder, near, quantity, rowsOf, run, saved, state, summaryOf, withReport } from './support.mjs';
+import { assertPanelsFitPaper, axeFindings, caseFile, cycle, folder, near, plotsIn, quantity, report, rowsOf, run, saved, state, summaryOf, withReport } from './support.mjs';
 
 /** All forces of the rig are this much of the computed ones, so that the differences are known. */
 const softer = 0.8;
@@ -18,6 +18,10 @@ before(() => {
   writeFileSync(join(folder, 'twice.csv'), ['Weg [µm];Kraft [N]', ...points, ...points.slice(1), ''].join('\n'));
   run(['report', join(folder, 'truss'), '--measured', join(folder, 'twice.csv:+X'), '-o', join(folder, 'twice.html')]);
   run(['report', join(folder, 'truss'), '--measured', join(folder, 'rig.csv'), '-o', join(folder, 'measured.html')]);
+  const parameters = '{key="friction.coefficient", start=0.1, lower=0.0, upper=0.5}, {key="bearing.radial_clearance", start="30 um", lower="20 um", upper="40 um"}';
+  const settings = ['fit.starts=1', 'fit.profile=true', `fit.parameter=[${parameters}]`, 'fit.data[1].points=20'];
+  run(['fit', join(dirname(caseFile), 'fit.toml'), '-o', join(folder, 'fit'), ...settings.flatMap((pair) => ['--set', pair])]);
+  report('fit.html', 'fit');
 });
 
 test('the loops are in one chart, by their names', () =>
@@ -74,4 +78,42 @@ test('of foils, loads and cases nothing is claimed that was not computed', () =>
     await page.getByRole('checkbox', { name: /rig/ }).click();
     assert.deepEqual(await state(page), before);
     assert.match(await page.locator('.results thead').textContent(), /truss \(reference\)/);
+  }));
+
+test('a fit is shown with its values, correlations, loops, residuals and profiles', () =>
+  withReport('fit.html', async (page) => {
+    const { parameters, reduced_chi_square: chi } = summaryOf('fit');
+    const [friction, clearance] = parameters;
+    const table = (name) => page.getByRole('group', { name, exact: true }).locator('tbody tr').evaluateAll((lines) => lines.map((line) => [...line.children].map((cell) => cell.textContent)));
+    const [first, second] = await table('Table of fitted values');
+    assert.equal(first[0], 'friction.coefficient');
+    near(Number(first[1]), friction.fitted_value, 1e-4, 'friction');
+    assert.deepEqual(first[3].split(' to ').map(Number), [friction.lower_95, friction.upper_95].map((one) => Number(one.toPrecision(5))));
+    assert.equal(second[6], 'µm');
+    near(quantity(`${second[1]} µm`, 'm'), clearance.fitted_value, 1e-4, 'clearance');
+    near(quantity(`${second[2]} µm`, 'm'), clearance.standard_error, 1e-2, 'its error');
+    near(quantity(`${second[4].split(' to ')[1]} µm`, 'm'), clearance.profile_upper_95, 1e-4, 'by its profile');
+    const values = page.getByRole('region', { name: 'Fitted values', exact: true });
+    near(Number(/per degree of freedom (\S+),/.exec(await values.locator('.subject').textContent())[1]), chi, 1e-2, 'chi-square');
+    near(Number((await table('Table of correlations'))[0][2].replace('−', '-')), friction.correlations[1], 1e-2, 'correlation');
+    const points = rowsOf(readFileSync(join(folder, 'fit', 'fit.csv'), 'utf8'));
+    const drawn = rowsOf((await saved(page, 'Measured and fitted loop', 'CSV')).bytes.toString());
+    const left = rowsOf((await saved(page, 'Residuals of the loop', 'CSV')).bytes.toString());
+    assert.equal(drawn.length, points.length);
+    points.forEach((point, i) => {
+      assert.equal(drawn[i].branch, point.fit_branch);
+      for (const key of ['measured_force_N', 'fitted_force_N']) near(Number(drawn[i][key]), Number(point[key]), 1e-6, key);
+      near(Number(left[i].force_residual_N), Number(point.force_residual_N), 1e-6, 'residual');
+    });
+    const marks = await (await plotsIn(page.getByRole('region', { name: 'Residuals of the loop', exact: true }))).locator('text').allTextContents();
+    assert.ok(marks.includes('Residual (standard deviations)') && marks.includes('Displacement (µm)'), marks.join());
+    const profile = rowsOf((await saved(page, 'Profile of bearing.radial_clearance', 'CSV')).bytes.toString());
+    assert.equal(profile.length, 13);
+    profile.forEach(({ value, cost_increase: cost }, i) => {
+      near(Number(value), clearance.profile[i].profile_value, 1e-6, 'value');
+      near(Number(cost), clearance.profile[i].profile_cost, 1e-6, 'cost');
+    });
+    assert.match(await page.locator('.warnings').textContent(), /does not explain the data/);
+    assert.deepEqual(await axeFindings(page), []);
+    await assertPanelsFitPaper(page);
   }));

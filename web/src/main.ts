@@ -6,6 +6,7 @@ import { roving } from './ui/roving';
 import { isDark, isPrinting, onLookChange, onPrint, startTheme, toggleTheme } from './ui/theme';
 import { ensembleView } from './views/ensembles';
 import { equilibriumView } from './views/equilibria';
+import { fitView } from './views/fits';
 import { loopView } from './views/loops';
 import { pathView } from './views/paths';
 import { stabilityView } from './views/stability';
@@ -28,6 +29,7 @@ const views: Record<string, MakeView> = {
   strip: loopView,
   equilibrium: equilibriumView,
   film: equilibriumView,
+  fit: fitView,
   montecarlo: ensembleView,
   path: pathView,
   stability: stabilityView,

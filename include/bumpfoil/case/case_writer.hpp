@@ -26,6 +26,13 @@ std::string case_template(std::string_view name);
 /// All keys of the case file with type, meaning and default, in Markdown: docs/case_file.md.
 std::string case_reference();
 
+/// All keys as a JSON Schema (draft 7, which editors read): titles, meanings, units as patterns, words, and the ranges
+/// of single numbers. It accepts every case that parse_case() accepts, except names of units in capitals.
+std::string case_schema();
+
+/// File of the schema, beside the case, as the first line of case_template() has it.
+inline constexpr std::string_view case_schema_name = "case.schema.json";
+
 /// The same by their names alone, as --set takes them: "bump_foil.height". Keys of lists of tables, which go by the
 /// number of the table, are left out.
 std::vector<std::string> case_key_names();

@@ -58,8 +58,9 @@ struct ReadingOptions {
 /// `series` has the largest at every increment. Measured loops have `measured`: true, series of displacement, force and
 /// work, and no fields.
 ///
-/// Grids (`equilibrium`, `film`, `path`, `stability`, `sweep`, `transient`, `unbalance`, `vibration`): `summary` is
-/// what summary.json begins with, up to the status, and its `limits`, `onsets`, or `stations` and `peaks`; `dimensions`
+/// Grids (`equilibrium`, `film`, `fit`, `path`, `stability`, `sweep`, `transient`, `unbalance`, `vibration`): `summary` is
+/// what summary.json begins with, up to the status, and its `limits`, `onsets`, or `stations` and `peaks`, or of `fit`
+/// summary.json as it is; `dimensions`
 /// (sizes by name), `variables` (by name: `key` in tables, `dims`, the last running fastest, `unit`, `text`, `words` of
 /// flags, `values`, all binary32) and `left_out` (names of those that were too large).
 ///

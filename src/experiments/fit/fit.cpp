@@ -28,6 +28,10 @@ constexpr double apart = 0.02;
 /// A minimum whose chi-square is no more above the best (of chi-square per degree of freedom) is nearly as deep.
 constexpr double nearly_as_deep = 9.0;
 
+/// How far profiles go, in standard errors, and by how many steps to each side.
+constexpr double profile_reach = 3.0;
+constexpr int profile_steps = 6;
+
 /// Point k of a sequence that fills a box evenly: additive recurrence with the powers of the root of x^(n+1) = x + 1.
 Eigen::VectorXd even_point(std::size_t k, Eigen::Index parameters) {
   double root = 1.5;
@@ -71,13 +75,15 @@ class Fit {
       // Deviations follow the slope of the loop: with those of the solution, once more from there.
       if (auto again = minimise(problem_, minima.front().x, [] { return true; })) minima.front() = std::move(*again);
     }
-    result.runs = runs_;
     if (minima.empty()) {
+      result.runs = runs_;
       result.status = stopped_ ? Status::interrupted : Status::not_converged;
       return result;
     }
     describe_minimum(minima.front(), result);
     keep_minima(minima, result);
+    if (settings_.profile) add_profiles(minima.front(), result);
+    result.runs = runs_;
     result.status = stopped_                   ? Status::interrupted
                     : minima.front().converged ? Status::converged
                                                : Status::iterations_spent;
@@ -169,6 +175,15 @@ class Fit {
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(all.data(), std::ssize(all)));
   }
 
+  /// Tells how far the fit is, in one of its minimisations or profiles. Of the steps of each nobody knows how many
+  /// there will be.
+  bool goes_on(std::size_t part, int step) {
+    const auto parts = static_cast<double>(settings_.starts + (settings_.profile ? count() : 0));
+    const double share = 1.0 - 1.0 / (1.0 + 0.1 * step);
+    stopped_ = progress_ && !progress_((static_cast<double>(part) + share) / parts);
+    return !stopped_;
+  }
+
   /// Minima from the given start and from the best of other places, the best first.
   std::vector<LeastSquaresMinimum> minimise_from_all(const Eigen::VectorXd& given) {
     std::vector<Eigen::VectorXd> starts{given};
@@ -189,12 +204,7 @@ class Fit {
     std::vector<LeastSquaresMinimum> minima;
     for (std::size_t k = 0; k < starts.size() && !stopped_; ++k) {
       int steps = 0;
-      // Of the steps of a minimisation nobody knows how many there will be.
-      const auto go_on = [&] {
-        const double part = 1.0 - 1.0 / (1.0 + 0.1 * steps++);
-        stopped_ = progress_ && !progress_((static_cast<double>(k) + part) / static_cast<double>(starts.size()));
-        return !stopped_;
-      };
+      const auto go_on = [&] { return goes_on(k, steps++); };
       if (auto minimum = minimise(problem_, starts[k], go_on)) minima.push_back(std::move(*minimum));
     }
     std::stable_sort(minima.begin(), minima.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
@@ -245,13 +255,21 @@ class Fit {
     result.degrees_of_freedom = std::max(1, static_cast<int>(minimum.residuals.size()) - open);
     const double excess = std::max(1.0, result.reduced_chi_square());
     const Eigen::MatrixXd covariance = excess * covariance_of(estimate);
+    // What is minimised counts all points alike, standard errors allow for the readings of each.
+    FitEstimate counted = estimate;
+    counted.variances.setOnes();
+    const Eigen::MatrixXd as_counted = covariance_of(counted);
     const double factor = student_975(result.degrees_of_freedom);
     for (Eigen::Index i = 0; i < count(); ++i) {
       FittedValue& found = result.parameters.emplace_back();
       found.value = values[static_cast<std::size_t>(i)];
       found.at_bound = estimate.held[static_cast<std::size_t>(i)];
       const double std = std::sqrt(covariance(i, i));
-      if (!std::isfinite(std)) continue;
+      if (!std::isfinite(std)) {
+        profile_scales_.push_back(1.0 / excess);
+        continue;
+      }
+      profile_scales_.push_back(as_counted(i, i) / (std * std));
       found.standard_error = std;
       found.lower_95 = found.value - factor * std;
       found.upper_95 = found.value + factor * std;
@@ -261,6 +279,70 @@ class Fit {
     result.directions =
         hardly_told(estimate.sensitivities.topRows(rows_), settings_.parameters, result.units, result.collinearity);
     result.fitted = model_.case_with(values);
+  }
+
+  /// The minimum with one parameter held; `x` is the start. @return its cost, absent where there is none
+  std::optional<double> minimise_others(Eigen::Index held, Eigen::VectorXd& x, const std::function<bool()>& go_on) {
+    const auto whole = [&](const Eigen::VectorXd& others) {
+      Eigen::VectorXd all(count());
+      all << others.head(held), x[held], others.tail(count() - 1 - held);
+      return all;
+    };
+    if (count() == 1) {
+      const auto there = residuals(x);
+      return there ? std::optional(cost_of(problem_, *there)) : std::nullopt;
+    }
+    LeastSquares problem = problem_;
+    problem.residuals = [&](const Eigen::VectorXd& others) { return residuals(whole(others)); };
+    Eigen::VectorXd start(count() - 1);
+    start << x.head(held), x.tail(count() - 1 - held);
+    const auto minimum = minimise(problem, start, go_on);
+    if (!minimum) return std::nullopt;
+    x = whole(minimum->x);
+    return minimum->cost;
+  }
+
+  /// One side of a profile, away from the best value. @return where it rises beyond `threshold`
+  std::optional<double> follow_profile(Eigen::Index held, const LeastSquaresMinimum& best, double end, double threshold,
+                                       const std::function<bool()>& go_on, std::vector<FitProfilePoint>& profile) {
+    std::optional<double> crossing;
+    const double scale = profile_scales_[static_cast<std::size_t>(held)];
+    Eigen::VectorXd x = best.x;
+    FitProfilePoint last = profile.front();
+    for (int k = 1; k <= profile_steps && end != best.x[held]; ++k) {
+      x[held] = best.x[held] + (end - best.x[held]) * k / profile_steps;
+      const std::optional<double> cost = minimise_others(held, x, go_on);
+      if (!cost || stopped_) break;
+      const FitProfilePoint next{values_at(x)[static_cast<std::size_t>(held)], scale * (*cost - best.cost)};
+      if (!crossing && next.cost > threshold) {
+        // Roots of the cost are nearly linear.
+        const double from = std::sqrt(std::max(0.0, last.cost));
+        const double part = (std::sqrt(threshold) - from) / (std::sqrt(next.cost) - from);
+        crossing = last.value + part * (next.value - last.value);
+      }
+      profile.push_back(next);
+      last = next;
+    }
+    return crossing;
+  }
+
+  void add_profiles(const LeastSquaresMinimum& best, FitResult& result) {
+    const double threshold = std::pow(student_975(result.degrees_of_freedom), 2);
+    for (Eigen::Index i = 0; i < count() && !stopped_; ++i) {
+      const FitParameter& one = settings_.parameters[static_cast<std::size_t>(i)];
+      FittedValue& found = result.parameters[static_cast<std::size_t>(i)];
+      int steps = 0;
+      const auto go_on = [&] { return goes_on(static_cast<std::size_t>(settings_.starts + i), steps++); };
+      const double reach = found.standard_error ? profile_reach * *found.standard_error / (one.upper - one.lower) : 1.0;
+      found.profile.push_back({found.value, 0.0});
+      const auto follow = [&](double end) {
+        return follow_profile(i, best, std::clamp(end, 0.0, 1.0), threshold, go_on, found.profile);
+      };
+      found.profile_upper_95 = follow(best.x[i] + reach);
+      found.profile_lower_95 = follow(best.x[i] - reach);
+      std::sort(found.profile.begin(), found.profile.end(),
+                [](const FitProfilePoint& a, const FitProfilePoint& b) { return a.value < b.value; });
+    }
   }
 
   /// Those that differ, where they are nearly as deep.
@@ -284,6 +366,7 @@ class Fit {
   std::vector<double> noise_;                    ///< of each loop, one reading, N
   std::vector<std::vector<double>> deviations_;  ///< that residuals are weighed by, N
   Eigen::Index rows_{};                          ///< of the data
+  std::vector<double> profile_scales_;           ///< of each parameter, see FitProfilePoint
   LeastSquares problem_;
   std::atomic<std::size_t> runs_{};
   std::atomic<bool> stopped_{};

@@ -59,7 +59,21 @@ constexpr std::array parameter_quantities{
                              [](const FittedValue& one) { return cell(one.upper_95); }},
     FitQuantity<FittedValue>{"at_bound", "1", "whether the best value lies at a bound",
                              [](const FittedValue& one) { return one.at_bound ? 1.0 : 0.0; }, tag::none, "",
-                             shown::in_files, yes_or_no}};
+                             shown::in_files, yes_or_no},
+    FitQuantity<FittedValue>{"profile_lower_95", "1",
+                             "lower end of the 95 % interval by the profile, in the SI unit of the parameter",
+                             [](const FittedValue& one) { return cell(one.profile_lower_95); }},
+    FitQuantity<FittedValue>{"profile_upper_95", "1",
+                             "upper end of the 95 % interval by the profile, in the SI unit of the parameter",
+                             [](const FittedValue& one) { return cell(one.profile_upper_95); }}};
+
+constexpr std::array profile_quantities{
+    FitQuantity<FitProfilePoint>{"profile_value", "1", "value that a parameter is held at, in its SI unit",
+                                 [](const FitProfilePoint& point) { return point.value; }},
+    FitQuantity<FitProfilePoint>{
+        "profile_cost", "1",
+        "increase of the squares where the others are fitted again; 1 at a standard error of a linear model",
+        [](const FitProfilePoint& point) { return point.cost; }}};
 
 constexpr std::array loop_quantities{
     FitQuantity<FittedLoop>{"force_noise", "N",
@@ -139,6 +153,15 @@ std::vector<std::string> fit_warnings(const FitResult& result) {
                     "this value",
                     result.settings.parameters[i].key));
   }
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    const std::vector<FitProfilePoint>& profile = result.parameters[i].profile;
+    const bool lower =
+        std::any_of(profile.begin(), profile.end(), [&](const FitProfilePoint& point) { return point.cost < -1.0; });
+    if (!lower) continue;
+    lines.push_back(fmt::format(
+        "the profile of {} leads to a lower sum of squares than the minimum that was found: give more fit.starts",
+        result.settings.parameters[i].key));
+  }
   lines.insert(lines.end(), result.directions.begin(), result.directions.end());
   for (std::size_t i = 1; i < result.minima.size(); ++i) {
     lines.push_back(fmt::format("another minimum is nearly as deep (chi-square larger by {:.3g}): {}",
@@ -155,6 +178,16 @@ std::string fit_table(const FitResult& result) {
   std::string out = fmt::format("{:<{}}  {:>12}  {:>14}  {:>12}  {:>12}  unit\n", "parameter", width, "value",
                                 "standard error", "95 %: from", "to");
   for (std::size_t i = 0; i < result.parameters.size(); ++i) out += parameter_line(result, i, width);
+  if (result.settings.profile) {
+    out += "\n95 % by profiles\n";
+    for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+      const FittedValue& found = result.parameters[i];
+      const ReadUnit unit = read_unit_of(result.units[i]);
+      out += fmt::format("{:<{}}  {:>12} to {:>12}  {}\n", result.settings.parameters[i].key, width,
+                         number_text(found.profile_lower_95, unit.size), number_text(found.profile_upper_95, unit.size),
+                         unit.name);
+    }
+  }
   out += '\n';
   for (std::size_t i = 0; i < result.loops.size(); ++i) {
     const FittedLoop& loop = result.loops[i];
@@ -210,6 +243,18 @@ Dataset fit_dataset(const FitResult& result) {
   std::vector<double> correlation(result.correlation.data(), result.correlation.data() + result.correlation.size());
   correlation.resize(count * count, absent);
   data.add({"correlation", "1", "of two parameters"}, {"parameter", "other_parameter"}, std::move(correlation));
+
+  if (result.settings.profile && !result.parameters.empty()) {
+    std::size_t widest = 0;
+    for (const FittedValue& found : result.parameters) widest = std::max(widest, found.profile.size());
+    data.add_dimension({"profile_point", "1", "place of a profile, in rising order of values", whole_number},
+                       numbers_from(0.0, widest));
+    for (const auto& quantity : profile_quantities) {
+      data.add(quantity.meaning(), {"parameter", "profile_point"}, padded_rows(count, widest, [&](std::size_t i) {
+                 return each(result.parameters[i].profile, quantity.value);
+               }));
+    }
+  }
 
   data.add_dimension({"minimum", "1", "minima that are nearly as deep as the best, which is the first", whole_number},
                      numbers_from(1.0, result.minima.size()));
@@ -268,6 +313,12 @@ Json fit_lists(const FitResult& result) {
     entry["correlations"] = Json::array();
     for (Eigen::Index k = 0; k < result.correlation.cols(); ++k) {
       entry["correlations"].push_back(value_json(result.correlation(static_cast<Eigen::Index>(i), k)));
+    }
+    if (!result.settings.profile) continue;
+    entry["profile"] = Json::array();
+    for (const FitProfilePoint& point : result.parameters[i].profile) {
+      Json& place = entry["profile"].emplace_back();
+      for (const auto& quantity : profile_quantities) place[quantity.key()] = value_json(quantity.value(point));
     }
   }
   json["loops"] = Json::array();

@@ -89,12 +89,22 @@ void describe(CaseVisitor& keys, FitParameter& parameter) {
   keys.value({"key", required, "Key", "a numeric key of the case, or of the rig such as fit.data[1].force_origin",
               "\"friction.coefficient\""},
              &parameter.key);
-  const std::optional<Dimension> dimension = dimension_of(parameter.key);
-  keys.value({"start", required, "Start", "with the unit of the key", "0.1", dimension}, &parameter.start);
-  keys.value({"lower", required, "Lower bound", "", "0.0", dimension}, &parameter.lower);
-  keys.value({"upper", required, "Upper bound", "", "0.5", dimension}, &parameter.upper);
-  keys.value({"mean", optional, "Prior mean", "of what is known before, with std", "0.1", dimension}, &parameter.mean);
-  keys.value({"std", optional, "Prior standard deviation", "", "0.05", dimension}, &parameter.std);
+  const auto of_key = [dimension = dimension_of(parameter.key)](std::string_view name, Presence presence,
+                                                                std::string_view title, std::string_view text,
+                                                                std::string_view example) {
+    return Key{.name = name,
+               .presence = presence,
+               .title = title,
+               .text = text,
+               .example = example,
+               .dimension = dimension,
+               .any_dimension = true};
+  };
+  keys.value(of_key("start", required, "Start", "with the unit of the key", "0.1"), &parameter.start);
+  keys.value(of_key("lower", required, "Lower bound", "", "0.0"), &parameter.lower);
+  keys.value(of_key("upper", required, "Upper bound", "", "0.5"), &parameter.upper);
+  keys.value(of_key("mean", optional, "Prior mean", "of what is known before, with std", "0.1"), &parameter.mean);
+  keys.value(of_key("std", optional, "Prior standard deviation", "", "0.05"), &parameter.std);
 }
 
 void describe(CaseVisitor& keys, FitSettings& fit) {
@@ -107,6 +117,11 @@ void describe(CaseVisitor& keys, FitSettings& fit) {
   keys.value({"huber", optional, "Huber's constant",
               "residuals beyond so many standard deviations count linearly, not by their squares", "1.345"},
              &fit.huber);
+  keys.value(
+      {"profile", defaulted, "Profiles",
+       "true: also what the sum of squares rises by where a parameter is held near its best value and the others "
+       "are fitted again; takes minutes where a fit takes seconds"},
+      &fit.profile);
   list_of_tables(keys, {"data", required, "Measured loop", "one for each loop"}, fit.data,
                  [](CaseVisitor& inner, FitData& data) { describe(inner, data); });
   list_of_tables(keys, {"parameter", required, "Parameter", "one for each key that is fitted"}, fit.parameters,

@@ -5,8 +5,8 @@ import { directionName } from './kinds';
 import type { Run } from './run';
 import { formatNumber, formatQuantity } from './units';
 
-/** Entries of a list that are written out: matrices of a rotor have thousands. */
-const mostShown = 400;
+/** Entries of a list that are written out: matrices of a rotor and measured loops have thousands. */
+const mostShown = 100;
 
 type Table = { [key: string]: CaseValue };
 
@@ -76,7 +76,8 @@ export function valueText(value: CaseValue | undefined, unit: string): string {
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
-  if (typeof value !== 'number') return String(value).replaceAll('_', ' ').replace(/^-(?=\d)/, '−');
+  // Words; keys of the case stay as they are.
+  if (typeof value !== 'number') return String(value).replace(/^[^.]*$/, (words) => words.replaceAll('_', ' ')).replace(/^-(?=\d)/, '−');
   if (unit === 'direction') return directionName(Number(((value * 180) / Math.PI).toPrecision(9)));
   if (unit === 'rpm') return `${Number(((value * 30) / Math.PI).toPrecision(6))} rpm`.replace('-', '−');
   if (unit === 'Hz') return `${Number((value / (2 * Math.PI)).toPrecision(6))} Hz`;

@@ -198,6 +198,30 @@ export interface UnbalanceSummary extends SummaryHead {
   peaks: PeakData[];
 }
 
+/** A parameter that was fitted; numbers in its SI unit, "1" of a plain number. */
+export interface FitParameterData {
+  key: string;
+  unit: string;
+  start: number;
+  fitted_value: number;
+  standard_error: number | null;
+  lower_95: number | null;
+  upper_95: number | null;
+  profile_lower_95?: number | null;
+  profile_upper_95?: number | null;
+  at_bound: boolean;
+  /** With each parameter. */
+  correlations: (number | null)[];
+  profile?: { profile_value: number; profile_cost: number }[];
+}
+
+export interface FitSummary extends SummaryHead {
+  reduced_chi_square: number | null;
+  degrees_of_freedom: number | null;
+  collinearity: number | null;
+  parameters: FitParameterData[];
+}
+
 /** Asperities of a bearing that carry load, without a break. */
 export interface RubData {
   /** From 1. */

@@ -65,8 +65,15 @@ struct FitSettings {
   std::optional<double> machine_stiffness{};  ///< of all data without its own, N/m
   int starts{5};                              ///< minimisations, the first from the starts that are given
   std::optional<double> huber{};              ///< residuals beyond so many standard deviations count linearly
+  bool profile{};                             ///< whether profiles of all parameters are computed
 
   bool operator==(const FitSettings&) const = default;
+};
+
+/// The best minimum with a parameter held at a value.
+struct FitProfilePoint {
+  double value{};
+  double cost{};  ///< increase of what is minimised; scaled, so that a linear model has 1 at one standard error
 };
 
 /// What was found of a parameter, SI.
@@ -76,6 +83,12 @@ struct FittedValue {
   std::optional<double> lower_95{};
   std::optional<double> upper_95{};
   bool at_bound{};
+  /// On request, in rising order of values: three standard errors to both sides, or without one all between the bounds.
+  std::vector<FitProfilePoint> profile{};
+  /// Where the profile rises by the square of Student's t, as that of a linear model does at the ends of its interval;
+  /// absent where it does not on this side.
+  std::optional<double> profile_lower_95{};
+  std::optional<double> profile_upper_95{};
 };
 
 /// A part of a measured loop of equal arc length: means of the readings in it.

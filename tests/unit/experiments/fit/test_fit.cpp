@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <string>
 
 #include "bumpfoil/case/case_reader.hpp"
@@ -68,6 +70,67 @@ TEST(Fit, ReadsWhereTheDisplacementIsCountedFrom) {
                                            fitted("fit.data[1].displacement_drift", 0.0, -10e-6, 10e-6)}));
   expect_found(result.parameters[0], 3e-6);
   expect_found(result.parameters[1], 1e-6);
+}
+
+TEST(Fit, ProfilesRiseAsTheStandardErrorsSay) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), {}, 0.5, 13);
+  Case input = fit_of(few_bumps(0.1, 30e-6), data, {any_friction, any_clearance});
+  EXPECT_TRUE(run_fit(input).parameters[0].profile.empty());
+  input.settings.find<FitSettings>()->profile = true;
+  const FitResult result = run_fit(input);
+  for (const FittedValue& found : result.parameters) {
+    const double error = *found.standard_error;
+    ASSERT_EQ(found.profile.size(), 13U);
+    EXPECT_NEAR(found.profile.front().value, found.value - 3.0 * error, 1e-9 * found.value);
+    EXPECT_NEAR(found.profile.back().value, found.value + 3.0 * error, 1e-9 * found.value);
+    EXPECT_EQ(found.profile[6].cost, 0.0);
+    for (const FitProfilePoint& point : found.profile) {
+      // Kinks and the step of the differences make the parabola of the standard errors a little wider or narrower.
+      EXPECT_NEAR(std::sqrt(std::max(0.0, point.cost)), std::abs(point.value - found.value) / error, 0.6);
+    }
+    EXPECT_NEAR(*found.profile_lower_95, *found.lower_95, 0.4 * error);
+    EXPECT_NEAR(*found.profile_upper_95, *found.upper_95, 0.4 * error);
+  }
+}
+
+TEST(Fit, ProfilesAreOpenWhereOnlyASumIsSeen) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 3);
+  Case input = fit_of(few_bumps(0.1, 28e-6), data,
+                      {fitted("bearing.radial_clearance", 28e-6, 27e-6, 29e-6),
+                       fitted("fit.data[1].displacement_origin", 0.0, -1e-6, 1e-6)});
+  input.settings.find<FitSettings>()->profile = true;
+  const FittedValue clearance = run_fit(input).parameters[0];
+  EXPECT_FALSE(clearance.profile_lower_95.has_value() && clearance.profile_upper_95.has_value());
+}
+
+/// Noise of the displacement counts by the slope of the loop.
+TEST(Fit, WeighsByTheNoiseOfTheDisplacement) {
+  constexpr double noise = 0.2e-6;
+  FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), {}, 0.1, 14);
+  std::mt19937_64 engine(15);
+  std::normal_distribution<double> normal(0.0, noise);
+  for (double& displacement : data.displacements) displacement += normal(engine);
+  data.force_std = 0.1;
+  const auto fit_with = [&](double std) {
+    data.displacement_std = std;
+    return run_fit(fit_of(few_bumps(0.1, 30e-6), data, {any_friction, any_clearance}));
+  };
+  const FitResult unweighed = fit_with(0.0);
+  EXPECT_TRUE(warns(unweighed, "does not explain"));
+  const FitResult result = fit_with(noise);
+  EXPECT_NEAR(result.reduced_chi_square(), 1.0, 0.5);
+  EXPECT_FALSE(warns(result, "does not explain"));
+  expect_found(result.parameters[0], 0.15);
+  expect_found(result.parameters[1], 28e-6);
+  // Before the journal touches the foils there is no slope, and the noise is that of the force alone.
+  const std::vector<FittedPoint>& points = result.loops[0].points;
+  EXPECT_NEAR(points.front().std, 0.1 / std::sqrt(points.front().readings), 1e-6);
+  const auto steepest = std::max_element(points.begin(), points.end(), [](const FittedPoint& a, const FittedPoint& b) {
+    return a.std * std::sqrt(a.readings) < b.std * std::sqrt(b.readings);
+  });
+  const auto before = steepest - 1;
+  const double slope = (steepest->fitted - before->fitted) / (steepest->displacement - before->displacement);
+  EXPECT_NEAR(steepest->std * std::sqrt(steepest->readings), std::hypot(0.1, slope * noise), 0.4 * slope * noise);
 }
 
 TEST(Fit, NamesWhatOnlyASumIsSeenOf) {

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/results/quantity.hpp"
+#include "results/netcdf_image.hpp"
+
+namespace bumpfoil {
+
+/// A place of a deformed bearing, and what is there.
+struct ShapedPoint {
+  double along{};    ///< angle from the weld of its pad along the foils, rad
+  double radius{};   ///< from the axis of the bearing, m
+  double z{};        ///< from the mid-plane, m
+  double outward{};  ///< displacement, along the radius, m
+  double forward{};  ///< and along the foils, m
+  double film_thickness{absent};
+  double pressure{absent};
+  double force_outward{};  ///< of a contact, N
+  double force_forward{};
+  double contact{absent};  ///< its state, as the result numbers them
+};
+
+/// What a point belongs to.
+enum class ShapedPart { top_foil, bump_foil, journal, journal_top, top_bump, bump_sleeve };
+
+/// A surface, or single points.
+struct ShapedGrid {
+  ShapedPart part{};
+  std::size_t columns{};            ///< of a surface; 0: single points
+  std::vector<ShapedPoint> points;  ///< of a surface row by row, along the foils
+};
+
+/// Foils between a weld and a free end.
+struct ShapedPad {
+  double weld{};    ///< polar angle, rad
+  double sense{};   ///< 1: the foils run counterclockwise from it, -1: clockwise
+  double lobe{};    ///< displacement of its circle away from its middle, m
+  double length{};  ///< angle from the weld to the free end, rad
+  std::vector<std::size_t> bumps{}, feet{}, columns{};
+};
+
+/// Shapes of a bearing in the states of its result.nc: of `cycle`, `path`, `equilibrium` and `film`.
+///
+/// Foils are surfaces without thickness: the top foil lies off the journal by the gap or the film thickness of the
+/// result, the crests off the top foil by their gap. Between foot and crest nothing is known: the arc of a bump is
+/// drawn as one, flatter or higher. Lengths are added to the radius as if they were small, as in the models.
+class FoilShapes {
+ public:
+  /// The image must outlive it. @throws Error (file) if it lacks what that takes
+  explicit FoilShapes(const NetcdfImage& image);
+
+  [[nodiscard]] std::size_t states() const { return x_.size(); }
+  /// Whether a state that was asked for was computed.
+  [[nodiscard]] bool is_reached(std::size_t state) const;
+  [[nodiscard]] const std::vector<ShapedPad>& pads() const { return pads_; }
+  [[nodiscard]] double radius() const { return radius_; }
+  /// Of the sleeve under the tallest bump, m.
+  [[nodiscard]] double sleeve_radius() const;
+
+  /// Foils and contacts of a pad.
+  [[nodiscard]] std::vector<ShapedGrid> foils(std::size_t state, const ShapedPad& pad) const;
+
+  /// The journal over the foils of a pad.
+  [[nodiscard]] ShapedGrid journal(std::size_t state, const ShapedPad& pad) const;
+
+  /// Numbers that the result has for each state, by name.
+  [[nodiscard]] std::map<std::string, double> numbers_of(std::size_t state) const;
+
+ private:
+  /// A crest, a foot or a column of the film.
+  struct Node {
+    double along{}, polar{};
+    std::size_t pad{};
+  };
+
+  [[nodiscard]] bool has(const std::string& name) const { return fields_.contains(name); }
+  [[nodiscard]] std::vector<double> constant(const std::string& name) const;
+  [[nodiscard]] std::vector<double> per_bump(const std::string& name) const;
+  [[nodiscard]] std::vector<Node> nodes(const std::string& prefix, const std::string& dimension) const;
+  [[nodiscard]] double at(const std::string& name, std::size_t state, std::size_t node) const;
+  [[nodiscard]] double journal_radius(std::size_t state, double polar, double z) const;
+  [[nodiscard]] double film_at(const std::string& name, std::size_t state, std::size_t row, std::size_t column) const;
+  [[nodiscard]] double crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const;
+  [[nodiscard]] double foot_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double foot_v) const;
+  [[nodiscard]] ShapedGrid top_foil_of_film(std::size_t state, const ShapedPad& pad) const;
+  [[nodiscard]] ShapedGrid top_foil_of_bumps(std::size_t state, const ShapedPad& pad) const;
+  [[nodiscard]] ShapedGrid bump_foil(std::size_t state, const ShapedPad& pad) const;
+  [[nodiscard]] std::vector<ShapedGrid> contacts(std::size_t state, const ShapedPad& pad) const;
+  void make_pads();
+
+  const NetcdfImage& image_;
+  std::map<std::string, std::vector<double>> fields_{};  ///< of all states, by name
+  std::map<std::string, std::size_t> widths_{};          ///< numbers of each state
+  std::vector<double> x_, tilt_x_, y_, tilt_y_;          ///< of each state
+  double radius_{}, clearance_{}, half_width_{};
+  std::vector<Node> bumps_, feet_, columns_;
+  std::vector<double> rises_, half_lengths_, height_errors_;
+  std::vector<std::pair<double, std::size_t>> rows_;  ///< places over the whole width, m, and their rows in the film
+  std::vector<ShapedPad> pads_;
+};
+
+}  // namespace bumpfoil
