@@ -210,9 +210,14 @@ EquilibriumSettings operating_points(const Json& request, const Case& input) {
 }
 
 Json answer_equilibrium(const Json& request) {
-  const bool is_sample = request.contains("sample");
-  Case input = read(request, is_sample ? std::vector<std::string>{"montecarlo"} : std::vector<std::string>{});
-  if (is_sample) input = sampled_case(input, draw_sample(input, request.at("sample").get<std::uint64_t>()));
+  Case input = read(request, {});
+  if (request.contains("sample")) {
+    // Ensembles of cycles have another solver by default.
+    const SolverSettings solver = input.solver;
+    input = read(request, {"montecarlo"});
+    input = sampled_case(input, draw_sample(input, request.at("sample").get<std::uint64_t>()));
+    input.solver = solver;
+  }
   input.equilibrium = operating_points(request, input);
   if (request.contains("mesh")) {
     coarsen(input, request.at("mesh").get<std::array<int, 2>>());

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { answered, field, file, modules, slide, slider, textOf, tile, type, withPage } from './page.mjs';
 import { due, largestDifference, loopsOfProgram, reference } from './support.mjs';
@@ -249,7 +250,7 @@ test('bumps are given one by one, by a law or all alike', () =>
 
 test('a bearing of pads is shown and changed pad by pad', () =>
   withPage(async (page) => {
-    await answered(page, () => page.getByLabel('Start from').selectOption('gen3-three-pad'));
+    await answered(page, () => page.locator('input[type="file"]').setInputFiles(join(process.env.BUMPFOIL_EXAMPLES, 'gen3-three-pad.toml')));
     await page.locator('[data-table="pad"] > summary').click();
     const before = await tile(page, 'max_force_N');
     await type(page, 'pad[2].lobe', '25 um');
@@ -262,7 +263,6 @@ test('a bearing of pads is shown and changed pad by pad', () =>
     assert.equal(await page.locator('.general-faults').textContent(), '');
     await page.locator('.numbers [role="group"] button').getByText('−X').click();
     assert.notEqual(await tile(page, 'max_force_N'), before);
-    assert.equal(await page.locator('tr[data-key="pad_force_2_N"]').count(), 1);
   }));
 
 /** What a tab shows is judged when it is there. */

@@ -18,6 +18,7 @@ import { Side } from './side';
 import { caseIn, fragmentOf } from './share';
 import { isFaulty, makeSolvers, type Request } from './solver';
 import { tabs } from './tabs';
+import { without } from './toml';
 import { VibrationView } from './vibration';
 import '../style/page.css';
 import '../style/panels.css';
@@ -185,7 +186,11 @@ class Page {
   private async compute(): Promise<void> {
     const { text } = this.design;
     const began = performance.now();
-    const answer = await askLoops(this.solvers.loops, withCycle(text, this.keys.keys));
+    const whole = withCycle(text, this.keys.keys);
+    const first = await askLoops(this.solvers.loops, whole);
+    // A tilted journal runs, but has no loops: they are those of an aligned one.
+    const tilted = first && isFaulty(first) && first.faults.every(({ key }) => key.startsWith('width.'));
+    const answer = tilted ? await askLoops(this.solvers.loops, without(whole, 'width')) : first;
     if (!answer) return;
     if (isFaulty(answer)) {
       this.faults = answer.faults;

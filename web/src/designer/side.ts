@@ -15,7 +15,7 @@ export class Side {
     const fold = el('button', { type: 'button', class: 'quiet' }, 'Fold all');
     fold.addEventListener('click', () => {
       const open = fold.textContent !== 'Fold all';
-      fields.fold(!open);
+      fields.fold(open);
       fold.textContent = open ? 'Fold all' : 'Unfold all';
     });
     const draw = el('button', { type: 'button', class: 'draw-up', 'aria-expanded': 'false', 'aria-controls': 'case-fields' }, 'The case');
