@@ -46,7 +46,7 @@ std::string commented(std::string_view prefix, const std::string& code, std::str
 constexpr std::string_view template_head =
     R"(# Case file of Bumpfoil. Quantities are strings with a unit ("31.8 um", "214 GPa", "150 MN/m", "30 deg") or plain
 # numbers in SI (m, Pa, N/m, rad). Lines that start with # are comments; keys that are commented out show their default
-# or an example. `bumpfoil init -o` and `bumpfoil schema -o` write the schema that the first line names: with it, editors
+# or an example. `bumpfoil init -o` and `bumpfoil schema -o` write the schema named in the first line: with it, editors
 # complete and check keys.
 
 )";

@@ -292,8 +292,10 @@ void judge_profile(Judge& judge, const Case& input) {
                       "is supported by commands with a film alone",
                       "remove width.crowning: the command presses the foils by a cylinder");
   }
-  judge.require(!input.asperity, "width.crowning", quantity(input.width.crowning, "m"),
-                "is not supported with mixed contact", "remove width.crowning, or [asperity]");
+  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
+    judge.require_for(command, !input.asperity, "width.crowning", quantity(input.width.crowning, "m"),
+                      "is not supported with mixed contact", "remove width.crowning, or [asperity]");
+  }
 }
 
 /// What is not computed yet where the film varies over the width.

@@ -97,7 +97,7 @@ TEST(Fit, ProfilesAreOpenWhereOnlyASumIsSeen) {
   const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 3);
   Case input = fit_of(few_bumps(0.1, 28e-6), data,
                       {fitted("bearing.radial_clearance", 28e-6, 27e-6, 29e-6),
-                       fitted("fit.data[1].displacement_origin", 0.0, -1e-6, 1e-6)});
+                       fitted("fit.data[1].displacement_origin", 0.0, -10e-6, 10e-6)});
   input.settings.find<FitSettings>()->profile = true;
   const FittedValue clearance = run_fit(input).parameters[0];
   EXPECT_FALSE(clearance.profile_lower_95.has_value() && clearance.profile_upper_95.has_value());
@@ -125,12 +125,14 @@ TEST(Fit, WeighsByTheNoiseOfTheDisplacement) {
   // Before the journal touches the foils there is no slope, and the noise is that of the force alone.
   const std::vector<FittedPoint>& points = result.loops[0].points;
   EXPECT_NEAR(points.front().std, 0.1 / std::sqrt(points.front().readings), 1e-6);
-  const auto steepest = std::max_element(points.begin(), points.end(), [](const FittedPoint& a, const FittedPoint& b) {
-    return a.std * std::sqrt(a.readings) < b.std * std::sqrt(b.readings);
-  });
-  const auto before = steepest - 1;
-  const double slope = (steepest->fitted - before->fitted) / (steepest->displacement - before->displacement);
-  EXPECT_NEAR(steepest->std * std::sqrt(steepest->readings), std::hypot(0.1, slope * noise), 0.4 * slope * noise);
+  // Under load, well before the journal turns, where the loop is smooth.
+  const std::size_t middle = points.size() * 2 / 5;
+  const FittedPoint& before = points[middle - 3];
+  const FittedPoint& after = points[middle + 3];
+  const double slope = (after.fitted - before.fitted) / (after.displacement - before.displacement);
+  EXPECT_GT(slope * noise, 0.5);
+  EXPECT_NEAR(points[middle].std * std::sqrt(points[middle].readings), std::hypot(0.1, slope * noise),
+              0.15 * slope * noise);
 }
 
 TEST(Fit, NamesWhatOnlyASumIsSeenOf) {
