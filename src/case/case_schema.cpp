@@ -155,7 +155,7 @@ class SchemaWriter final : public CaseVisitor {
   void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override {
     Schema common = number(once);
     facts_.bound(common, path_of(each.begin()->first));
-    add(once, std::move(common), false);
+    add(once, common, false);
     for (const auto& [key, held] : each) add(key, number(key), false);
   }
 
@@ -163,7 +163,7 @@ class SchemaWriter final : public CaseVisitor {
     Schema doubled = number(twice);
     facts_.bound(doubled, path_of(once), 2.0);
     add(once, number(once), false);
-    add(twice, std::move(doubled), false);
+    add(twice, doubled, false);
   }
 
   void one_of(const Key& displacement, const Key& load, Target& /*target*/) override {
