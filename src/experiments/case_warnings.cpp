@@ -22,8 +22,7 @@ void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
   if ((input.width.tilts() || input.width.conicity != 0.0) && input.width.modes == 1) {
     warnings.emplace_back(
         "the journal may tilt or is conical, but the foils stay uniform over the width (width.modes = 1): they resist "
-        "the tilt with "
-        "about twice the moment that they have; set width.modes = 3");
+        "the tilt with about twice the moment that they have; set width.modes = 3");
   }
   const double slenderness = 0.5 * input.bearing.axial_length / input.bearing.radius;
   if (input.width.modes == 3 && slenderness > longest_held_sheet) {

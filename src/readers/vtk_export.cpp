@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 #include <utility>
 
-#include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "readers/foil_shapes.hpp"

@@ -4,7 +4,7 @@
 
 namespace bumpfoil {
 
-/// One increment from `from` to where the force applied to the journal is `load` (N): the body is free to go
+/// One increment from `from` to where the force applied to the journal is `load` (N): it is free to go
 /// there in the plane, or along the one normal that all bumps of a strip have. Every try is one increment from `from`.
 ///
 /// Along a line the response to one increment is piecewise linear in its length: Newton's method with the tangent of

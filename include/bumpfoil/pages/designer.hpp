@@ -20,14 +20,12 @@ namespace bumpfoil {
 /// * `vibration`: `load` (N, along X and Y), `amplitudes` (m) and `steps` in the request. `directions`, for +X and +Y
 ///   the `stiffness` (N/m), `loss_factor` and `dissipation` (J per loop) at each amplitude, null where unknown.
 /// * `equilibrium`: `speeds` (rad/s) and `loads` (N) or `positions` (m), each along X and Y, in the request; the rest
-/// is
-///   as the case says, but for limits. If it is to be quick the `mesh`: the most columns per pitch, and rows; states
+///   is as the case says, but for limits. If it is to be quick the `mesh`: the most columns per pitch, and rows; states
 ///   are then those of one path. `sample`, a number, asks for that bearing of the ensemble of the case. `run`, the
 ///   running bearing as report_json describes it, and its `states` as summary.json has them, with all digits; where one
 ///   was not found, with the `reason`.
 /// * `stability`: `speeds` (rad/s) in the request in place of those of the case, and if it is to be quick the `mesh`.
-///   `run`, free motions of the rotor as report_json describes them. The case
-///   must have a rotor.
+///   `run`, free motions of the rotor as report_json describes them. The case must have a rotor.
 /// * `samples`: `first` and `count` in the request, and the samples `before` that are known. `quantities` that
 ///   ensembles are shown by, and `samples`: for each of those before, and of the numbers from `first` on, per
 ///   direction, their values; `statistics` of these, per direction, by the keys of quantities. The case must have an

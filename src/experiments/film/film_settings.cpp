@@ -260,7 +260,7 @@ bool is_dry(std::string_view command) {
   return command == "cycle" || command == "path" || command == "vibration";
 }
 
-/// Whatever else makes both halves of the width differ, as a tilt does: the whole width is computed then.
+/// What makes both halves of the width differ, so that the whole width is computed.
 void judge_halves(Judge& judge, const Case& input) {
   const WidthSettings& width = input.width;
   judge_pair(judge, "width.tilt", width.tilt, most_slope, "rad", "[\"0.2 mrad\", \"0 mrad\"]");
@@ -269,13 +269,14 @@ void judge_halves(Judge& judge, const Case& input) {
   judge.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
                     "give width.tilt, or run equilibrium");
   if (input.has_equal_halves()) return;
-  const char* const key = !width.moment.empty()   ? "width.moment"
-                          : width.tilts()         ? "width.tilt"
-                          : width.conicity != 0.0 ? "width.conicity"
-                                                  : "film.side_pressure";
+  const bool by_gas_alone = !width.tilts() && width.conicity == 0.0;
+  const char* const key = !width.moment.empty() ? "width.moment"
+                          : width.tilts()       ? "width.tilt"
+                          : by_gas_alone        ? "film.side_pressure"
+                                                : "width.conicity";
   for (const char* const command :
        {"cycle", "path", "vibration", "stability", "unbalance", "transient", "montecarlo"}) {
-    if (key == std::string_view("film.side_pressure") && is_dry(command)) continue;
+    if (by_gas_alone && is_dry(command)) continue;
     judge.require_for(command, false, key, "", "is supported by the commands equilibrium and film alone",
                       fmt::format("remove {}: the command computes what is the same on both halves of the width", key));
   }

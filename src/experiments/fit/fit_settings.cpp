@@ -120,7 +120,7 @@ void describe(CaseVisitor& keys, FitSettings& fit) {
   keys.value(
       {"profile", defaulted, "Profiles",
        "true: also what the sum of squares rises by where a parameter is held near its best value and the others "
-       "are fitted again; takes minutes where a fit takes seconds"},
+       "are fitted again; takes many times as long as the fit"},
       &fit.profile);
   list_of_tables(keys, {"data", required, "Measured loop", "one for each loop"}, fit.data,
                  [](CaseVisitor& inner, FitData& data) { describe(inner, data); });
