@@ -17,6 +17,46 @@ constexpr int most_directions = 300;
 /// The shift, as part of the largest rate: directions are fewest from 0.15 to 0.3, and a fifth more at 1.
 constexpr double shift_in_rates = 0.3;
 
+/// The last of coordinates() while H grows, in 2 m operations each.
+class LastCoordinate {
+ public:
+  LastCoordinate(double start, std::complex<double> excess) : excess_(excess), right_(start) {}
+
+  [[nodiscard]] std::complex<double> excess() const { return excess_; }
+  [[nodiscard]] std::complex<double> of(const Eigen::Ref<const Matrix>& H) {
+    while (size_ < H.cols()) add_column(size_++, H);
+    return right_ / pivot_;
+  }
+
+ private:
+  /// Of a row from the one below, or the other way round.
+  struct Elimination {
+    std::complex<double> factor;
+    bool swaps{};
+  };
+
+  void add_column(Eigen::Index m, const Eigen::Ref<const Matrix>& H) {
+    Eigen::VectorXcd column = -excess_ * H.col(m).head(m + 1);
+    column[m] += 1.0;
+    if (m > 0) {
+      const std::complex<double> below = -excess_ * H(m, m - 1);
+      const bool swaps = std::norm(below) > std::norm(pivot_);
+      eliminated_.push_back({swaps ? pivot_ / below : below / pivot_, swaps});
+      if (!swaps) right_ *= -eliminated_.back().factor;
+    }
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const Elimination& last = eliminated_[static_cast<std::size_t>(k)];
+      if (last.swaps) std::swap(column[k], column[k + 1]);
+      column[k + 1] -= last.factor * column[k];
+    }
+    pivot_ = column[m];
+  }
+
+  std::complex<double> excess_, right_, pivot_;
+  Eigen::Index size_{};
+  std::vector<Elimination> eliminated_;
+};
+
 /// Coordinates of what is stored, in the Krylov basis of C, in which C V = V H + next v_next e_last^T. H has one
 /// diagonal below its main one: elimination, with the larger of two rows as pivot, takes m^2 operations.
 /// @param start  norm of the right-hand side, which is the first direction
@@ -87,16 +127,18 @@ std::optional<ReducedForces> reduce_forces(const FilmAnswer& moved,
   const double start = moved.content.norm();
   KrylovSpace space(moved.content, std::min<Eigen::Index>(most_directions, moved.content.size()));
   Matrix forces(moved.force.size(), 0);
-  const auto solves = [&](std::complex<double> e) {
-    const std::complex<double> last = coordinates(space.hessenberg(), start, e)[space.size() - 1];
-    return std::abs(e * last) * space.next() <= tolerance * start;
+  std::vector<LastCoordinate> last;
+  last.reserve(excess.size());
+  for (const std::complex<double> e : excess) last.emplace_back(start, e);
+  const auto solves = [&](LastCoordinate& of_one) {
+    return std::abs(of_one.excess() * of_one.of(space.hessenberg())) * space.next() <= tolerance * start;
   };
   while (space.can_grow()) {
     FilmAnswer answer = stored(space.direction());
     space.add(std::move(answer.content));
     forces.conservativeResize(Eigen::NoChange, space.size());
     forces.col(space.size() - 1) = answer.force;
-    if (!std::all_of(excess.begin(), excess.end(), solves)) continue;
+    if (!std::all_of(last.begin(), last.end(), solves)) continue;
     return ReducedForces{.moved = moved.force, .start = start, .hessenberg = space.hessenberg(), .forces = forces};
   }
   return std::nullopt;

@@ -20,6 +20,10 @@ constexpr double leap_shortening = 0.5;
 /// Full steps smaller than this that no part of makes the residuals smaller are round-off, of contact forces above all.
 constexpr double round_off_step = 1e-7;
 
+/// Of two full steps in a row, Newton's method leaves an error of the square of their ratio times the second: where
+/// that is this part of the tolerance, the step that would show it is not computed.
+constexpr double part_of_tolerance = 1e-3;
+
 /// The films, and the unknowns of the law at the iterate and at the trial.
 class JointNewton {
  public:
@@ -113,6 +117,7 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
   double leap = 0.0;  // largest change in a full step that made the residuals larger, if the last one did
   bool may_leap = true;
   int vain_steps = 0;
+  double last_full = 0.0;  // largest change in the last step, if that was a full one
   while (report.iterations < max_iterations) {
     ++report.iterations;
     const bool is_regular = newton.find_step(report);
@@ -120,7 +125,7 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
       newton.swap_instead();
       report.residual = newton.residual_of_trial();
       newton.keep_trial();
-      leap = 0.0;
+      leap = last_full = 0.0;
       may_leap = false;
       continue;
     }
@@ -147,12 +152,15 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
       }
       part *= 0.5;
     }
-    if (is_last) {
+    const bool is_full = fraction == 1.0 && part == 1.0;
+    const double ratio = is_full && last_full > 0.0 ? largest / last_full : 1.0;
+    if (is_last || ratio * ratio * largest < part_of_tolerance * aim.tolerance) {
       newton.try_step(1.0);
       report.status = newton.touches() ? Status::touchdown : Status::converged;
       if (report.status == Status::converged) y = law.holds_place() ? law.place : newton.trial();
       return report;
     }
+    last_full = is_full ? largest : 0.0;
     if (halvings >= halvings_in_vain && vain_steps++ == aim.most_vain_steps) return report;
     leap = 0.0;
     if (may_leap && fraction == 1.0 && part < 1.0) {

@@ -11,6 +11,15 @@ namespace {
 
 /// Steps that take no more iterations than this let the next one grow.
 constexpr int easy_iterations = 12;
+/// A step that reaches the end but for this part of it does.
+constexpr double round_off = 1e-12;
+/// Steps grow until the departure from the tangent is this part of what is accepted, by no more than this at once.
+constexpr double aimed_departure = 0.5;
+constexpr double largest_growth = 8.0;
+/// A contact that changes where a step begins bends the branch there: in half the step the departure is half as large,
+/// within these parts, however short the step.
+constexpr double least_part_at_corner = 0.35;
+constexpr double largest_part_at_corner = 0.65;
 /// Of steps that look for another branch, and of those that begin behind the end of one.
 constexpr double step_growth_off_branch = 8.0;
 
@@ -31,7 +40,9 @@ class BranchFollower {
  private:
   [[nodiscard]] double steps() const;
   [[nodiscard]] OperatingPoint at(double fraction) const;
-  FilmReport solve_on_branch(const OperatingPoint& to);
+  [[nodiscard]] double largest_departure(const FilmReport& report) const;
+  [[nodiscard]] double growth(const FilmReport& taken) const;
+  FilmReport solve_on_branch(const OperatingPoint& to, double twice_as_far);
   void jump();
 
   FilmStepper& stepper_;
@@ -71,19 +82,33 @@ OperatingPoint BranchFollower::at(double fraction) const {
   return point;
 }
 
+double BranchFollower::largest_departure(const FilmReport& report) const {
+  return std::max(options_.largest_departure * report.predicted_change, options_.resolved_departure);
+}
+
 /// The next state, under a load on the same branch: one that lies off the tangent's prediction by more than curvature
 /// and contacts explain is not accepted, as Newton's method has reached another branch.
-FilmReport BranchFollower::solve_on_branch(const OperatingPoint& to) {
+/// @param twice_as_far  departure in a step of twice the length, if that was too large
+FilmReport BranchFollower::solve_on_branch(const OperatingPoint& to, double twice_as_far) {
   BearingState found = state_;
   FilmReport report = stepper_.solve(stepper_.move_to(to), found, to.by_load());
   if (report.status != Status::converged) return report;
-  if (to.by_load() &&
-      report.departure > std::max(options_.largest_departure * report.predicted_change, options_.resolved_departure)) {
+  const bool is_corner = report.departure < report.predicted_change &&
+                         report.departure > least_part_at_corner * twice_as_far &&
+                         report.departure < largest_part_at_corner * twice_as_far;
+  if (to.by_load() && report.departure > largest_departure(report) && !is_corner) {
     report.status = Status::not_converged;
     return report;
   }
   state_ = std::move(found);
   return report;
+}
+
+/// What the step after one that was taken is longer by.
+double BranchFollower::growth(const FilmReport& taken) const {
+  if (taken.iterations >= easy_iterations) return 1.0;
+  if (!to_.by_load()) return options_.time_growth;
+  return std::clamp(aimed_departure * largest_departure(taken) / taken.departure, 1.0, largest_growth);
 }
 
 /// From the last state of a branch to where the film comes to rest in time behind the end. Under a load, if it rests
@@ -123,17 +148,21 @@ void BranchFollower::jump() {
 FilmReport BranchFollower::follow() {
   int ends = 0;
   double step = longest_;
+  double too_far = 0.0;  // departure of the last step, if that was too large
   while (reached_ < 1.0) {
-    const double next = std::min(1.0, reached_ + step);
-    const FilmReport report = solve_on_branch(at(next));
+    step = std::min(step, 1.0 - reached_);
+    const double next = step < (1.0 - round_off) * (1.0 - reached_) ? reached_ + step : 1.0;
+    const FilmReport report = solve_on_branch(at(next), too_far);
     total_ += report;
     if (report.status == Status::interrupted) return total_;
     if (report.status == Status::converged) {
       reached_ = next;
       leap_ = shortest_;
-      if (report.iterations < easy_iterations) step *= options_.time_growth;
+      step *= growth(report);
+      too_far = 0.0;
       continue;
     }
+    too_far = report.departure;
     step *= 0.5;
     if (step >= leap_) continue;
     if (report.status != Status::not_converged) return total_;
@@ -147,6 +176,7 @@ FilmReport BranchFollower::follow() {
     // Where the next step fails at once the end has not been left yet.
     leap_ = std::min(step_growth_off_branch * leap_, longest_);
     step = leap_;
+    too_far = 0.0;
   }
   return total_;
 }

@@ -11,12 +11,13 @@ namespace {
 
 /// Time steps are given up below this part of the first.
 constexpr double smallest_time_step = 1e-6;
-/// As long as a march in time is near its start (largest difference of P, U and position over c) a step changes the
-/// state by no more than this many times what the step before did. Where a state is left at the rate s, implicit Euler
-/// multiplies the distance from it by 1 / (1 - s dt): longer steps blow it up, those beyond s dt = 1 turn its sign, and
-/// the march ends in whatever state lies on that side. Not below this part of the first step: foils that snap over do
-/// so at once.
+/// As long as a march in time is near its start (largest difference of P, U and position over c), where a state is left
+/// at the rate s, implicit Euler multiplies the distance from it by 1 / (1 - s dt): longer steps blow it up, those
+/// beyond s dt = 1 turn its sign, and the march ends in whatever state lies on that side, if anywhere. The next step
+/// aims at such an s dt, for the s of what the last two steps changed, and no step may change the state by more than
+/// that many times what the one before did. Not below this part of the first step: foils that snap over do so at once.
 constexpr double near_start = 0.1;
+constexpr double aimed_growth = 0.4;
 constexpr double largest_change_ratio = 4.0;
 constexpr double shortest_bounded_step = 1e-3;
 
@@ -32,6 +33,7 @@ class RestSearch {
         start_(start),
         first_(options_.first_time_step * stepper.bearing().scales.squeeze_time()),
         dt_(first_),
+        last_dt_(first_),
         leg_(ramp(to, to, 1)) {}
 
   /// The schedule.
@@ -67,8 +69,8 @@ class RestSearch {
       return dt_ < smallest_time_step * first_ ? Verdict::refuse : Verdict::retry;
     }
     change_ = stepper_.distance(at.from, at.step.state);
-    if (change_ > largest_change_ratio * last_change_ && stepper_.distance(start_, at.from) < near_start &&
-        dt_ > shortest_bounded_step * first_) {
+    is_near_ = stepper_.distance(start_, at.from) < near_start;
+    if (change_ > largest_change_ratio * last_change_ && is_near_ && dt_ > shortest_bounded_step * first_) {
       dt_ *= 0.25;
       return Verdict::retry;
     }
@@ -79,8 +81,12 @@ class RestSearch {
   }
 
   void grow() {
+    // The distance grows by change / last_change, less what a longer step changes anyway.
+    const double s_dt = 1.0 - dt_ / last_dt_ * last_change_ / change_;
+    const bool is_left = is_near_ && change_ > options_.marching_tolerance && s_dt > 0.0;
     last_change_ = std::max(change_, options_.marching_tolerance);
-    dt_ *= options_.time_growth;
+    last_dt_ = dt_;
+    dt_ *= is_left ? std::min(options_.time_growth, aimed_growth / s_dt) : options_.time_growth;
   }
 
   const FilmStepper& stepper_;
@@ -88,10 +94,12 @@ class RestSearch {
   const BearingState& start_;
   double first_;  ///< time step, s
   double dt_;
-  Leg leg_;  ///< of one increment
+  double last_dt_;  ///< that was taken, s
+  Leg leg_;         ///< of one increment
   int steps_{};
   bool rests_{};  ///< what comes next takes no time
   double change_{};
+  bool is_near_{};  ///< the start
   double last_change_{std::numeric_limits<double>::infinity()};
   FilmReport total_;
 };
