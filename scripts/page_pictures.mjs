@@ -25,7 +25,7 @@ await friction.fill('0.2');
 await friction.press('Enter');
 await designer.waitForFunction(() => document.documentElement.dataset.answered === '2' && document.documentElement.dataset.drawn);
 await designer.waitForTimeout(500); // the last charts
-await designer.locator('.side').evaluate((side) => side.scrollTo(0, 0));
+await designer.evaluate(() => window.scrollTo(0, 0));
 await designer.screenshot({ path: 'docs/images/designer.png' });
 
 const page = await opened(report, 860);

@@ -58,7 +58,7 @@ struct OfferedUnits {
 
 std::vector<OfferedUnits> offered_units() {
   return {{Dimension::length, {"m", "mm", "um", "nm", "inch", "mil"}},
-          {Dimension::angle, {"rad", "deg"}},
+          {Dimension::angle, {"rad", "mrad", "deg"}},
           {Dimension::force, {"N", "mN", "kN", "lbf"}},
           {Dimension::stiffness, {"N/m", "kN/m", "MN/m", "GN/m", "N/mm", "N/um"}},
           {Dimension::pressure, {"Pa", "kPa", "MPa", "GPa", "bar", "psi"}},
@@ -66,6 +66,8 @@ std::vector<OfferedUnits> offered_units() {
           {Dimension::temperature, {"K"}},
           {Dimension::viscosity, {"Pa s", "mPa s", "uPa s"}},
           {Dimension::bed_stiffness, {"Pa/m", "MPa/m", "GPa/m"}},
+          {Dimension::moment, {"N m", "N mm"}},
+          {Dimension::acceleration, {"m/s2"}},
           {Dimension::mass, {"kg", "g", "lb"}}};
 }
 

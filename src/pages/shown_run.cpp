@@ -102,6 +102,7 @@ Json nodes_of(const ResultLayout& layout) {
 /// Of quantities that have no label of their own, those whose names are no words.
 constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"h_min_theta", "angle of the minimum film thickness"},
+    {"h_min_z", "distance of the minimum film thickness from the mid-plane"},
     {"h_min_pad", "pad of the minimum film thickness"},
     {"h_min_vertex", "minimum film thickness, by a parabola"},
     {"h_min_vertex_theta", "angle of the minimum film thickness, by a parabola"},
@@ -113,9 +114,15 @@ constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::s
     {"flow_weld", "flow past the weld"},
     {"flow_free_end", "flow past the free end"},
     {"flow_sides", "flow out at the sides"},
+    {"flow_side_left", "flow out at the side z < 0"},
+    {"flow_side_right", "flow out at the side z > 0"},
     {"lifted_bumps_at_entry", "detached bumps at the inlet"},
     {"highest_loaded_bump", "bump with the maximum load"},
     {"jumps", "jumps to other branches"},
+    {"growth_held", "growth, journal held"},
+    {"growth_held_theta", "angle at which the growing motion is largest"},
+    {"whirl_ratio_held", "whirl ratio, journal held"},
+    {"critical_mass", "critical rotor mass"},
     {"foil_response", "foil displacement per journal displacement"},
     {"stiffness_cross", "stiffness across the direction"},
     {"loss_stiffness_cross", "loss stiffness across the direction"},
@@ -170,6 +177,9 @@ std::string shown_label(std::string_view label, std::string_view name) {
   const auto named =
       std::find_if(names_in_words.begin(), names_in_words.end(), [name](const auto& one) { return one.first == name; });
   if (!own && named != names_in_words.end()) return std::string(named->second);
+  if (!own && name.ends_with("_stuck")) {
+    return shown_label("", name.substr(0, name.size() - std::string_view("_stuck").size())) + ", full stick";
+  }
   std::string shown(own ? label : name);
   std::replace(shown.begin(), shown.end(), '_', ' ');
   return shown;

@@ -193,6 +193,18 @@ test('of radius and diameter one is given, and the taper has a slider, too', () 
     assert.equal(await tile(page, 'max_force_N'), '739.3 N');
     await slide(page, 'bearing.taper', '10');
     assert.match(await textOf(page), /^taper = "10 um" /m);
+    // What goes along X and Y has a slider of each.
+    await slide(page, 'width.tilt[2]', '0.2');
+    assert.match(await textOf(page), /^\[width\]\ntilt = \["0 mrad", "0\.2 mrad"\]$/m);
+    await slide(page, 'width.tilt[1]', '-0.1');
+    assert.match(await textOf(page), /^tilt = \["-0\.1 mrad", "0\.2 mrad"\]$/m);
+    await answered(page, async () => {
+      await field(page, 'width.tilt[2]').evaluate((one) => {
+        one.value = '';
+        one.dispatchEvent(new Event('change', { bubbles: true }));
+      });
+    });
+    assert.doesNotMatch(await textOf(page), /^tilt/m);
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
 
@@ -203,14 +215,14 @@ test('fields are found by key, title and unit, and groups fold', () =>
     await search.fill('radial clear');
     assert.deepEqual(await shown(), ['bearing.radial_clearance']);
     await search.fill('TILT');
-    assert.deepEqual(await shown(), ['width.tilt']);
+    assert.deepEqual(await shown(), ['width.tilt[1]', 'width.tilt[2]']);
     await search.fill('gpa');
     assert.deepEqual(await shown(), ['bump_foil.youngs_modulus', 'bump_foil.yield_stress', 'top_foil.youngs_modulus', 'top_foil.yield_stress']);
     // What the case has none of is found by what could be added.
     await search.fill('lobe');
     assert.deepEqual(await page.locator('.form .group:visible').evaluateAll((groups) => groups.map((one) => one.dataset.table)), ['pad']);
     await search.fill('');
-    assert.ok((await shown()).includes('bearing.radius') && !(await shown()).includes('width.tilt'));
+    assert.ok((await shown()).includes('bearing.radius') && !(await shown()).includes('width.tilt[1]'));
     await page.getByRole('button', { name: 'Fold all' }).click();
     assert.deepEqual(await shown(), []);
   }));

@@ -79,6 +79,11 @@ export async function withReport(file, check, options) {
   await close();
 }
 
+/** Goes to a part that is folded at first. */
+export function unfold(page, part) {
+  return page.getByRole('navigation').getByRole('link', { name: part }).click();
+}
+
 /** "739.3 N" as 739.3, in SI. */
 export function quantity(text, base) {
   const [number, unit = ''] = text.replaceAll('−', '-').split(' ');

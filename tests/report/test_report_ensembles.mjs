@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, runningFile, saved, summaryOf, unfold, withReport } from './support.mjs';
 
 const samples = 60;
 const settings = ['montecarlo.bump_height.distribution="normal"', 'montecarlo.bump_height.std="10 um"', 'montecarlo.friction_top_bump.distribution="uniform"', 'montecarlo.friction_top_bump.lower=-0.05', 'montecarlo.friction_top_bump.upper=0.05', 'cycle.directions=["+X", "+Y"]', 'cycle.steps=20'];
@@ -37,7 +37,7 @@ test('histograms count every bearing, and say mean and percentiles of the direct
       near(quantity(await page.locator(`.tile[data-key="${key}"] strong`).textContent(), unit), statistics['+X'][key].mean, 1e-3, key);
     }
     assert.equal(await panelOf(page, 'Maximum bump load').locator('.chart').isVisible(), false);
-    await page.locator('.more summary').click();
+    await page.getByText('more distributions').click();
     for (const [name, key, unit] of [['Maximum force', 'max_force_N', 'N'], ['Structural stiffness', 'loaded_stiffness_N_per_m', 'N/m'], ['Maximum bump load', 'largest_bump_load_N', 'N']]) {
       for (const direction of ['+X', '+Y']) {
         await directionChooser(page).selectOption(direction);
@@ -67,6 +67,7 @@ test('the tables are those of summary.json', () =>
     const shown = await page.locator('tr[data-key="loop_energy_J"] > *').allTextContents();
     near(quantity(`${shown[2]} ${shown[1]}`, 'J'), statistics['+Y'].loop_energy_J.mean, 1e-3, 'mean');
     near(quantity(`${shown[11]} ${shown[1]}`, 'J'), statistics['+Y'].loop_energy_J.p99, 1e-3, 'p99');
+    await unfold(page, 'Statistics');
     const saidOfAll = await csvOf(page, 'Statistics of the bearings');
     const force = saidOfAll.find((row) => row.quantity === 'max_force_N' && row.direction_deg === '90');
     near(Number(force.std), statistics['+Y'].max_force_N.std, 1e-6, 'std');

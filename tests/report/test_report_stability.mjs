@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, assertPanelsFitPaper, assertReads, axeFindings, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, assertPanelsFitPaper, assertReads, axeFindings, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, unfold, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=4'];
 
@@ -233,6 +233,7 @@ test('a sweep shows onsets over its key, and growth over key and speed', () =>
     const { points } = summaryOf('masses');
     const shown = await shownIn(page, 'Result vs. parameter');
     assert.deepEqual(shown.map((row) => row.rotor_mass_kg), ['1', '2']);
+    await unfold(page, 'Points');
     const rows = await tableOf(page, 'Table: Results by point');
     const heads = await page.getByRole('group', { name: 'Table: Results by point', exact: true }).locator('thead th').allTextContents();
     assert.equal(heads[1], 'Onset of whirl rpm');

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rotorFile, rowsOf, run, saved, stripFile, withReport } from './support.mjs';
+import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rotorFile, rowsOf, run, saved, stripFile, unfold, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> & <b>bold</b>';
 /** In the order of sweep.nc. */
@@ -15,7 +15,7 @@ function sweep(name, file, keys, rest = [], exitCode = 0) {
 }
 
 before(() => {
-  sweep('grid', caseFile, ['cycle.amplitude=60 um:90 um:10 um', 'friction.coefficient=[0, 0.1, 0.3]'], ['--set', 'cycle.steps=20', '--set', `title=${JSON.stringify(hostileTitle)}`]);
+  sweep('grid', caseFile, ['cycle.amplitude=60 um:90 um:10 um', 'friction.coefficient=[0, 0.1, 0.3]'], ['--set', 'cycle.steps=20', '--set', 'top_foil.yield_stress=2 GPa', '--set', `title=${JSON.stringify(hostileTitle)}`]);
   sweep('friction', caseFile, ['friction.coefficient=0:0.5:0.05'], ['--set', 'cycle.steps=20']);
   sweep('strips', stripFile, ['strip.displacement=5 um:25 um:5 um'], ['--command', 'strip']);
   const vibration = [
@@ -91,8 +91,12 @@ test('maps over two keys come first, and pale is what misses a limit', () =>
       near(Number(row.max_force_N), Number(same.max_force_N), 1e-6, JSON.stringify(row));
     }
     const lines = () => map.locator('.plot path[fill=none]').count();
-    const without = await lines();
     const limit = page.getByRole('group', { name: 'Feasible region' });
+    // At first that of the case.
+    assert.match(await map.locator('.subject').textContent(), /feasible where Maximum stress, top foil ≤ 2\.000 GPa/);
+    assert.equal(await limit.getByLabel('Side of the limit').locator('option:checked').textContent(), 'at most');
+    await limit.getByLabel('Feasible where').selectOption('none');
+    const without = await lines();
     await limit.getByLabel('Feasible where').selectOption('Maximum force');
     await limit.getByLabel('Side of the limit').selectOption('at most');
     await limit.getByLabel('Limit', { exact: true }).fill('0.5');
@@ -170,6 +174,8 @@ test('the loops are those of single runs', async () => {
 test('the table has every point with units and definitions, and is searched', () =>
   withReport('grid.html', async (page) => {
     const table = page.getByRole('region', { name: 'Results by point' });
+    assert.equal(await table.count(), 0);
+    await unfold(page, 'Points');
     const rows = table.locator('tbody tr');
     const expected = sortedRowsIn('grid');
     assert.equal(await rows.count(), expected.length);
@@ -193,6 +199,7 @@ test('the table has every point with units and definitions, and is searched', ()
 
 test('the case of a sweep says that it is that of its first point', () =>
   withReport('grid.html', async (page) => {
+    await unfold(page, 'Case and origin');
     assert.match(
       await page.getByRole('region', { name: 'Case', exact: true }).locator('.subject').textContent(),
       /The case of the first point\. Swept: Cycle: Amplitude 60 µm, 70 µm, 80 µm, 90 µm; Coefficients of friction: Both coefficients 0, 0\.1, 0\.3\./,
@@ -211,6 +218,7 @@ test('points that failed leave gaps and are told', async () => {
     assert.match(await page.locator('.about').textContent(), /· failed ·/);
     const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString()).filter((row) => row.direction === '+X');
     assert.deepEqual(shown.map((row) => row.loaded_stiffness_N_per_m === ''), [false, false, true]);
+    await unfold(page, 'Points');
     await page.getByRole('searchbox', { name: 'Search rows' }).fill('load out of reach');
     assert.deepEqual(await page.locator('.points tbody tr').evaluateAll((rows) => rows.map((row) => row.children[0].textContent)), Array(4).fill('100 kN'));
     assert.match(await page.locator('.points tbody td').first().textContent(), /^–$/);
@@ -303,6 +311,7 @@ test('running bearings are drawn over the key, speed and load', () =>
         }
       }
     }
+    await unfold(page, 'Points');
     const table = page.getByRole('region', { name: 'Results by point' });
     assert.equal(await table.locator('tbody tr').count(), 12);
     await page.getByRole('searchbox', { name: 'Search rows' }).fill('32 30000 50');
@@ -343,6 +352,7 @@ test('axe finds nothing, and the page fits screens and paper', async () => {
   await withReport('both.html', assertFits);
   await withReport('vibrations.html', assertFits);
   await withReport('grid.html', async (page) => {
+    await unfold(page, 'Points');
     await print(page);
     for (const panel of await page.locator('.panel', { has: page.locator('.chart') }).all()) {
       const { height, width } = await panel.boundingBox();

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, assertPanelsFitPaper, assertReads, axeFindings, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, assertPanelsFitPaper, assertReads, axeFindings, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, unfold, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=4'];
 
@@ -263,6 +263,7 @@ test('a sweep shows the largest amplitude over its key, and amplitudes over key 
     const shown = await shownIn(page, 'Result vs. parameter');
     assert.deepEqual(shown.map((row) => row.rotor_mass_kg), ['1', '2']);
     points.forEach((point, i) => near(Number(shown[i].largest_amplitude_m), point.largest_amplitude_m, 1e-6, 'amplitude'));
+    await unfold(page, 'Points');
     const heads = await page.getByRole('group', { name: 'Table: Results by point', exact: true }).locator('thead th').allTextContents();
     assert.deepEqual(heads.slice(0, 4), ['Rotor: Mass', 'Largest amplitude µm', 'Speed of it rpm', 'Amplitude / film']);
     await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Speed');

@@ -94,7 +94,11 @@ function masthead(report: ReportData, runs: Result[]): HTMLElement {
 function navigation(sections: HTMLElement[]): HTMLElement {
   const links = sections.flatMap((section) => {
     const heading = section.querySelector('h2')?.textContent;
-    return heading ? [el('a', { href: `#${section.id}` }, heading)] : [];
+    if (!heading) return [];
+    const link = el('a', { href: `#${section.id}` }, heading);
+    const folded = section.querySelector<HTMLDetailsElement>(':scope > h2 + details');
+    link.addEventListener('click', () => folded && (folded.open = true));
+    return [link];
   });
   return roving(el('nav', { 'aria-label': 'Parts of the report' }, ...links));
 }
@@ -145,12 +149,13 @@ function start(): void {
   const warned = parts.flatMap(({ members, view }) =>
     view.warnings.flatMap((texts, i) => texts.map((text) => (runs.length > 1 ? `${members[i]?.name ?? ''}: ${text}` : text))),
   );
-  const words = part('glossary', 'Glossary', glossary(parts.flatMap(({ view }) => view.entries)));
+  const entries = parts.flatMap(({ view }) => view.entries);
+  const words = entries.length > 0 ? [part('glossary', 'Glossary', glossary(entries))] : [];
   document.getElementById('report')?.append(
     el('a', { class: 'skip', href: '#contents' }, 'Skip to the results'),
     masthead(report, runs),
-    navigation([...parts.flatMap(({ view }) => view.sections), words]),
-    el('main', { id: 'contents', tabindex: -1 }, ...warnings(warned), ...parts.map(({ view }) => el('div', { class: 'view' }, ...view.sections)), words),
+    navigation([...parts.flatMap(({ view }) => view.sections), ...words]),
+    el('main', { id: 'contents', tabindex: -1 }, ...warnings(warned), ...parts.map(({ view }) => el('div', { class: 'view' }, ...view.sections)), ...words),
     el('footer', {}, 'Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
   );
   tellApart([...document.querySelectorAll<HTMLElement>('.panel')]);

@@ -215,6 +215,10 @@ it('counts the tables of a list, and keeps what goes along the foil in one piece
     'bump_foil.shim[2].to',
   ]);
   expect(valueText(entries.get('bump_foil.pitch'), 'm')).toBe('4 mm to 5 mm, linear');
+  // Many numbers in equal steps are told by their ends; small angles are slopes.
+  expect(valueText([0, 1, 2, 3, 4].map((i) => 1e-3 * (1 + i)), 'm')).toBe('1 mm to 5 mm in 4 equal steps');
+  expect(valueText([1e-3, 2e-3, 3e-3, 4e-3, 6e-3], 'm')).toBe('1 mm, 2 mm, 3 mm, 4 mm, 6 mm');
+  expect(valueText([-1.31e-4, 0], 'rad')).toBe('−0.131 mrad, 0°');
   const keys = { bump_foil: { title: 'Bump foil' }, 'bump_foil.shim[1]': { title: 'Shim' }, 'bump_foil.shim[1].from': { title: 'From bump' } };
   expect(labelOf(keys, 'bump_foil.shim[2].from')?.title).toBe('From bump');
   expect(['bump_foil', 'bump_foil.shim[2]', 'bump_foil.pad[1]'].map((table) => titleOf(keys, table))).toEqual(['Bump foil', 'Shim 2', undefined]);

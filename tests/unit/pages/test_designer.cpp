@@ -77,6 +77,7 @@ TEST(DesignerAnswer, OffersUnitsWithTheirSizes) {
   EXPECT_DOUBLE_EQ(units["m"]["inch"].get<double>(), 25.4e-3);
   EXPECT_EQ(units["N/m"]["N/um"], 1e6);
   EXPECT_DOUBLE_EQ(units["rad"]["deg"].get<double>(), 0.017453292519943295);
+  EXPECT_EQ(units["rad"]["mrad"], 1e-3);
   // Turns are counted: 60 rpm are one turn each second.
   EXPECT_DOUBLE_EQ(60.0 * units["rad/s"]["rpm"].get<double>(), 6.283185307179586);
   for (const auto& [si, sizes] : units.items()) EXPECT_EQ(sizes[si], 1.0) << si;

@@ -44,11 +44,11 @@ function padCells(states: States): (string | number)[][] {
   return states.padColumns.flatMap(({ name, angles }, pad) => angles.map(() => (name === '' ? [] : [pad + 1])));
 }
 
-/** All pads laid flat, one after the other, each from its weld. */
+/** All pads laid flat, one after the other, each from its weld; before the name of the next there is room for it. */
 function flatAxis(current: Look, pads: PadColumns[]): object {
   const end = Math.max(...pads.map(({ begin, angles }) => begin + largest(angles)));
   if (pads.length === 1) return axis(current, 'Angle from the weld (°)', { min: 0, max: Math.ceil(end), interval: tick });
-  const texts = new Map(pads.flatMap(({ name, begin, angles }) => Array.from({ length: Math.floor(largest(angles) / tick) + 1 }, (_, i): [number, string] => [begin + i * tick, i === 0 ? name : String(i * tick)])));
+  const texts = new Map(pads.flatMap(({ name, begin, angles }) => Array.from({ length: Math.floor(largest(angles) / tick + 0.4) }, (_, i): [number, string] => [begin + i * tick, i === 0 ? name : String(i * tick)])));
   return axis(current, 'Angle from the weld of each pad (°)', {
     min: 0,
     max: Math.ceil(end),
@@ -241,7 +241,7 @@ export function thicknessChart(states: States, selection: GridSelection, before:
     option: (current) => ({
       grid: { left: 62, right: 18, top: 12, bottom: 48 },
       xAxis: flatAxis(current, states.padColumns),
-      yAxis: axis(current, axisTitle('Thickness, displacement', scale()), { nameGap: 42 }),
+      yAxis: axis(current, axisTitle('Film and sag', scale()), { nameGap: 42 }),
       tooltip: tooltip(current, {
         trigger: 'axis',
         formatter: (items: { dataIndex: number; seriesIndex: number }[]) => {

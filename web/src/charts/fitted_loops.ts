@@ -115,7 +115,7 @@ export function fittedLoop(fit: Fit, data: number): HTMLElement[] {
     }),
     overDisplacement(fit, data, {
       title: 'Residuals of the loop',
-      name: 'Residual (standard deviations)',
+      name: 'Residual (std. deviations)',
       unit: '',
       text: 'measured less fitted force over its standard deviation; of noise alone, 95 % lie between the dashed lines',
       csv: [

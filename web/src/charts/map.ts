@@ -15,6 +15,21 @@ import type { Measure } from './over';
 import { roundTicks } from './ticks';
 
 const bands = 12;
+/** Room beside and below a map for the titles of its axes, and that of a second line of them, px. */
+const [left, right, top, bottom, line] = [66, 20, 14, 48, 16];
+/** About as wide is a letter of these, px. */
+const letter = 6.4;
+
+/** Round numbers along an axis from end to end; an end close to one of them has none of its own. */
+function axisAlong(all: number[], current: Look, title: string, more: object = {}): object {
+  const [min, max] = [Math.min(...all), Math.max(...all)];
+  const ticks = roundTicks(min, max);
+  const [first = min, last = max] = [ticks[0], ticks[ticks.length - 1]];
+  const interval = ticks.length > 1 ? (last - first) / (ticks.length - 1) : max - min;
+  const isApart = (end: number, tick: number): boolean => end === tick || Math.abs(end - tick) > 0.6 * interval;
+  const plain = axis(current, title, { min, max, interval, splitLine: { show: false }, nameTextStyle: { color: current.muted, fontSize: 12, lineHeight: line }, ...more }) as { axisLabel: object };
+  return { ...plain, axisLabel: { ...plain.axisLabel, showMinLabel: isApart(min, first), showMaxLabel: isApart(max, last) } };
+}
 
 /** What the region is of in which a limit is met. */
 export class Limit {
@@ -24,7 +39,15 @@ export class Limit {
   private readonly listeners: (() => void)[] = [];
   readonly root: HTMLElement;
 
-  constructor(measures: Measure[]) {
+  /**
+   * @param sizes  of a quantity, by which its unit is chosen
+   * @param first  that is set at first
+   */
+  constructor(
+    measures: Measure[],
+    private readonly sizes: (measure: Measure) => number[],
+    first?: { measure: Measure; least: boolean; bound: number },
+  ) {
     const box = el('input', { type: 'text', inputmode: 'decimal', class: 'number', 'aria-label': 'Limit' });
     const unit = document.createTextNode('');
     const tell = (): void => {
@@ -43,13 +66,18 @@ export class Limit {
       this.least = value;
       tell();
     });
-    box.disabled = true;
+    box.disabled = !first;
+    if (first) {
+      this.quantity = first.measure;
+      this.least = first.least;
+      list.selectedIndex = 1 + measures.indexOf(first.measure);
+      sides.selectedIndex = first.least ? 0 : 1;
+      box.value = String(Number((first.bound * this.scale.factor).toPrecision(6)));
+      tell();
+    }
     box.addEventListener('input', tell);
     this.root = el('div', { class: 'tools', role: 'group', 'aria-label': 'Feasible region' }, el('label', { class: 'control' }, 'Feasible where', list), el('span', { class: 'control' }, sides), el('label', { class: 'control' }, box, unit));
   }
-
-  /** Sizes of the quantity, by which its unit is chosen. */
-  sizes: (measure: Measure) => number[] = () => [];
 
   private get scale(): { factor: number; unit: string } {
     return this.quantity ? scaleFor(Math.max(...this.sizes(this.quantity).map(Math.abs)), this.quantity.unit) : { factor: 1, unit: '' };
@@ -83,10 +111,18 @@ export function mapPanel(measures: Measure[], first: Measure, [across, up]: [Coo
   const values = (): number[][] => valuesOf((place) => part().value(place));
   const known = (): number[] => values().flat().filter(Number.isFinite);
   const range = (): [number, number] => [Math.min(...known()), Math.max(...known())];
-  const numbers = (one: Coordinate): number[] => (one.numbers ?? []).map((number) => number * axisScale(one).factor);
+  // Without the noise of single precision, which would give the ends ticks of their own.
+  const numbers = (one: Coordinate): number[] => (one.numbers ?? []).map((number) => Number((number * axisScale(one).factor).toPrecision(6)));
   const told = (): string => (known().length === 0 ? 'not known' : rangeText(range(), measure.unit));
   const fixed = (): string => selection.textAt(selection.place, across, up);
-  const option = (current: Look): Option => {
+  const heightOf = (width: number): number => Math.max(230, Math.min(0.72 * width, 420));
+  /** A long title has two lines. */
+  const titled = (one: Coordinate, size: number): { title: string; more: number } => {
+    const title = axisTitle(one.title, axisScale(one));
+    return letter * title.length > size ? { title: title.replace(': ', ':\n'), more: line } : { title, more: 0 };
+  };
+  const option = (current: Look, width: number): Option => {
+    const [wide, high] = [titled(across, width - left - right), titled(up, heightOf(width) - top - bottom)];
     const [xs, ys] = [numbers(across), numbers(up)];
     const [least, most] = known().length > 0 ? range() : [0, 1];
     const triangles = trianglesOf(xs, ys, values());
@@ -106,11 +142,10 @@ export function mapPanel(measures: Measure[], first: Measure, [across, up]: [Coo
     });
     const anywhere = [xs[0] ?? 0, ys[0] ?? 0];
     const points = up.texts.flatMap((_, j) => across.texts.map((__, i): [number, number, number, number] => [xs[i] ?? NaN, ys[j] ?? NaN, i, j]));
-    const ends = (all: number[]): { min: number; max: number } => ({ min: Math.min(...all), max: Math.max(...all) });
     return {
-      grid: { left: 66, right: 20, top: 14, bottom: 48 },
-      xAxis: axis(current, axisTitle(across.title, axisScale(across)), { ...ends(xs), splitLine: { show: false } }),
-      yAxis: axis(current, axisTitle(up.title, axisScale(up)), { ...ends(ys), nameGap: 48, splitLine: { show: false } }),
+      grid: { left: left + high.more, right, top, bottom: bottom + wide.more },
+      xAxis: axisAlong(xs, current, wide.title),
+      yAxis: axisAlong(ys, current, high.title, { nameGap: 48 }),
       tooltip: tooltip(current, {
         trigger: 'item',
         formatter: ({ dataIndex }: { dataIndex: number }) => {
@@ -171,7 +206,7 @@ export function mapPanel(measures: Measure[], first: Measure, [across, up]: [Coo
     file: () => fileName('map', measure.text, label),
     csv: () => toCsv([columnNameOf(across), columnNameOf(up), part().key], up.texts.flatMap((_, j) => across.texts.map((__, i) => [across.numbers?.[i] ?? i, up.numbers?.[j] ?? j, part().value(placeOf(i, j))]))),
     description: () => `${measure.text} over ${across.title} and ${up.title}: ${told()}; ${fixed()}`,
-    height: (width) => Math.max(230, Math.min(0.72 * width, 420)),
+    height: heightOf,
     option,
     ready: (chart, instance) =>
       instance.getZr().on('click', ({ offsetX, offsetY }) => {

@@ -7,6 +7,8 @@ import { formatNumber, formatQuantity } from './units';
 
 /** Entries of a list that are written out: matrices of a rotor and measured loops have thousands. */
 const mostShown = 100;
+/** Angles below it are in mrad, rad. */
+const smallAngle = 5e-3;
 
 type Table = { [key: string]: CaseValue };
 
@@ -67,11 +69,19 @@ function isVector(value: CaseValue): value is [number, number] {
   return Array.isArray(value) && value.length === 2 && value.every((one) => typeof one === 'number');
 }
 
+/** Whether numbers are so many, and in steps so equal, that the first and the last say all. */
+function isEven(values: CaseValue[]): boolean {
+  const [first, last] = [Number(values[0]), Number(values[values.length - 1])];
+  const due = (i: number): number => first + ((last - first) * i) / (values.length - 1);
+  return values.length > 4 && first !== last && values.every((value, i) => typeof value === 'number' && Math.abs(value - due(i)) <= 1e-9 * Math.abs(last - first));
+}
+
 export function valueText(value: CaseValue | undefined, unit: string): string {
   if (value === undefined || value === null) return '–';
   // What goes along the foil by a law.
   if (isTable(value) && 'law' in value) return `${valueText(value['start'], unit)} to ${valueText(value['end'], unit)}, ${String(value['law'])}`;
   if (Array.isArray(value) && value.length > 0 && value.every(isVector)) return value.map(([x, y]) => vectorText(x, y, unit)).join(', ');
+  if (Array.isArray(value) && isEven(value)) return `${valueText(value[0], unit)} to ${valueText(value[value.length - 1], unit)} in ${value.length - 1} equal steps`;
   if (Array.isArray(value) && value.length > mostShown) return `${value.length} values`;
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
@@ -81,6 +91,8 @@ export function valueText(value: CaseValue | undefined, unit: string): string {
   if (unit === 'direction') return directionName(Number(((value * 180) / Math.PI).toPrecision(9)));
   if (unit === 'rpm') return `${Number(((value * 30) / Math.PI).toPrecision(6))} rpm`.replace('-', '−');
   if (unit === 'Hz') return `${Number((value / (2 * Math.PI)).toPrecision(6))} Hz`;
+  // As slopes are written.
+  if (unit === 'rad' && value !== 0 && Math.abs(value) < smallAngle) return `${Number((1e3 * value).toPrecision(6))} mrad`.replace('-', '−');
   if (unit === 'rad') return `${Number(((value * 180) / Math.PI).toPrecision(6))}°`.replace('-', '−');
   if (unit !== '') return trimmed(formatQuantity(value, unit, 5));
   return Number.isInteger(value) ? String(value) : trimmed(formatNumber(value, 5));

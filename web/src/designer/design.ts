@@ -10,7 +10,6 @@ export class Design {
   private step = 0;
   /** Whether changes still belong to the step that is shown, as while a slider is dragged. */
   private open = false;
-  private cached: { text: string; outline: Outline } | undefined;
   private readonly listeners: (() => void)[] = [];
 
   constructor(text: string) {
@@ -22,8 +21,7 @@ export class Design {
   }
 
   private get outline(): Outline {
-    if (this.cached?.text !== this.text) this.cached = { text: this.text, outline: outlineOf(this.text) };
-    return this.cached.outline;
+    return outlineOf(this.text);
   }
 
   /** As it is written; nothing where the case does not give it. */

@@ -5,7 +5,7 @@ import { bumpTable } from './bump_table';
 import type { Design } from './design';
 import type { CaseKey, Fault, Units } from './format';
 import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
-import { groups, ranges, without, type Group } from './ranges';
+import { groups, pairs, ranges, without, type Group } from './ranges';
 import { inList } from './toml';
 import { listOf, valueOf, withPoint } from './typed';
 
@@ -65,8 +65,17 @@ function frame(key: CaseKey, controls: HTMLElement[], labelled: HTMLElement): { 
   return { root, tell };
 }
 
-/** A number with a slider where there is a range for it, and with a unit where it has one. */
-function numberField(key: CaseKey, { design, units, understood }: Place): Field {
+/**
+ * A number with a slider where there is a range for it, and with a unit where it has one.
+ * @param give  writes it into the case
+ * @param take  takes it out
+ */
+function numberField(
+  key: CaseKey,
+  { design, units, understood }: Place,
+  give = (value: string, going?: boolean): void => design.set(key.path, value, going),
+  take = (): void => design.remove(key.path),
+): Field {
   const { path, unit: si = '' } = key;
   const whole = key.kind === 'whole number';
   const range = ranges[ofFirst(path)];
@@ -90,7 +99,7 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
     const now = current();
     text.value = now ? String(now.number) : (design.written(path) ?? '').replace(/^"|"$/g, '');
   };
-  const set = (number: number, going: boolean): void => design.set(path, writeQuantity({ number, unit: plain ? '' : unit }), going);
+  const set = (number: number, going: boolean): void => give(writeQuantity({ number, unit: plain ? '' : unit }), going);
 
   slider.addEventListener('input', () => {
     const value = Number(slider.value);
@@ -100,13 +109,13 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
   text.addEventListener('change', () => {
     const typed = text.value.trim();
     if (typed === '') {
-      if (design.written(path) !== undefined) design.remove(path);
+      if (design.written(path) !== undefined) take();
       return;
     }
     const read = readQuantity(withPoint(typed));
     // A unit may be typed, too, or a list.
-    if (!read) design.set(path, valueOf(typed));
-    else if (read.unit !== '') design.set(path, writeQuantity(read));
+    if (!read) give(valueOf(typed));
+    else if (read.unit !== '') give(writeQuantity(read));
     else set(read.number, false);
     // Where it means what the case says already, nothing else tells how it was understood.
     show();
@@ -116,7 +125,7 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
     unit = list.value;
     plain = false;
     const same = now && converted({ ...now, unit: now.unit === '' ? si : now.unit }, unit, si, units);
-    if (same) design.set(path, writeQuantity(same));
+    if (same) give(writeQuantity(same));
   });
 
   const controls = [...(range ? [slider] : []), text, ...(si === '' ? [] : [list])];
@@ -134,7 +143,7 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
     if (si !== '') {
       const names = offered.includes(unit) ? offered : [...offered, unit];
       if (list.childElementCount !== names.length) list.replaceChildren(...names.map((name) => el('option', { value: name }, name)));
-      list.value = unit;
+      if (list.value !== unit) list.value = unit;
     }
     if (range) {
       const size = si === '' ? 1 : (sizeOf(unit, si, units) ?? 1);
@@ -151,6 +160,29 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
   return { path, root, words: wordsOf(key), refresh };
 }
 
+/** A list of two numbers, along X and Y: each has a field. */
+function pairFields(key: CaseKey, place: Place): Field[] {
+  const { path: list, unit: si = '' } = key;
+  const { design, understood, units } = place;
+  const examples = (key.example ?? '').replace(/[[\]]/g, '').split(',');
+  const byDefault = (i: number): number => (Array.isArray(key.value) ? Number(key.value[i]) : 0);
+  return ['X', 'Y'].map((axis, i) => {
+    const path = `${list}[${i + 1}]`;
+    const { unit = si } = readQuantity(examples[i] ?? '') ?? {};
+    const give = (value: string, going?: boolean): void => {
+      if (design.written(path) !== undefined) return design.set(path, value, going);
+      const other = converted({ number: byDefault(1 - i), unit: si }, unit, si, units);
+      const both = [value, other ? writeQuantity(other) : '0'];
+      design.set(list, `[${(i === 0 ? both : both.reverse()).join(', ')}]`, going);
+    };
+    const component = (): CaseValue | undefined => {
+      const value = understood(list);
+      return Array.isArray(value) ? value[i] : undefined;
+    };
+    return numberField({ ...key, path, title: `${key.title}, ${axis}`, example: (examples[i] ?? '').trim(), value: byDefault(i) }, { ...place, understood: component }, give, () => design.remove(list));
+  });
+}
+
 /** One of a few words, or true and false. */
 function choiceField(key: CaseKey, words: string[], { design, understood }: Place): Field {
   const { path } = key;
@@ -162,7 +194,7 @@ function choiceField(key: CaseKey, words: string[], { design, understood }: Plac
   const refresh = (faults: Fault[]): void => {
     const written = design.written(path);
     const value = written?.replace(/^["']|["']$/g, '') ?? String(understood(path) ?? key.value ?? '');
-    list.value = value;
+    if (list.value !== value) list.value = value;
     tell(faults, written !== undefined);
   };
   return { path, root, words: wordsOf(key), refresh };
@@ -211,7 +243,7 @@ function section(group: Group, keys: CaseKey[], place: Place): Section {
   const { design } = place;
   const head = keys.find(({ path }) => path === group.path);
   const inner = keys.filter(({ path }) => path.startsWith(`${group.path}.`) && !path.slice(group.path.length).includes('[') && !groups.some((other) => other !== group && other.path.startsWith(group.path) && (path === other.path || path.startsWith(`${other.path}.`))));
-  const fields = inner.filter(({ path }) => !without.includes(path)).flatMap((key) => fieldOf(key, place) ?? []);
+  const fields = inner.filter(({ path }) => !without.includes(path)).flatMap((key) => (pairs.includes(key.path) ? pairFields(key, place) : (fieldOf(key, place) ?? [])));
   const body = el('div', { class: 'fields' }, ...fields.map(({ root }) => root));
   const title = el('summary', {}, head?.title ?? group.path);
   const root = el('details', { class: 'group', 'data-table': group.path, open: group.open }, title);

@@ -178,9 +178,10 @@ class Page {
   private changed(): void {
     this.undo.disabled = !this.design.canUndo;
     this.redo.disabled = !this.design.canRedo;
+    // The solvers begin while the page writes what was typed.
+    void this.compute();
     if (this.editor.value !== this.design.text) this.editor.value = this.design.text;
     this.fields.refresh(this.faults);
-    void this.compute();
   }
 
   private async compute(): Promise<void> {

@@ -37,7 +37,11 @@ export const alternatives = [
   ['bearing.radius', 'bearing.diameter'],
   ['cycle.amplitude', 'cycle.load'],
   ['gas.preset', 'gas.viscosity'],
+  ['width.tilt', 'width.moment'],
 ];
+
+/** Lists of two numbers, along X and Y. */
+export const pairs = ['width.tilt', 'width.moment', 'rotor.gravity'];
 
 /** Keys of the tables above that nothing here answers to, or that come from files: of films over walls in place of foils, of limits, matrices. */
 export const without = ['film.wall', 'film.wall_stiffness', 'film.closed', 'film.h_lift_off', 'equilibrium.limits', 'equilibrium.ross_version', 'montecarlo.limits', ...['M', 'C', 'G', 'K'].map((name) => `rotor.matrix.${name}`)];
@@ -47,7 +51,7 @@ export const commons = [{ once: 'friction.coefficient', each: ['friction.top_bum
 
 const [um, mm, deg, GPa, MN] = [1e-6, 1e-3, Math.PI / 180, 1e9, 1e6];
 
-/** Ends of the slider, and its step where that is not a fine one; of tables of a list those of the first. */
+/** Ends of the slider, and its step where that is not a fine one; of lists those of the first. */
 export const ranges: Record<string, [least: number, most: number, step?: number]> = {
   'bearing.radius': [5 * mm, 60 * mm],
   'bearing.diameter': [10 * mm, 120 * mm, 0.5 * mm],
@@ -87,6 +91,12 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'gas.ambient_pressure': [1e4, 1e6],
   'gas.mean_free_path': [0, 0.5 * um],
   'rotor.mass': [0.1, 20],
+  'rotor.gravity[1]': [-20, 20],
+  'width.modes': [1, 3, 1],
+  'width.tilt[1]': [-0.5e-3, 0.5e-3],
+  'width.moment[1]': [-0.5, 0.5],
+  'width.conicity': [-50 * um, 50 * um],
+  'width.crowning': [-50 * um, 50 * um],
   'film.columns_per_pitch': [4, 12, 2],
   'film.rows': [4, 24, 1],
   'film.h_floor': [0, 2 * um],

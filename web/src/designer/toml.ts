@@ -40,7 +40,19 @@ function tableOf(path: string): string {
   return path.includes('.') ? path.slice(0, path.lastIndexOf('.')) : '';
 }
 
+/** Of the texts that were asked for last. */
+const outlines = new Map<string, Outline>();
+
 export function outlineOf(text: string): Outline {
+  const known = outlines.get(text);
+  if (known) return known;
+  if (outlines.size > 8) outlines.clear();
+  const outline = readOutline(text);
+  outlines.set(text, outline);
+  return outline;
+}
+
+function readOutline(text: string): Outline {
   const outline: Outline = { values: new Map(), statements: new Map(), tables: new Map([['', 0]]), heads: new Map() };
   const lineEnd = (place: number): number => (text + '\n').indexOf('\n', place);
   const lines = ([start, end]: AST.Range): Span => ({ start: text.lastIndexOf('\n', start - 1) + 1, end: lineEnd(end) });

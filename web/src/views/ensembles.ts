@@ -19,12 +19,7 @@ import { dropDown, el } from '../ui/dom';
 import { EnsembleSelection } from '../ui/ensemble_selection';
 import { Selection } from '../ui/selection';
 import { familyScale } from './chooser';
-import { part, type View } from './view';
-
-/** What is not asked for first, folded. */
-function more(text: string, panels: HTMLElement[]): HTMLElement[] {
-  return panels.length === 0 ? [] : [el('details', { class: 'more' }, el('summary', {}, text), el('div', { class: 'multiples' }, ...panels))];
-}
+import { fold, part, type View } from './view';
 
 /** Hidden where there is no choice. */
 function directionChooser(ensemble: Ensemble, selection: EnsembleSelection): HTMLElement[] {
@@ -102,14 +97,14 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
   const compared = { several: false, focus: [ensemble], shown: [ensemble], names: label, onChange: () => undefined };
   const first = runs.length === 1 ? 'A bearing' : `The first ${runs.length} bearings`;
   return [
-    part(`${id}-distributions`, title('Ensemble'), ...directionChooser(ensemble, looked), ...yieldTable(ensemble), statisticTiles(ensemble, looked, main), el('div', { class: 'multiples maps' }, ...histograms(main)), ...more(`${others.length} more distributions`, others)),
+    part(`${id}-distributions`, title('Ensemble'), ...directionChooser(ensemble, looked), ...yieldTable(ensemble), statisticTiles(ensemble, looked, main), el('div', { class: 'multiples maps' }, ...histograms(main)), ...(others.length > 0 ? [fold(`${others.length} more distributions`, el('div', { class: 'multiples' }, ...others))] : [])),
     ...bearings(ensemble, looked, `${id}-bearings`, title(first)),
     part(`${id}-factors`, title('Sensitivities'), el('div', { class: 'multiples' }, ...factors, ...(ensemble.hasLoads ? [loadSpread(ensemble, looked)] : []))),
-    part(`${id}-statistics`, title('Statistics'), statisticsTable(ensemble, looked)),
+    part(`${id}-statistics`, title('Statistics'), fold(`Mean, scatter and percentiles of ${quantities.length} quantities`, statisticsTable(ensemble, looked))),
     part(
       `${id}-case`,
       title('Case and origin'),
-      caseSection(compared, caseKeys, { shortfalls: () => [ensemble.attribute('status_message')].filter((text) => text !== ''), note: '' }),
+      fold('The case as interpreted, and where the results come from', caseSection(compared, caseKeys, { shortfalls: () => [ensemble.attribute('status_message')].filter((text) => text !== ''), note: '' })),
     ),
   ];
 }

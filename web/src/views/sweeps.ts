@@ -2,7 +2,7 @@ import { FamilyPanel, type Loops } from '../charts/family';
 import { OverPanel, type Measure } from '../charts/over';
 import { Limit, mapPanel } from '../charts/map';
 import { sweptWaterfall } from '../charts/waterfall';
-import { isSpeed, valueText } from '../data/case_values';
+import { flatten, isSpeed, valueText } from '../data/case_values';
 import type { CaseKeys, GridData, Quantity, ResultData } from '../data/format';
 import { Grid, numbersOf, placesOf, vectorText, type Coordinate, type Place, type Variable } from '../data/grid';
 import { kinds } from '../data/kinds';
@@ -19,7 +19,7 @@ import { GridSelection } from '../ui/grid_selection';
 import { frequencyEntries, frequencySections } from './frequencies';
 import { gridControls } from './grid_controls';
 import { vibrationEntries, vibrationSections } from './vibrations';
-import { part, type View } from './view';
+import { fold, part, type View } from './view';
 
 /** A quantity of every point and cycle. */
 interface SweptQuantity extends Quantity {
@@ -111,14 +111,32 @@ function measuresOf(quantities: SweptQuantity[]): Measure[] {
   }));
 }
 
+/** Limits that cases give. */
+const limitsOfCases = [
+  { name: 'h_min', least: true, path: 'film.h_lift_off' },
+  { name: 'max_stress_top_foil', least: false, path: 'top_foil.yield_stress' },
+  { name: 'max_stress_bump_foil', least: false, path: 'bump_foil.yield_stress' },
+];
+
+/** The first that the case of a sweep gives, where it is not swept itself. */
+function limitOf(grid: Grid, quantities: SweptQuantity[], measures: Measure[]): { measure: Measure; least: boolean; bound: number } | undefined {
+  const given = flatten(grid.data.summary.case);
+  return limitsOfCases.flatMap(({ name, least, path }) => {
+    const key = quantities.find((quantity) => quantity.name === name)?.key;
+    const measure = measures.find(({ parts }) => at(parts, 0).key === key);
+    const bound = given.get(path);
+    return measure && typeof bound === 'number' && !keysOf(grid).some((swept) => swept.name === path) ? [{ measure, least, bound }] : [];
+  })[0];
+}
+
 /** Over two keys of numbers: what the case is asked for, with the region that a limit leaves. */
 function mapsOf(grid: Grid, keys: Coordinate[], quantities: SweptQuantity[], measures: Measure[], selection: GridSelection): HTMLElement[] {
   const axes = keys.filter(({ numbers = [] }) => new Set(numbers).size > 1);
   const [across, up] = axes;
   if (!across || !up || axes.length > 2 || measures.length === 0) return [];
   const main = mainQuantities(quantities.filter(({ key }) => measures.some(({ parts }) => at(parts, 0).key === key)));
-  const limit = new Limit(measures);
-  limit.sizes = (measure) => placesOf([across, up]).map((place) => at(measure.parts, 0).value({ ...selection.place, ...place })).filter(Number.isFinite);
+  const sizes = (measure: Measure): number[] => placesOf([across, up]).map((place) => at(measure.parts, 0).value({ ...selection.place, ...place })).filter(Number.isFinite);
+  const limit = new Limit(measures, sizes, limitOf(grid, quantities, measures));
   const panels = main.flatMap(({ key }) => measures.filter(({ parts }) => at(parts, 0).key === key)).map((measure) => mapPanel(measures, measure, [across, up], selection, limit, grid.label));
   return [limit.root, el('div', { class: 'multiples maps' }, ...panels)];
 }
@@ -171,16 +189,22 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
     part(
       `${id}-points`,
       title('Points'),
-      ...(ofPoints.length > 0 ? [tableOf('Results by point', ofPoints, keys)] : []),
-      ...(ofParts.length > 0 ? [tableOf(ofPoints.length > 0 ? 'Results by point and speed' : 'Results by point', ofParts, coordinates)] : []),
+      fold(
+        `${quantities.length} quantities at ${placesOf(keys).length} points`,
+        ...(ofPoints.length > 0 ? [tableOf('Results by point', ofPoints, keys)] : []),
+        ...(ofParts.length > 0 ? [tableOf(ofPoints.length > 0 ? 'Results by point and speed' : 'Results by point', ofParts, coordinates)] : []),
+      ),
     ),
     part(
       `${id}-case`,
       title('Case and origin'),
-      caseSection(compared, caseKeys, {
-        shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''),
-        note,
-      }),
+      fold(
+        'The case of the first point, and where the results come from',
+        caseSection(compared, caseKeys, {
+          shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''),
+          note,
+        }),
+      ),
     ),
   ];
 }

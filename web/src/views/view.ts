@@ -19,3 +19,8 @@ export type MakeView = (results: ResultData[], keys: CaseKeys, alone: boolean) =
 export function part(id: string, title: string, ...children: Child[]): HTMLElement {
   return el('section', { id, class: 'part', 'aria-labelledby': `${id}-title` }, el('h2', { id: `${id}-title` }, title), ...children);
 }
+
+/** Folded under a line that says what it is. */
+export function fold(text: string, ...children: Child[]): HTMLDetailsElement {
+  return el('details', { class: 'more' }, el('summary', {}, text), ...children);
+}
