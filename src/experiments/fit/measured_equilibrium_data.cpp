@@ -6,17 +6,19 @@
 #include <memory>
 #include <set>
 
+#include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "experiments/equilibrium/small_motions.hpp"
 #include "experiments/fit/fit_columns.hpp"
 #include "experiments/fit/measured_data.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// Leaves states as they were found.
+/// Leaves states as they were found: their stability is not measured.
 class NoJudges final : public StateJudges {
  public:
   void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/,
@@ -30,7 +32,6 @@ struct PlaceOfRow {
   std::optional<double> frequency{};
 };
 
-/// Small motions alone need a state that is judged.
 bool is_coefficient(FitColumn column) {
   return column >= FitColumn::kxx;
 }
@@ -45,7 +46,7 @@ const RunningQuantity& running_quantity_of(FitColumn column, FittedContacts cont
 
 class MeasuredEquilibriumData final : public MeasuredData {
  public:
-  explicit MeasuredEquilibriumData(const FitData& data) {
+  explicit MeasuredEquilibriumData(const FitData& data) : contacts_(data.contacts) {
     const std::vector<double>& speeds = data.column(FitColumn::speed).values;
     const std::vector<double>& frequencies = data.column(FitColumn::frequency).values;
     for (std::size_t row = 0; row < speeds.size(); ++row) {
@@ -57,12 +58,13 @@ class MeasuredEquilibriumData final : public MeasuredData {
     measured_ = measured_table(data);
     for (const FittedQuantity& quantity : measured_.quantities) {
       quantities_.push_back(running_quantity_of(quantity.column, data.contacts));
-      judged_ = judged_ || is_coefficient(quantity.column);
+      has_coefficients_ = has_coefficients_ || is_coefficient(quantity.column);
     }
     add_points(data);
   }
 
   [[nodiscard]] Case case_for(Case input) const override {
+    input.solver.name = SolverName::newton;  // the one that films take; loops beside may have another
     if (!input.equilibrium) input.equilibrium.emplace();
     EquilibriumSettings& settings = *input.equilibrium;
     settings.speeds = {places_.front().speed};
@@ -80,8 +82,8 @@ class MeasuredEquilibriumData final : public MeasuredData {
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
       const EquilibriumSettings settings = settings_of(*input.equilibrium, groups[i]);
       NoJudges none;
-      const EquilibriumResult result =
-          find_states(bearing, settings, thickness_floor(input), {settings.path}, {}, judged_ ? nullptr : &none);
+      EquilibriumResult result = find_states(bearing, settings, thickness_floor(input), {settings.path}, {}, &none);
+      for (RunningState& state : result.states) add_answers(bearing, settings, state);
       for (std::size_t k = 0; k < result.states.size(); ++k) {
         for (std::size_t q = 0; q < quantities_.size(); ++q) {
           values[q][groups[i][k]] = value_of(quantities_[q], *bearing, result.states[k]);
@@ -112,6 +114,19 @@ class MeasuredEquilibriumData final : public MeasuredData {
       default:
         return 0.0;
     }
+  }
+
+  /// Adds to a state that was found what is measured of it: small motions have the frequency of the settings or that of
+  /// the rotation.
+  void add_answers(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, RunningState& state) const {
+    if (!state.found()) return;
+    state.outcome = film_bearing_outcome(*bearing, *state.last);
+    if (!has_coefficients_) return;
+    FilmWhirl& whirl = state.whirls.emplace_back();
+    whirl.frequency = frequencies_of(settings, state.asked.speed).front();
+    const bool stuck = contacts_ == FittedContacts::stuck;
+    const auto found = FilmStepper(bearing).impedances(*state.last, {{0.0, whirl.frequency}}, stuck);
+    if (found) (stuck ? whirl.stuck_impedance : whirl.impedance) = bearing->by_slopes(found->front());
   }
 
   /// Over what differs most from row to row.
@@ -177,7 +192,8 @@ class MeasuredEquilibriumData final : public MeasuredData {
 
   std::vector<PlaceOfRow> places_;
   std::vector<RunningQuantity> quantities_;
-  bool judged_{};  ///< whether stiffness or damping is measured
+  FittedContacts contacts_;
+  bool has_coefficients_{};  ///< stiffness or damping
 };
 
 }  // namespace
