@@ -115,9 +115,9 @@ def fitted(result: Result, *, width: str = "double") -> Figure:
         for series, curve in points.groupby("series", sort=False):
             look = looks.setdefault((number if len(points.series.unique()) > 2 else 0, series), len(looks))
             marks = {**_style(look, marked=True), "linestyle": "none"}
-            place = curve.point_place / axis_size
-            (mark,) = values.plot(place, curve.measured_value / size, label=f"measured, {series}", **marks)
-            (line,) = values.plot(place, curve.model_value / size, label=f"fitted, {series}", **_style(look))
+            place, named = curve.point_place / axis_size, series.replace("-", "−")
+            (mark,) = values.plot(place, curve.measured_value / size, label=f"measured, {named}", **marks)
+            (line,) = values.plot(place, curve.model_value / size, label=f"fitted, {named}", **_style(look))
             residuals.plot(place, curve.value_residual / curve.value_deviation, **marks)
             handles.update({mark.get_label(): mark, line.get_label(): line})
         for bound in (-2, 2):
