@@ -16,7 +16,7 @@ from .figure_sheet import Sheet, arranged, save, styled
 from .paper_figures import paper
 from .places import Places
 from .plots import _style, _words, demand, demand_fields, draw_states, known, places_of, running_lines
-from .tables import place_of
+from .tables import of_csv, place_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,6 +52,14 @@ _INTERFACES = {"journal_top": "journal on top foil", "top_bump": "top foil on bu
 _FORCES = ("Fx: xx, xy", "Fy: yy, yx")
 _DASHES = ("-", "--")
 
+#: What figures call columns of measured data, where they do not have their names.
+_MEASURED = {"loss_factor": "loss factor", "h_min": "film thickness"}
+#: Units of figures by those of files, with their sizes.
+_READ_UNITS = {
+    "1": ("", 1.0), "m": ("µm", 1e-6), "N": ("N", 1.0), "N/m": ("MN/m", 1e6), "N m": ("N mm", 1e-3), "N s/m": ("N s/m", 1.0),
+    "rad/s": ("Hz", 2 * np.pi),
+}  # fmt: skip
+
 #: A mark on the axis of a histogram.
 _MEAN = {"linestyle": "none", "markersize": 5, "markeredgecolor": "white", "markeredgewidth": 0.4}
 
@@ -83,7 +91,7 @@ def loops(result: Result, *, width: str = "single") -> Figure:
 
 @styled
 def fitted(result: Result, *, width: str = "double") -> Figure:
-    """Measured and fitted forces over displacement, and residuals in standard deviations: a row for each loop.
+    """What was measured and what the fitted model gives, and residuals in standard deviations: two panels for each quantity.
 
     Parameters
     ----------
@@ -92,26 +100,35 @@ def fitted(result: Result, *, width: str = "double") -> Figure:
     width : {"single", "double"}
         90 or 190 mm.
     """
-    demand(result, "fitted loops")
-    data = result.to_xarray()
-    sheet = Sheet(width, *arranged(width, 2 * data.sizes["data"]), panel_height=50)
-    for number, (forces, residuals) in enumerate(zip(sheet.panels[::2], sheet.panels[1::2])):
-        loop = data.isel(data=number)
-        for branch, name in enumerate(("push", "pull")):
-            points = loop.where(loop.fit_branch == branch, drop=True)
-            displacement = 1e6 * points.measured_displacement
-            marks = {**_style(branch, marked=True), "linestyle": "none"}
-            forces.plot(displacement, points.measured_force, label=f"measured, {name}", **marks)
-            forces.plot(displacement, points.fitted_force, label=f"fitted, {name}", **_style(branch))
-            residuals.plot(displacement, points.force_residual / points.force_deviation, **marks)
+    demand(result, "fitted data")
+    table = of_csv(result, "fit")
+    panels = list(table.groupby(["data", "quantity"], sort=False))
+    # A curve has the same look in all panels of its data.
+    looks: dict[tuple[Any, ...], int] = {}
+    handles: dict[str, Any] = {}
+    sheet = Sheet(width, *arranged(width, 2 * len(panels)), panel_height=50)
+    titles: list[str] = []
+    for ((number, quantity), points), values, residuals in zip(panels, sheet.panels[::2], sheet.panels[1::2]):
+        name, (unit, size) = _MEASURED.get(quantity, quantity), _READ_UNITS[points.unit.iloc[0]]
+        axis = points.axis.iloc[0]
+        axis_unit, axis_size = ("rpm", np.pi / 30) if axis == "Speed" else _READ_UNITS[points.axis_unit.iloc[0]]
+        for series, curve in points.groupby("series", sort=False):
+            look = looks.setdefault((number if len(points.series.unique()) > 2 else 0, series), len(looks))
+            marks = {**_style(look, marked=True), "linestyle": "none"}
+            place, named = curve.point_place / axis_size, series.replace("-", "−")
+            (mark,) = values.plot(place, curve.measured_value / size, label=f"measured, {named}", **marks)
+            (line,) = values.plot(place, curve.model_value / size, label=f"fitted, {named}", **_style(look))
+            residuals.plot(place, curve.value_residual / curve.value_deviation, **marks)
+            handles.update({mark.get_label(): mark, line.get_label(): line})
         for bound in (-2, 2):
             residuals.axhline(bound, color="#888888", linewidth=0.6, linestyle=":")
-        for ax, words in ((forces, "force (N)"), (residuals, "residual / standard deviation")):
-            ax.set_xlabel("displacement (µm)")
+        for ax, words in ((values, f"{name} ({unit})" if unit else name), (residuals, "residual / standard deviation")):
+            ax.set_xlabel(f"{axis.lower()} ({axis_unit})")
             ax.set_ylabel(words)
-    titles = [title for number in range(data.sizes["data"]) for title in (f"loop {number + 1}", f"loop {number + 1}, residuals")]
+        of_data = f"data {number}, {name}" if len(result.summary["data"]) > 1 else name
+        titles += [of_data, f"{of_data}: residuals"]
     sheet.entitle(titles)
-    return sheet.finish(None)
+    return sheet.finish(list(handles.values()))
 
 
 @styled

@@ -68,7 +68,7 @@ def demand(result: Result, picture: str) -> None:
         "states on asperities": result.command == "equilibrium" and "asperity_share" in result.to_dataframe(),
         "responses to unbalance": result.command == "unbalance",
         "revolutions": result.command == "transient",
-        "fitted loops": result.command == "fit",
+        "fitted data": result.command == "fit",
         "free motions": result.command == "stability",
         "distributions": result.command == "montecarlo",
         "quantities over keys": result.command == "sweep",

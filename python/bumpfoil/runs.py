@@ -219,9 +219,10 @@ def run_transient(case: Any, /, *, progress: Progress = None, **tables: Any) -> 
 
 @_documented(
     """
-    loops : sequence of mappings, optional
-        Measured loops, each with ``displacements`` and ``forces`` as arrays in SI, or with a ``file``, and other keys of
-        [[fit.data]]; in place of those of the case.
+    data : sequence of mappings, optional
+        What was measured, each with keys of [[fit.data]], in place of those of the case: a loop with ``displacements`` and
+        ``forces``, a table (``experiment="vibration"`` or ``"equilibrium"``) with ``readings``, a mapping of columns; as
+        arrays in SI, or from a ``file``.
     parameters : mapping, optional
         By their keys ``start``, ``lower`` and ``upper`` of the keys that are fitted, and what else [[fit.parameter]]
         has: ``{"friction.coefficient": {"start": 0.1, "lower": 0, "upper": 0.5}}``; in place of those of the case.
@@ -231,18 +232,18 @@ def fit(
     case: Any,
     /,
     *,
-    loops: Sequence[Mapping[str, Any]] | None = None,
+    data: Sequence[Mapping[str, Any]] | None = None,
     parameters: Mapping[str, Mapping[str, Any]] | None = None,
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
-    """Finds parameters of the case from measured loops, with standard errors, as specified in [fit].
+    """Finds parameters of the case from measured data, with standard errors, as specified in [fit].
 
-    ``summary["parameters"]`` has values and intervals, ``to_xarray()`` measured and fitted forces, ``files["case.toml"]``
+    ``summary["parameters"]`` has values and intervals, ``to_xarray()`` what was measured and fitted, ``files["case.toml"]``
     the fitted case."""
     given = dict(tables.get("fit", {}))
-    if loops is not None:
-        given["data"] = [dict(loop) for loop in loops]
+    if data is not None:
+        given["data"] = [dict(one) for one in data]
     if parameters is not None:
         given["parameter"] = [{"key": key, **values} for key, values in parameters.items()]
     if given:

@@ -130,8 +130,10 @@ bool is_column(std::string_view column, std::string_view name) {
 std::optional<ColumnUnit> unit_of_column(std::string_view column, std::string_view quantity, Dimension dimension) {
   const auto unit = behind_quantity(column, quantity);
   if (!unit || unit->empty()) return std::nullopt;
-  // Some write all in capitals, some "in mm".
-  for (const std::string& name : {*unit, lower(*unit), unit->starts_with("in ") ? unit->substr(3) : std::string()}) {
+  // Some write all in capitals, some "in mm"; results of this program write "N_m_per_rad".
+  const std::string spelt = replaced(replaced(*unit, "_per_", "/"), "_", " ");
+  for (const std::string& name :
+       {*unit, lower(*unit), spelt, unit->starts_with("in ") ? unit->substr(3) : std::string()}) {
     const auto size = parse_quantity("1 " + name, dimension);
     if (const double* value = std::get_if<double>(&size)) return ColumnUnit{name, *value};
   }

@@ -42,6 +42,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::velocity, "a velocity", "m/s", "\"2.5 mm/s\""},
     DimensionText{Dimension::duration, "a time", "s", "\"0.2 s\""},
     DimensionText{Dimension::moment, "a moment", "N m", "\"50 N mm\""},
+    DimensionText{Dimension::damping, "a damping", "N s/m", "\"200 N s/m\""},
 };
 
 /// Longer texts are no quantities; the grammar of units recurses.

@@ -26,6 +26,7 @@ enum class Dimension {
   velocity,
   duration,
   moment,
+  damping,
 };
 
 /// Why a text is not the expected quantity.

@@ -163,19 +163,29 @@ def test_ensembles_and_coefficients(ensemble, vibration, running, width, size):
 
 
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
-def test_fitted_loops():
-    true = {"cycle": {"steps": 40, "directions": ["+X"]}, "friction": {"coefficient": 0.2}, "solver": {"name": "events"}}
-    truth = bumpfoil.run_cycle(EXAMPLES / "gen1.toml", **true).cycles[0]
+def test_fitted_loops_and_vibrations():
+    true = {"friction": {"coefficient": 0.2}, "solver": {"name": "events"}}
+    cycle = {"steps": 40, "directions": ["+X"]}
+    motion = {"loads": [[0, -50]], "directions": ["+Y"], "amplitudes": ["1 um", "2 um"], "frequencies": ["1 Hz"], "steps": 4}
+    truth = bumpfoil.run_cycle(EXAMPLES / "gen1.toml", cycle=cycle, **true).cycles[0]
     loop = {"displacements": truth.displacement, "forces": truth.force_direct}
+    shaken = bumpfoil.run_vibration(EXAMPLES / "gen1.toml", vibration=motion, **true).to_dataframe()
+    columns = {"amplitude": shaken.amplitude_m, "direction": np.radians(shaken.direction_deg), "load_y": shaken.load_y_N}
+    measured = {"stiffness": shaken.loaded_stiffness_N_per_m, "loss_factor": shaken.loss_factor}
+    table = {"experiment": "vibration", "readings": columns | measured, "stiffness_std": "0.1 MN/m", "loss_factor_std": 0.01}
     friction = {"friction.coefficient": {"start": 0.1, "lower": 0.0, "upper": 0.5}}
-    result = bumpfoil.fit(EXAMPLES / "gen1.toml", loops=[loop], parameters=friction, fit={"starts": 1})
+    result = bumpfoil.fit(EXAMPLES / "gen1.toml", data=[loop, table], parameters=friction, fit={"starts": 1}, vibration=motion, **true)
     (found,) = result.summary["parameters"]
     assert found["fitted_value"] == pytest.approx(0.2, abs=1e-4)
+    assert [one["experiment"] for one in result.summary["data"]] == ["cycle", "vibration"]
     figure = figures.fitted(result)
-    inspect(figure, width=190, panels=2)
+    inspect(figure, width=190, panels=6)
     lines = {line.get_label(): line.get_xydata() for line in figure.axes[0].lines}
-    assert len(lines["measured, push"]) + len(lines["measured, pull"]) == np.isfinite(result.data["measured_force"]).sum()
-    with pytest.raises(ValueError, match="fitted loops"):
+    assert len(lines["measured, push"]) + len(lines["measured, pull"]) == np.isfinite(result.data["measured_value"][0]).sum()
+    stiffness = figure.axes[2].lines[0].get_xydata()
+    np.testing.assert_allclose(stiffness, np.column_stack([1e6 * shaken.amplitude_m, 1e-6 * shaken.loaded_stiffness_N_per_m]))
+    assert figure.axes[2].get_ylabel() == "stiffness (MN/m)" and figure.axes[4].get_ylabel() == "loss factor"
+    with pytest.raises(ValueError, match="fitted data"):
         figures.fitted(bumpfoil.run_cycle(EXAMPLES / "gen1.toml", cycle={"steps": 2}))
 
 

@@ -117,6 +117,23 @@ def test_report_is_that_of_the_program(result, tmp_path):
         result.report(tmp_path / "python.html")
 
 
+def test_vtk_files_are_those_of_the_program(result, tmp_path):
+    states = result.to_vtk(tmp_path / "python")
+    result.save(tmp_path / "cycle")
+    subprocess.run([PROGRAM, "export", tmp_path / "cycle", "--to", "vtk", "-o", tmp_path / "program", "--quiet"], check=True)
+    files = {path.name: path.read_bytes() for path in (tmp_path / "python").iterdir()}
+    assert files == {path.name: path.read_bytes() for path in (tmp_path / "program").iterdir()}
+    assert states == 4 * 21 == len([name for name in files if name.startswith("cylinder") and name.endswith(".vtu")])
+    assert files["cylinder.pvd"].count(b"<DataSet") == files["unwrapped.pvd"].count(b"<DataSet") == states
+    with pytest.raises(bumpfoil.FileError):
+        result.to_vtk(tmp_path / "python")
+    assert result.to_vtk(tmp_path / "python", force=True) == states
+    strip = bumpfoil.run_strip(EXAMPLES / "strip.toml", strip={"steps": 2})
+    with pytest.raises(bumpfoil.CaseError, match="has no shapes"):
+        strip.to_vtk(tmp_path / "strip")
+    assert not (tmp_path / "strip").exists()
+
+
 def test_several_results_in_one_report(result, tmp_path):
     other = bumpfoil.run_cycle(GEN1, cycle={"steps": 10}, friction={"coefficient": 0})
     bumpfoil.write_report({"rough": result, "smooth": other}, tmp_path / "both.html")

@@ -52,7 +52,8 @@ export function summaryOf(name) {
 export function rowsOf(csv) {
   const [header, ...lines] = csv.trim().split(/\r?\n/);
   const names = header.split(',');
-  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], cell])));
+  const cells = (line) => line.split(/,(?=(?:[^"]*"[^"]*")*[^"]*$)/).map((cell) => cell.replaceAll('"', ''));
+  return lines.map((line) => Object.fromEntries(cells(line).map((cell, i) => [names[i], cell])));
 }
 
 /** A report, and everything that goes wrong or out while it is shown. */

@@ -22,6 +22,11 @@ before(() => {
   const settings = ['fit.starts=1', 'fit.profile=true', `fit.parameter=[${parameters}]`, 'fit.data[1].points=20'];
   run(['fit', join(dirname(caseFile), 'fit.toml'), '-o', join(folder, 'fit'), ...settings.flatMap((pair) => ['--set', pair])]);
   report('fit.html', 'fit');
+  writeFileSync(join(folder, 'shaken.csv'), 'amplitude_um,load_y_N,direction_deg,stiffness_MN/m,loss_factor\n1,-50,90,12,0.4\n2,-50,90,10.5,0.25\n1,-50,0,2,0.3\n');
+  const shaken = `fit.data=[{experiment="vibration", file=${JSON.stringify(join(folder, 'shaken.csv'))}, stiffness_std=5e5, loss_factor_std=0.05}]`;
+  const one = ['fit.starts=1', `fit.parameter=[{key="friction.coefficient", start=0.1, lower=0.0, upper=0.5}]`, 'vibration={loads=[["0 N", "-50 N"]], directions=["+Y"], amplitudes=["1 um"], frequencies=["1 Hz"], steps=4}', shaken];
+  run(['fit', join(dirname(caseFile), 'fit.toml'), '-o', join(folder, 'shaken'), ...one.flatMap((pair) => ['--set', pair])]);
+  report('shaken.html', 'shaken');
 });
 
 test('the loops are in one chart, by their names', () =>
@@ -97,15 +102,16 @@ test('a fit is shown with its values, correlations, loops, residuals and profile
     near(Number(/per degree of freedom (\S+),/.exec(await values.locator('.subject').textContent())[1]), chi, 1e-2, 'chi-square');
     near(Number((await table('Table of correlations'))[0][2].replace('−', '-')), friction.correlations[1], 1e-2, 'correlation');
     const points = rowsOf(readFileSync(join(folder, 'fit', 'fit.csv'), 'utf8'));
-    const drawn = rowsOf((await saved(page, 'Measured and fitted loop', 'CSV')).bytes.toString());
-    const left = rowsOf((await saved(page, 'Residuals of the loop', 'CSV')).bytes.toString());
+    const drawn = rowsOf((await saved(page, 'Measured and fitted force', 'CSV')).bytes.toString());
+    const left = rowsOf((await saved(page, 'Residuals of the force', 'CSV')).bytes.toString());
     assert.equal(drawn.length, points.length);
     points.forEach((point, i) => {
-      assert.equal(drawn[i].branch, point.fit_branch);
-      for (const key of ['measured_force_N', 'fitted_force_N']) near(Number(drawn[i][key]), Number(point[key]), 1e-6, key);
-      near(Number(left[i].force_residual_N), Number(point.force_residual_N), 1e-6, 'residual');
+      assert.equal(drawn[i].series, point.series);
+      near(Number(drawn[i].measured), Number(point.measured_value), 1e-6, 'measured');
+      near(Number(drawn[i].fitted), Number(point.model_value), 1e-6, 'fitted');
+      near(Number(left[i].residual), Number(point.value_residual), 1e-6, 'residual');
     });
-    const marks = await (await plotsIn(page.getByRole('region', { name: 'Residuals of the loop', exact: true }))).locator('text').allTextContents();
+    const marks = await (await plotsIn(page.getByRole('region', { name: 'Residuals of the force', exact: true }))).locator('text').allTextContents();
     assert.ok(marks.includes('Residual (standard deviations)') && marks.includes('Displacement (µm)'), marks.join());
     const profile = rowsOf((await saved(page, 'Profile of bearing.radial_clearance', 'CSV')).bytes.toString());
     assert.equal(profile.length, 13);
@@ -116,4 +122,16 @@ test('a fit is shown with its values, correlations, loops, residuals and profile
     assert.match(await page.locator('.warnings').textContent(), /does not explain the data/);
     assert.deepEqual(await axeFindings(page), []);
     await assertPanelsFitPaper(page);
+  }));
+
+test('of a table every quantity has its charts, with a curve for each load and direction', () =>
+  withReport('shaken.html', async (page) => {
+    const points = rowsOf(readFileSync(join(folder, 'shaken', 'fit.csv'), 'utf8')).filter(({ quantity: name }) => name === 'loss_factor');
+    const drawn = rowsOf((await saved(page, 'Measured and fitted loss factor', 'CSV')).bytes.toString());
+    assert.deepEqual(drawn.map(({ measured }) => Number(measured)), [0.4, 0.25, 0.3]);
+    points.forEach((point, i) => near(Number(drawn[i].fitted), Number(point.model_value), 1e-6, 'fitted'));
+    const region = page.getByRole('region', { name: 'Measured and fitted stiffness', exact: true });
+    assert.match(await region.locator('.legend').textContent(), /load \(0, -50\) N, along 90 deg.*along 0 deg/);
+    const marks = await (await plotsIn(region)).locator('text').allTextContents();
+    assert.ok(marks.includes('Stiffness (MN/m)') && marks.includes('Amplitude (µm)'), marks.join());
   }));

@@ -13,65 +13,24 @@
 #include "case/csv_dialect.hpp"
 #include "case/csv_lines.hpp"
 #include "case/csv_rows.hpp"
+#include "case/named_columns.hpp"
 #include "case/text_file.hpp"
 
 namespace bumpfoil {
 namespace {
 
+/// By which names of columns are given.
+constexpr std::string_view columns_option = "--columns";
+
 constexpr std::array named_axes{std::pair{"+X", 0.0}, std::pair{"+Y", 90.0}, std::pair{"-X", 180.0},
                                 std::pair{"-Y", 270.0}};
 
-/// Columns named in messages.
-constexpr std::size_t most_named = 12;
-
-/// A column that every file has.
-struct Wanted {
-  std::string_view key;  ///< in --columns
-  Dimension dimension{};
-  std::string_view unit;                ///< in advice
-  std::vector<std::string_view> names;  ///< that rigs and testing machines give it, the first preferred
-};
-
-const Wanted wanted_displacement{
+const WantedColumn wanted_displacement{
     "displacement",
     Dimension::length,
     "um",
     {"displacement", "disp", "deflection", "travel", "stroke", "position", "Weg", "Auslenkung", "Verschiebung"}};
-const Wanted wanted_force{"force", Dimension::force, "N", {"force", "load", "load cell", "F", "Kraft", "Last"}};
-
-struct MeasuredColumn {
-  std::size_t index{};
-  ColumnUnit unit{};
-};
-
-/// The columns that may be the one that is wanted: of the first name that any has.
-std::vector<MeasuredColumn> by_known_names(const std::vector<std::string>& columns, const Wanted& wanted) {
-  std::vector<MeasuredColumn> found;
-  for (const std::string_view name : wanted.names) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (auto unit = unit_of_column(columns[i], name, wanted.dimension)) found.push_back({i, std::move(*unit)});
-    }
-    if (!found.empty()) break;
-  }
-  return found;
-}
-
-/// Those of a name that is given, with the unit of the file or with one that is given behind the name.
-std::vector<MeasuredColumn> by_given_name(const std::vector<std::string>& columns, const std::string& given,
-                                          Dimension dimension) {
-  const std::string name = given.substr(0, given.find_last_of("([_ \t"));
-  const std::optional<ColumnUnit> unit = unit_of_column(given, name, dimension);
-  std::vector<MeasuredColumn> found;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const bool same = is_column(columns[i], given) || is_column(columns[i], name);
-    if (auto of_file = unit_of_column(columns[i], given, dimension)) {
-      found.push_back({i, std::move(*of_file)});
-    } else if (unit && same) {
-      found.push_back({i, *unit});
-    }
-  }
-  return found;
-}
+const WantedColumn wanted_force{"force", Dimension::force, "N", {"force", "load", "load cell", "F", "Kraft", "Last"}};
 
 /// Takes the lines one by one.
 class LoopsReader {
@@ -131,51 +90,19 @@ class LoopsReader {
  private:
   void read_header(std::size_t line, std::string_view text) {
     const std::vector<std::string> names = rows_.read_header(text);
-    displacement_ = find_column(line, text, names, wanted_displacement, given_.displacement);
-    force_ = find_column(line, text, names, wanted_force, given_.force);
+    displacement_ =
+        find_named_column(rows_, line, text, names, wanted_displacement, given_.displacement, columns_option);
+    force_ = find_named_column(rows_, line, text, names, wanted_force, given_.force, columns_option);
     const std::string& at_name = given_.at.empty() ? at_column_ : given_.at;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (is_column(names[i], at_name) || is_column(names[i], at_name + "_deg")) at_ = i;
     }
     if (!at_ && !given_.at.empty())
-      rows_.fault(line, text, missing(given_.at, names), "name one of these in --columns");
+      rows_.fault(line, text, missing_column(rows_, given_.at, names), "name one of these in --columns");
     if (at_ && given_at_) {
       rows_.fault(line, text, fmt::format("has a column {}", names[*at_]),
                   fmt::format("leave out the {} after the file name", at_column_));
     }
-  }
-
-  [[nodiscard]] std::string missing(std::string_view what, const std::vector<std::string>& columns) const {
-    const std::size_t named = std::min(columns.size(), most_named);
-    return fmt::format("has no {} among its {} columns, separated by {}: \"{}\"{}", what, columns.size(),
-                       rows_.dialect().name,
-                       fmt::join(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(named), "\", \""),
-                       named < columns.size() ? ", ..." : "");
-  }
-
-  std::optional<MeasuredColumn> find_column(std::size_t line, std::string_view text,
-                                            const std::vector<std::string>& columns, const Wanted& wanted,
-                                            const std::string& given) {
-    std::vector<MeasuredColumn> found =
-        given.empty() ? by_known_names(columns, wanted) : by_given_name(columns, given, wanted.dimension);
-    if (found.size() == 1) return std::move(found.front());
-    const std::string choice = fmt::format("--columns '{}=NAME [{}]'", wanted.key, wanted.unit);
-    if (!found.empty()) {
-      rows_.fault(line, text, fmt::format("has {} columns of the {}", found.size(), wanted.key),
-                  fmt::format("specify which one: {}", choice));
-    } else if (!given.empty()) {
-      rows_.fault(line, text, missing(given, columns),
-                  fmt::format("give one of these names, followed by its unit if the file has none: {}", choice));
-    } else {
-      std::vector<std::string> understood;
-      for (const std::string_view name : wanted.names) understood.push_back(fmt::format("{}_{}", name, wanted.unit));
-      rows_.fault(line, text, missing(understood.front(), columns),
-                  fmt::format("{}; recognised names, followed by any unit: {}; for another name use {}",
-                              column_advice(columns, understood, wanted.dimension,
-                                            fmt::format("name a column {}", understood.front())),
-                              fmt::join(wanted.names, ", "), choice));
-    }
-    return std::nullopt;
   }
 
   [[nodiscard]] std::string at_advice() const {
@@ -203,34 +130,19 @@ class LoopsReader {
   CsvNumbers numbers_;
   std::optional<double> given_at_;
   std::optional<std::size_t> at_;
-  std::optional<MeasuredColumn> displacement_;
-  std::optional<MeasuredColumn> force_;
+  std::optional<NamedColumn> displacement_;
+  std::optional<NamedColumn> force_;
 };
 
 }  // namespace
 
 MeasuredColumns parse_measured_columns(std::string_view text) {
   MeasuredColumns columns;
-  const std::array keys{std::pair{"displacement=", &columns.displacement}, std::pair{"force=", &columns.force},
-                        std::pair{"direction=", &columns.at}, std::pair{"cycle=", &columns.at}};
-  std::string* value = nullptr;
-  while (!text.empty()) {
-    const std::string_view part = trimmed(text.substr(0, text.find(',')));
-    const auto key =
-        std::find_if(keys.begin(), keys.end(), [part](const auto& one) { return part.starts_with(one.first); });
-    if (key != keys.end()) {
-      value = key->second;
-      *value = part.substr(std::string_view(key->first).size());
-    } else if (value) {
-      *value += fmt::format(",{}", part);  // the name of a column has a comma
-    } else {
-      throw Error(ErrorKind::input, {{"", 0, "--columns", std::string(text), "does not start with the kind of column",
-                                      "write displacement=NAME,force=NAME,direction=NAME, or some of these"}});
-    }
-    text.remove_prefix(std::min(text.size(), text.find(',')));
-    if (!text.empty()) text.remove_prefix(1);
-  }
-  for (const auto& [key, name] : keys) std::erase(*name, '"');
+  const std::array<std::pair<std::string_view, std::string*>, 4> keys{{{"displacement", &columns.displacement},
+                                                                       {"force", &columns.force},
+                                                                       {"direction", &columns.at},
+                                                                       {"cycle", &columns.at}}};
+  parse_column_names(text, keys, columns_option, "displacement=NAME,force=NAME,direction=NAME");
   return columns;
 }
 

@@ -48,12 +48,7 @@ class Fit {
  public:
   Fit(const Case& input, const ProgressCallback& progress)
       : model_(input), settings_(model_.settings()), progress_(progress) {
-    for (std::size_t i = 0; i < settings_.data.size(); ++i) {
-      const MeasuredCurve& curve = model_.curves()[i];
-      noise_.push_back(settings_.data[i].force_std.value_or(curve.scatter()));
-      deviations_.push_back(std::vector<double>(curve.points(), noise_.back()));
-      rows_ += static_cast<Eigen::Index>(curve.points());
-    }
+    for (const auto& data : model_.data()) rows_ += std::ssize(data->measured().points);
     problem_.robust = rows_;
     problem_.huber = settings_.huber;
     problem_.residuals = [this](const Eigen::VectorXd& x) { return residuals(x); };
@@ -119,54 +114,33 @@ class Fit {
   /// @throws Error (input) with what prevents the case from being run there
   void require_start(const Eigen::VectorXd& x) const {
     const std::vector<double> values = values_at(x);
-    for (std::size_t i = 0; i < settings_.data.size(); ++i) static_cast<void>(model_.case_of_loop(i, values));
-    if (model_.forces(values)) return;
-    throw Error(ErrorKind::input, {{"", 0, "fit.parameter", "", "the model cannot be run at the starts",
-                                    "start from values with which `bumpfoil cycle` or `bumpfoil strip` runs as far"}});
+    for (std::size_t i = 0; i < settings_.data.size(); ++i) static_cast<void>(model_.case_of_data(i, values));
+    if (model_.answers(values)) return;
+    const std::string_view command = name_of(settings_.data.front().experiment);
+    throw Error(ErrorKind::input,
+                {{"", 0, "fit.parameter", "", "the model cannot be run at the starts",
+                  fmt::format("start from values with which `bumpfoil {}` reaches all that was measured", command)}});
   }
 
-  /// Takes the standard deviation of each point from the slope of the loops there, as for the mean number of readings:
-  /// every point counts the same but for that.
+  /// Takes the standard deviations that residuals count by from the model there.
   void weigh(const Eigen::VectorXd& x) {
-    const auto forces = model_.forces(values_at(x));
-    if (!forces) return;
-    for (std::size_t i = 0; i < deviations_.size(); ++i) {
-      const MeasuredCurve& curve = model_.curves()[i];
-      const double mean_readings = static_cast<double>(curve.readings().size()) / static_cast<double>(curve.points());
-      const std::vector<double> one = deviations_of_readings(i, (*forces)[i]);
-      for (std::size_t k = 0; k < one.size(); ++k) deviations_[i][k] = one[k] / std::sqrt(mean_readings);
-    }
-  }
-
-  /// Standard deviation of one reading of the force in each point, N.
-  [[nodiscard]] std::vector<double> deviations_of_readings(std::size_t loop, const LoopForces& forces) const {
-    const MeasuredCurve& curve = model_.curves()[loop];
-    std::size_t k = 0;
-    const std::vector<double> slopes = curve.means([&](const Reading&) { return std::abs(forces.slope[k++]); });
-    std::vector<double> all;
-    all.reserve(slopes.size());
-    for (const double slope : slopes) {
-      all.push_back(std::hypot(noise_[loop], slope * settings_.data[loop].displacement_std));
-    }
-    return all;
-  }
-
-  /// Of the model less measured, mean of each point, N.
-  [[nodiscard]] std::vector<double> differences(std::size_t loop, const LoopForces& forces) const {
-    std::size_t k = 0;
-    return model_.curves()[loop].means([&](const Reading& reading) { return forces.at[k++] - reading.force; });
+    const auto answers = model_.answers(values_at(x));
+    if (!answers) return;
+    weights_ = each(*answers, [](const DataAnswer& answer) { return answer.weights; });
   }
 
   std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& x) {
     if (stopped_) return std::nullopt;
     ++runs_;
     const std::vector<double> values = values_at(x);
-    const auto forces = model_.forces(values);
-    if (!forces) return std::nullopt;
+    const auto answers = model_.answers(values);
+    if (!answers) return std::nullopt;
     std::vector<double> all;
-    for (std::size_t i = 0; i < forces->size(); ++i) {
-      const std::vector<double> own = differences(i, (*forces)[i]);
-      for (std::size_t k = 0; k < own.size(); ++k) all.push_back(own[k] / deviations_[i][k]);
+    for (std::size_t i = 0; i < answers->size(); ++i) {
+      const std::vector<FittedPoint>& points = model_.data()[i]->measured().points;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        all.push_back(((*answers)[i].fitted[k] - points[k].measured) / weights_[i][k]);
+      }
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
       const FitParameter& one = settings_.parameters[i];
@@ -213,34 +187,32 @@ class Fit {
 
   void describe_minimum(const LeastSquaresMinimum& minimum, FitResult& result) {
     const std::vector<double> values = values_at(minimum.x);
-    const auto forces = model_.forces(values);
+    const auto answers = model_.answers(values);
     FitEstimate estimate{.sensitivities = minimum.jacobian,
                          .weights = Eigen::VectorXd::Ones(minimum.residuals.size()),
                          .variances = Eigen::VectorXd::Ones(minimum.residuals.size()),
                          .held = {}};
     Eigen::Index row = 0;
-    for (std::size_t i = 0; i < forces->size(); ++i) {
-      const MeasuredCurve& curve = model_.curves()[i];
-      const std::vector<double> differences_here = differences(i, (*forces)[i]);
-      const std::vector<double> deviations = deviations_of_readings(i, (*forces)[i]);
-      const std::vector<double> displacements = curve.means([](const Reading& one) { return one.displacement; });
-      const std::vector<double> measured = curve.means([](const Reading& one) { return one.force; });
-      const std::vector<double> pulls = curve.means([](const Reading& one) { return one.pull ? 1.0 : 0.0; });
-      FittedLoop& loop = result.loops.emplace_back();
-      loop.noise = noise_[i];
-      double squares = 0.0;
-      for (std::size_t k = 0; k < differences_here.size(); ++k, ++row) {
-        const double std = deviations[k] / std::sqrt(curve.counts()[k]);
-        loop.points.push_back(
-            {pulls[k] > 0.5, displacements[k], measured[k], measured[k] + differences_here[k], std, curve.counts()[k]});
-        squares += differences_here[k] * differences_here[k];
+    for (std::size_t i = 0; i < answers->size(); ++i) {
+      const DataAnswer& answer = (*answers)[i];
+      FittedData& data = result.data.emplace_back(model_.data()[i]->measured());
+      std::vector<int> counts(data.quantities.size(), 0);
+      for (std::size_t k = 0; k < data.points.size(); ++k, ++row) {
+        FittedPoint& point = data.points[k];
+        point.fitted = answer.fitted[k];
+        point.std = answer.std[k];
+        const double difference = point.fitted - point.measured;
+        data.quantities[point.quantity].residual += difference * difference;
+        ++counts[point.quantity];
         if (settings_.huber) {
           estimate.weights[row] = std::min(1.0, *settings_.huber / std::abs(minimum.residuals[row]));
         }
-        estimate.variances[row] = std::pow(std / deviations_[i][k], 2);
-        result.chi_square += estimate.weights[row] * std::pow(differences_here[k] / std, 2);
+        estimate.variances[row] = std::pow(point.std / weights_[i][k], 2);
+        result.chi_square += estimate.weights[row] * std::pow(difference / point.std, 2);
       }
-      loop.residual = std::sqrt(squares / static_cast<double>(differences_here.size()));
+      for (std::size_t q = 0; q < counts.size(); ++q) {
+        data.quantities[q].residual = std::sqrt(data.quantities[q].residual / counts[q]);
+      }
     }
     for (Eigen::Index i = row; i < minimum.residuals.size(); ++i) {
       result.chi_square += minimum.residuals[i] * minimum.residuals[i];
@@ -363,10 +335,9 @@ class Fit {
   FitModel model_;
   const FitSettings& settings_;
   const ProgressCallback& progress_;
-  std::vector<double> noise_;                    ///< of each loop, one reading, N
-  std::vector<std::vector<double>> deviations_;  ///< that residuals are weighed by, N
-  Eigen::Index rows_{};                          ///< of the data
-  std::vector<double> profile_scales_;           ///< of each parameter, see FitProfilePoint
+  std::vector<std::vector<double>> weights_;  ///< of each of the data: standard deviations that residuals count by
+  Eigen::Index rows_{};                       ///< of the data
+  std::vector<double> profile_scales_;        ///< of each parameter, see FitProfilePoint
   LeastSquares problem_;
   std::atomic<std::size_t> runs_{};
   std::atomic<bool> stopped_{};

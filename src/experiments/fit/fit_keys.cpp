@@ -17,7 +17,10 @@ constexpr std::string_view common_machine = "fit.machine_stiffness";
 constexpr std::array rig_numbers{std::pair{std::string_view("displacement_origin"), &Rig::displacement_origin},
                                  std::pair{std::string_view("force_origin"), &Rig::force_origin},
                                  std::pair{std::string_view("displacement_drift"), &Rig::displacement_drift},
-                                 std::pair{std::string_view("force_drift"), &Rig::force_drift}};
+                                 std::pair{std::string_view("force_drift"), &Rig::force_drift},
+                                 std::pair{std::string_view("x_origin"), &Rig::x_origin},
+                                 std::pair{std::string_view("y_origin"), &Rig::y_origin},
+                                 std::pair{std::string_view("torque_origin"), &Rig::torque_origin}};
 
 /// "force_origin" of "fit.data[1].force_origin".
 std::string_view name_in_data(std::string_view key) {

@@ -1,49 +1,44 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bumpfoil/experiments/fit/fit.hpp"
-#include "experiments/fit/measured_curve.hpp"
+#include "experiments/fit/measured_data.hpp"
 
 namespace bumpfoil {
 
-/// Forces of the model at the readings of a loop, as the rig would read them.
-struct LoopForces {
-  std::vector<double> at;     ///< N, one for each reading
-  std::vector<double> slope;  ///< of the model there, N/m: over the standard deviation of the displacement
-};
-
-/// What the readings of a rig would be, for values of its parameters and those of the case. The journal (or plate) goes
-/// to where the rig reads the largest displacement that was measured; of a loop to both sides, as far as half the
-/// range.
+/// What the readings of a rig would be, for values of its parameters and those of the case. The journal (or plate) of a
+/// loop goes to where the rig reads the largest displacement that was measured; of a loop to both sides, as far as half
+/// the range.
 class FitModel {
  public:
   /// @pre  the case has a fit without faults
   explicit FitModel(const Case& input);
 
   [[nodiscard]] const FitSettings& settings() const { return settings_; }
-  [[nodiscard]] const std::vector<MeasuredCurve>& curves() const { return curves_; }
+  [[nodiscard]] const std::vector<std::unique_ptr<const MeasuredData>>& data() const { return data_; }
 
-  /// One for each loop; absent where the case cannot be built with these values, or a run fails. For several threads at
-  /// once. @param values  of the parameters, SI
-  [[nodiscard]] std::optional<std::vector<LoopForces>> forces(const std::vector<double>& values) const;
+  /// One for each of the data; absent where the case cannot be built with these values, or a run fails. For several
+  /// threads at once. @param values  of the parameters, SI
+  [[nodiscard]] std::optional<std::vector<DataAnswer>> answers(const std::vector<double>& values) const;
 
   /// The case with these values, without its fit.
   /// @throws Error (input) if it cannot be built
   [[nodiscard]] Case case_with(const std::vector<double>& values) const;
 
-  /// The case as loop `i` has it. @throws Error (input) if it cannot be built
-  [[nodiscard]] Case case_of_loop(std::size_t i, const std::vector<double>& values) const;
+  /// The case as data `i` have it. @throws Error (input) if it cannot be built
+  [[nodiscard]] Case case_of_data(std::size_t i, const std::vector<double>& values) const;
 
  private:
   [[nodiscard]] std::vector<std::string> overrides(const std::vector<double>& values) const;
 
   FitSettings settings_;
-  std::vector<MeasuredCurve> curves_;
+  std::vector<std::unique_ptr<const MeasuredData>> data_;
   std::string text_;                ///< of the case without its fit
-  std::vector<std::string> texts_;  ///< the same with what was done in each loop
+  std::vector<std::string> texts_;  ///< the same with what was done in each of the data
 };
 
 }  // namespace bumpfoil

@@ -53,7 +53,7 @@ std::vector<ResultFile> fit_files(const Case& input, const FitResult& result, Ru
 ExperimentInfo fit_experiment() {
   return {
       .name = "fit",
-      .summary = "Find parameters of the case from measured loops, as specified in [fit]",
+      .summary = "Find parameters of the case from measured data, as specified in [fit]",
       .examples =
           "  bumpfoil fit examples/fit.toml -o fit\n"
           "  bumpfoil fit examples/fit.toml -o robust --set fit.huber=1.345\n"

@@ -10,6 +10,7 @@
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "core/number_text.hpp"
+#include "experiments/fit/fit_columns.hpp"
 #include "experiments/fit/fit_statistics.hpp"
 #include "results/csv_value.hpp"
 #include "results/summary_json.hpp"
@@ -18,8 +19,6 @@ namespace bumpfoil {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array<std::string_view, 2> branch_words{"push", "pull"};
 
 template <typename Result>
 using FitQuantity = Quantity<double (*)(const Result&)>;
@@ -75,31 +74,50 @@ constexpr std::array profile_quantities{
         "increase of the squares where the others are fitted again; 1 at a standard error of a linear model",
         [](const FitProfilePoint& point) { return point.cost; }}};
 
-constexpr std::array loop_quantities{
-    FitQuantity<FittedLoop>{"force_noise", "N",
-                            "standard deviation of one reading of the force: given, or from the "
-                            "scatter of neighbours",
-                            [](const FittedLoop& loop) { return loop.noise; }},
-    FitQuantity<FittedLoop>{"residual_rms", "N", "root mean square of measured less fitted force",
-                            [](const FittedLoop& loop) { return loop.residual; }}};
+/// In the SI unit of what was measured.
+constexpr std::array measured_quantities{
+    FitQuantity<FittedQuantity>{"data_quantity", "", "what was measured",
+                                [](const FittedQuantity& one) { return static_cast<double>(one.column); }, tag::none,
+                                "", shown::in_files, flags<FitColumn>},
+    FitQuantity<FittedQuantity>{"reading_noise", "1",
+                                "standard deviation of one reading, in the SI unit of the quantity: given, or of the "
+                                "force in a loop from the scatter of neighbours",
+                                [](const FittedQuantity& one) { return one.noise; }},
+    FitQuantity<FittedQuantity>{"residual_rms", "1",
+                                "root mean square of measured less fitted, in the SI unit of the quantity",
+                                [](const FittedQuantity& one) { return one.residual; }}};
 
 constexpr std::array fit_point_quantities{
-    FitQuantity<FittedPoint>{"fit_branch", "", "push or pull",
-                             [](const FittedPoint& point) { return point.pull ? 1.0 : 0.0; }, tag::none, "",
-                             shown::in_files, Form{Form::flag, branch_words}},
-    FitQuantity<FittedPoint>{"measured_displacement", "m", "mean of the readings of the displacement",
-                             [](const FittedPoint& point) { return point.displacement; }},
-    FitQuantity<FittedPoint>{"measured_force", "N", "mean of the readings of the force",
+    FitQuantity<FittedPoint>{"point_series", "1", "curve that the point belongs to, as `series` names them, from 1",
+                             [](const FittedPoint& point) { return static_cast<double>(point.series + 1); }, tag::none,
+                             "", shown::in_files, whole_number},
+    FitQuantity<FittedPoint>{"point_place", "1",
+                             "place on the axis of the data, in its SI unit; of a loop, mean of the displacements",
+                             [](const FittedPoint& point) { return point.at; }},
+    FitQuantity<FittedPoint>{"measured_value", "1", "in the SI unit of the quantity; of a loop, mean of the forces",
                              [](const FittedPoint& point) { return point.measured; }},
-    FitQuantity<FittedPoint>{"fitted_force", "N", "what the fitted model gives at the same readings",
+    FitQuantity<FittedPoint>{"model_value", "1", "what the fitted model gives there, in the SI unit of the quantity",
                              [](const FittedPoint& point) { return point.fitted; }},
-    FitQuantity<FittedPoint>{"force_residual", "N", "measured less fitted",
+    FitQuantity<FittedPoint>{"value_residual", "1", "measured less fitted, in the SI unit of the quantity",
                              [](const FittedPoint& point) { return point.measured - point.fitted; }},
-    FitQuantity<FittedPoint>{"force_deviation", "N", "standard deviation of the mean of the readings",
+    FitQuantity<FittedPoint>{"value_deviation", "1",
+                             "standard deviation of the measured value, in the SI unit of the quantity",
                              [](const FittedPoint& point) { return point.std; }},
     FitQuantity<FittedPoint>{"readings", "1", "number of readings",
                              [](const FittedPoint& point) { return static_cast<double>(point.readings); }, tag::none,
                              "", shown::in_files, whole_number}};
+
+/// Of each point the column that was measured.
+std::vector<double> columns_of_points(const FittedData& data) {
+  return each(data.points, [&data](const FittedPoint& point) {
+    return static_cast<double>(data.quantities[point.quantity].column);
+  });
+}
+
+/// In quotes, as the cell of a CSV file that has commas.
+std::string quoted_cell(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
 
 /// A number in the SI unit of a parameter, in a unit that people read.
 struct ReadUnit {
@@ -111,6 +129,7 @@ ReadUnit read_unit_of(const std::string& unit) {
   if (unit == "m") return {"um", 1e-6};
   if (unit == "rad") return {"deg", std::numbers::pi / 180.0};
   if (unit == "N/m") return {"MN/m", 1e6};
+  if (unit == "N m") return {"N mm", 1e-3};
   if (unit == "Pa") return {"GPa", 1e9};
   return {unit == "1" ? "" : unit, 1.0};
 }
@@ -189,10 +208,19 @@ std::string fit_table(const FitResult& result) {
     }
   }
   out += '\n';
-  for (std::size_t i = 0; i < result.loops.size(); ++i) {
-    const FittedLoop& loop = result.loops[i];
-    out += fmt::format("loop {}: residual {} N at {} points, noise of one reading {} N\n", i + 1,
-                       number_text(loop.residual, 1.0), loop.points.size(), number_text(loop.noise, 1.0));
+  for (std::size_t i = 0; i < result.data.size(); ++i) {
+    const FittedData& data = result.data[i];
+    for (std::size_t q = 0; q < data.quantities.size(); ++q) {
+      const FittedQuantity& one = data.quantities[q];
+      const auto points = std::count_if(data.points.begin(), data.points.end(),
+                                        [q](const FittedPoint& point) { return point.quantity == q; });
+      const std::string unit(unit_of(one.column));
+      const ReadUnit shown_in = read_unit_of(unit);
+      out += fmt::format("{} {}, {}: residual {} {}at {} points, noise of one reading {}{}{}\n",
+                         name_of(data.experiment), i + 1, name_of(one.column), number_text(one.residual, shown_in.size),
+                         shown_in.name.empty() ? "" : shown_in.name + ' ', points,
+                         number_text(one.noise, shown_in.size), shown_in.name.empty() ? "" : " ", shown_in.name);
+    }
   }
   out += fmt::format("chi-square per degree of freedom: {:.4g} ({} degrees of freedom)\n", result.reduced_chi_square(),
                      result.degrees_of_freedom);
@@ -264,32 +292,58 @@ Dataset fit_dataset(const FitResult& result) {
            padded_rows(result.minima.size(), count,
                        [&](std::size_t i) -> const std::vector<double>& { return result.minima[i].values; }));
 
-  data.add_dimension({"data", "1", "measured loop", whole_number}, numbers_from(1.0, result.loops.size()));
-  for (const auto& quantity : loop_quantities) {
-    data.add(quantity.meaning(), {"data"}, each(result.loops, quantity.value));
+  const std::vector<FittedData>& fitted = result.data;
+  data.add_dimension({"data", "1", "measured loop or table, from 1", whole_number}, numbers_from(1.0, fitted.size()));
+  std::map<std::string, std::string>& words = data.coordinates.back().attributes;
+  words["series"] = fmt::format(
+      "{}",
+      fmt::join(each(fitted, [](const FittedData& one) { return fmt::format("{}", fmt::join(one.series, "; ")); }),
+                " | "));
+  words["axes"] = fmt::format(
+      "{}",
+      fmt::join(each(fitted, [](const FittedData& one) { return fmt::format("{} ({})", one.axis, one.axis_unit); }),
+                " | "));
+  data.add({"data_experiment", "", "what was done to the foils", flags<FittedExperiment>}, {"data"},
+           each(fitted, [](const FittedData& one) { return static_cast<double>(one.experiment); }));
+  const auto widest_of = [&fitted](const auto& list_of) {
+    std::size_t widest = 0;
+    for (const FittedData& one : fitted) widest = std::max(widest, list_of(one).size());
+    return widest;
+  };
+  const std::size_t most_quantities = widest_of([](const FittedData& one) { return one.quantities; });
+  data.add_dimension({"measurand", "1", "what was measured in the data, from 1", whole_number},
+                     numbers_from(1.0, most_quantities));
+  for (const auto& quantity : measured_quantities) {
+    data.add(quantity.meaning(), {"data", "measurand"}, padded_rows(fitted.size(), most_quantities, [&](std::size_t i) {
+               return each(fitted[i].quantities, quantity.value);
+             }));
   }
-  std::size_t longest = 0;
-  for (const FittedLoop& loop : result.loops) longest = std::max(longest, loop.points.size());
-  data.add_dimension({"point", "1", "part of equal arc length of a measured loop", whole_number},
-                     numbers_from(0.0, longest));
+  const std::size_t longest = widest_of([](const FittedData& one) { return one.points; });
+  data.add_dimension(
+      {"point", "1", "what was measured at a place, or in a part of equal arc length of a loop", whole_number},
+      numbers_from(0.0, longest));
+  data.add({"point_quantity", "", "what was measured", flags<FitColumn>}, {"data", "point"},
+           padded_rows(fitted.size(), longest, [&](std::size_t i) { return columns_of_points(fitted[i]); }));
   for (const auto& quantity : fit_point_quantities) {
-    data.add(quantity.meaning(), {"data", "point"}, padded_rows(result.loops.size(), longest, [&](std::size_t i) {
-               return each(result.loops[i].points, quantity.value);
+    data.add(quantity.meaning(), {"data", "point"}, padded_rows(fitted.size(), longest, [&](std::size_t i) {
+               return each(fitted[i].points, quantity.value);
              }));
   }
   return data;
 }
 
 std::string fit_csv(const FitResult& result) {
-  std::string out = "data,point";
+  std::string out = "data,point,series,quantity,unit,axis,axis_unit";
   for (const auto& quantity : fit_point_quantities) out += ',' + quantity.key();
   out += '\n';
-  for (std::size_t i = 0; i < result.loops.size(); ++i) {
-    const std::vector<FittedPoint>& points = result.loops[i].points;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      out += fmt::format("{},{}", i + 1, k);
-      for (const auto& quantity : fit_point_quantities)
-        append_csv(out += ',', quantity.value(points[k]), quantity.form);
+  for (std::size_t i = 0; i < result.data.size(); ++i) {
+    const FittedData& data = result.data[i];
+    for (std::size_t k = 0; k < data.points.size(); ++k) {
+      const FittedPoint& point = data.points[k];
+      const FitColumn column = data.quantities[point.quantity].column;
+      out += fmt::format("{},{},{},{},{},{},{}", i + 1, k, quoted_cell(data.series[point.series]), name_of(column),
+                         unit_of(column), data.axis, data.axis_unit);
+      for (const auto& quantity : fit_point_quantities) append_csv(out += ',', quantity.value(point), quantity.form);
       out += '\n';
     }
   }
@@ -321,11 +375,21 @@ Json fit_lists(const FitResult& result) {
       for (const auto& quantity : profile_quantities) place[quantity.key()] = value_json(quantity.value(point));
     }
   }
-  json["loops"] = Json::array();
-  for (const FittedLoop& loop : result.loops) {
-    Json& entry = json["loops"].emplace_back(Json{{"points", loop.points.size()}});
-    for (const auto& quantity : loop_quantities)
-      entry[quantity.key()] = value_json(quantity.value(loop), quantity.form);
+  json["data"] = Json::array();
+  for (const FittedData& data : result.data) {
+    Json& entry = json["data"].emplace_back(Json{{"experiment", name_of(data.experiment)},
+                                                 {"points", data.points.size()},
+                                                 {"axis", data.axis},
+                                                 {"axis_unit", data.axis_unit},
+                                                 {"series", data.series},
+                                                 {"quantities", Json::array()}});
+    for (const FittedQuantity& one : data.quantities) {
+      Json& own =
+          entry["quantities"].emplace_back(Json{{"title", title_of(one.column)}, {"unit", unit_of(one.column)}});
+      for (const auto& quantity : measured_quantities) {
+        own[quantity.key()] = value_json(quantity.value(one), quantity.form);
+      }
+    }
   }
   json["minima"] = Json::array();
   for (const FitMinimum& minimum : result.minima) {
@@ -335,7 +399,7 @@ Json fit_lists(const FitResult& result) {
 }
 
 std::string fitted_case_text(const FitResult& result) {
-  std::string out = "# A case with values that `bumpfoil fit` found from measured loops; all numbers are in SI.\n";
+  std::string out = "# A case with values that `bumpfoil fit` found from measured data; all numbers are in SI.\n";
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const FittedValue& found = result.parameters[i];
     const std::string unit = result.units[i] == "1" ? "" : " " + result.units[i];

@@ -18,7 +18,7 @@ std::string fit_table(const FitResult& result);
 /// What fit.nc holds. @param result  lives as long as it
 Dataset fit_dataset(const FitResult& result);
 
-/// Contents of fit.csv: a line for each point of each loop.
+/// Contents of fit.csv: a line for each point of the data.
 std::string fit_csv(const FitResult& result);
 
 /// What summary.json lists.

@@ -1,3 +1,5 @@
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,7 +9,9 @@
 #include "case/case_keys.hpp"
 #include "case/key_list.hpp"
 #include "experiments/cycle/measured_loops_csv.hpp"
+#include "experiments/fit/fit_columns.hpp"
 #include "experiments/fit/fit_keys.hpp"
+#include "experiments/fit/measured_table_csv.hpp"
 #include "model/case_table.hpp"
 
 namespace bumpfoil {
@@ -37,28 +41,58 @@ void take_loop(FitData& data, const std::string& path) {
   }
 }
 
+Key key_of_readings(const FitColumnInfo& info) {
+  return {.name = info.name(),
+          .presence = Presence::optional,
+          .title = info.title,
+          .text = info.text,
+          .example = info.example,
+          .dimension = info.dimension};
+}
+
+Key key_of_std(const FitColumnInfo& info) {
+  return {.name = info.std_key,
+          .presence = Presence::optional,
+          .title = info.std_title,
+          .text = "standard deviation of one reading; with it, the column is fitted",
+          .example = info.std_example,
+          .dimension = info.dimension};
+}
+
 void describe(CaseVisitor& keys, FitData& data) {
   using enum Presence;
   using enum Dimension;
   keys.choice({"experiment", defaulted, "Experiment",
-               "what was measured: \"cycle\", the journal pushed and pulled back; "
-               "\"strip\", a strip between plates"},
+               "what was measured: \"cycle\", the journal pushed and pulled back; \"strip\", a strip between plates; "
+               "\"vibration\", stiffness and loss factor over amplitude; \"equilibrium\", the running bearing over "
+               "speed and load"},
               data.experiment);
-  keys.value({"direction", defaulted, "Direction", "of a cycle, from X towards Y", "0 deg", angle}, &data.direction);
-  keys.either(
-      {"preload", optional, "Preload",
-       "load or position of the journal that the cycle goes about; by default that of [cycle]", "[\"0 N\", \"-50 N\"]"},
-      Control::displacement, data.preload);
+  keys.value({"direction", defaulted, "Direction",
+              "of a cycle, or of vibrations without a column of it, from X towards Y", "0 deg", angle},
+             &data.direction);
+  keys.either({"preload", optional, "Preload",
+               "load or position of the journal that the cycle goes about, by default that of [cycle]; static load of "
+               "vibrations without a column of it, by default the first of [vibration]",
+               "[\"0 N\", \"-50 N\"]"},
+              Control::displacement, data.preload);
+  keys.choice({"contacts", defaulted, "Contacts", "of an equilibrium, in its stiffness and damping; or \"stuck\""},
+              data.contacts);
   keys.value({"columns", defaulted, "Columns", "names of columns that are not understood: displacement=NAME,force=NAME",
               "\"displacement=Channel 3 [mm],force=Channel 4 [N]\""},
              &data.columns);
+  for (const FitColumnInfo& info : fit_columns()) {
+    if (info.measured) keys.value(key_of_std(info), &data.column(info.column).std);
+  }
   keys.file(
-      {"file", optional, "File of the loop", "a CSV file beside this one, as for `report --measured`", "\"loop.csv\""},
-      "displacements", [&data](const std::string& path) { take_loop(data, path); });
-  keys.value(
-      {"displacements", optional, "Displacements", "the same as a list, of one cycle in the order of measurement",
-       "[\"0 um\", \"40 um\", \"80 um\", \"40 um\", \"0 um\"]", length},
-      &data.displacements);
+      {"file", optional, "File of the readings",
+       "a CSV file beside this one: a loop as for `report --measured`, or a table with a column for each quantity",
+       "\"loop.csv\""},
+      data.is_loop() ? "displacements" : "readings",
+      [&data](const std::string& path) { data.is_loop() ? take_loop(data, path) : read_measured_table(path, data); });
+  keys.value({"displacements", optional, "Displacements",
+              "of a loop, the same as a list, of one cycle in the order of measurement",
+              "[\"0 um\", \"40 um\", \"80 um\", \"40 um\", \"0 um\"]", length},
+             &data.displacements);
   keys.value({"forces", optional, "Forces", "as many", "[\"0 N\", \"80 N\", \"700 N\", \"30 N\", \"0 N\"]", force},
              &data.forces);
   keys.value({"force_std", optional, "Noise of the force",
@@ -79,9 +113,26 @@ void describe(CaseVisitor& keys, FitData& data) {
              &data.rig.displacement_drift);
   keys.value({"force_drift", defaulted, "Drift of the force", "from the start of the loop to its end", "0 N", force},
              &data.rig.force_drift);
-  keys.value({"machine_stiffness", optional, "Stiffness of the machine",
-              "in series with the foils, in place of fit.machine_stiffness", "50 MN/m", stiffness},
-             &data.rig.machine_stiffness);
+  keys.value({"x_origin", defaulted, "Origin of the position, X", "of an equilibrium: what the rig reads at the centre",
+              "0 um", length},
+             &data.rig.x_origin);
+  keys.value({"y_origin", defaulted, "Origin of the position, Y", "the same", "0 um", length}, &data.rig.y_origin);
+  keys.value(
+      {"torque_origin", defaulted, "Origin of the torque", "what the rig reads without a torque", "0 N mm", moment},
+      &data.rig.torque_origin);
+  keys.value(
+      {"machine_stiffness", optional, "Stiffness of the machine",
+       "in series with the foils of a loop or a vibration, in place of fit.machine_stiffness", "50 MN/m", stiffness},
+      &data.rig.machine_stiffness);
+  const bool given = std::any_of(data.table.begin(), data.table.end(),
+                                 [](const FitReadings& readings) { return !readings.values.empty(); });
+  keys.table({"readings", optional, "Readings",
+              "of vibrations or an equilibrium, the same as lists: where they were measured, and what"},
+             given, [&data](CaseVisitor& inner) {
+               for (const FitColumnInfo& info : fit_columns()) {
+                 inner.value(key_of_readings(info), &data.column(info.column).values);
+               }
+             });
 }
 
 void describe(CaseVisitor& keys, FitParameter& parameter) {
@@ -122,7 +173,7 @@ void describe(CaseVisitor& keys, FitSettings& fit) {
        "true: also what the sum of squares rises by where a parameter is held near its best value and the others "
        "are fitted again; takes many times as long as the fit"},
       &fit.profile);
-  list_of_tables(keys, {"data", required, "Measured loop", "one for each loop"}, fit.data,
+  list_of_tables(keys, {"data", required, "Measured data", "one for each loop or table"}, fit.data,
                  [](CaseVisitor& inner, FitData& data) { describe(inner, data); });
   list_of_tables(keys, {"parameter", required, "Parameter", "one for each key that is fitted"}, fit.parameters,
                  [](CaseVisitor& inner, FitParameter& parameter) { describe(inner, parameter); });
@@ -132,14 +183,15 @@ void describe_fit(CaseVisitor& keys, Case& input) {
   // A fit that holds nothing is none: so a case loses its own.
   const FitSettings* const held = input.settings.find<FitSettings>();
   FitSettings inner = held == nullptr ? FitSettings{} : *held;
-  keys.table({"fit", Presence::optional, "Fit", "of keys of the case to measured loops, for the command fit"},
-             inner != FitSettings{}, [&](CaseVisitor& visitor) {
-               describe(visitor, inner);
-               input.settings.set(inner);
-             });
+  keys.table(
+      {"fit", Presence::optional, "Fit", "of keys of the case to measured loops and tables, for the command fit"},
+      inner != FitSettings{}, [&](CaseVisitor& visitor) {
+        describe(visitor, inner);
+        input.settings.set(inner);
+      });
 }
 
-void judge_data(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
+void judge_loop(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
   const bool strip = data.experiment == FittedExperiment::strip;
   judge.require_for("fit", !strip || input.strip.has_value(), key + ".experiment", "strip", "needs the table [strip]",
                     "add [strip] with its displacement");
@@ -155,6 +207,68 @@ void judge_data(Judge& judge, const Case& input, const FitData& data, const std:
                      (*top > 0.0 && top != data.displacements.begin() && top + 1 != data.displacements.end());
   judge.require_for("fit", turns, key + ".displacements", "", "do not go to a positive displacement and back",
                     "give one cycle in the order of measurement, positive towards the foils");
+}
+
+/// Readings of one column, of which all are as many.
+void judge_column(Judge& judge, const FitData& data, const FitColumnInfo& info, const std::string& key) {
+  const FitReadings& readings = data.column(info.column);
+  const std::string place = fmt::format("{}.readings.{}", key, info.name());
+  const bool own = info.is_of(data.experiment);
+  judge.require_for("fit", readings.values.empty() || own, place, "",
+                    fmt::format("are not of data of the experiment \"{}\"", name_of(data.experiment)), "remove them");
+  if (info.measured) {
+    const std::string std_place = fmt::format("{}.{}", key, info.std_key);
+    if (!judge.require_for("fit", !readings.std || own, std_place, quantity(readings.std.value_or(0.0), info.unit()),
+                           fmt::format("is not of data of the experiment \"{}\"", name_of(data.experiment)),
+                           "remove it")) {
+      return;
+    }
+    judge.require_for("fit", !readings.std || *readings.std > 0.0, std_place,
+                      quantity(readings.std.value_or(0.0), info.unit()), "must be positive",
+                      "give the standard deviation of one reading");
+    judge.require_for("fit", !readings.std || !readings.values.empty(), std_place,
+                      quantity(readings.std.value_or(0.0), info.unit()), "is of a column without readings",
+                      fmt::format("give readings.{}, or remove it", info.name()));
+  }
+  judge.require_for("fit", readings.values.empty() || !own || readings.values.size() == rows_of(data), place,
+                    std::to_string(readings.values.size()),
+                    fmt::format("are not as many as the rows, {}", rows_of(data)), "give one for every row");
+}
+
+void judge_table(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
+  const bool vibration = data.experiment == FittedExperiment::vibration;
+  const FitColumn first = vibration ? FitColumn::amplitude : FitColumn::speed;
+  if (!judge.require_for("fit", rows_of(data) > 0, fmt::format("{}.readings.{}", key, name_of(first)), "", "is missing",
+                         "give a file, or readings")) {
+    return;
+  }
+  for (const FitColumnInfo& info : fit_columns()) judge_column(judge, data, info, key);
+  judge.require_for("fit", !fitted_columns(data).empty(), key + (vibration ? ".stiffness_std" : ".h_min_std"), "",
+                    "is missing: columns are fitted by their standard deviations, and none is given",
+                    "give one of them or more");
+  const auto all_within = [&](FitColumn column, const Range& range) {
+    for (const double value : data.column(column).values) {
+      if (!judge.within(fmt::format("{}.readings.{}", key, name_of(column)), std::abs(value), range)) return;
+    }
+  };
+  all_within(FitColumn::amplitude, length_range);
+  all_within(FitColumn::speed, frequency_range);
+  all_within(FitColumn::frequency, frequency_range);
+  const bool any_load =
+      !data.column(FitColumn::load_x).values.empty() || !data.column(FitColumn::load_y).values.empty();
+  if (vibration && !any_load) {
+    judge.require_for("fit",
+                      (data.preload && data.preload->control == Control::load) ||
+                          (!data.preload && input.vibration && !input.vibration->loads.empty()),
+                      key + ".preload", "", "is no load that the journal vibrates about",
+                      "give a load, or readings.load_x and readings.load_y");
+  }
+  judge.require_for("fit", vibration || any_load, key + ".readings.load_x", "", "is missing",
+                    "give the static load along X, Y or both");
+}
+
+void judge_data(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
+  data.is_loop() ? judge_loop(judge, input, data, key) : judge_table(judge, input, data, key);
   judge.angle(key + ".direction", data.direction);
   judge.count(key + ".points", data.points, "points", {fewest_readings, most_fit_points});
   if (data.force_std) judge.within(key + ".force_std", *data.force_std, load_range);
@@ -168,9 +282,19 @@ void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSetti
   const bool known = judge.require(is_fitted_key(parameter.key), key + ".key", parameter.key,
                                    "is no key of a number that can be fitted", advice_on_fitted(parameter.key));
   if (!known) return;
-  const std::optional<std::size_t> data = data_of_key(parameter.key);
-  judge.require(!data || (*data >= 1 && *data <= fit.data.size()), key + ".key", parameter.key,
-                fmt::format("is of data that are not there: there are {}", fit.data.size()), "count from 1");
+  if (const std::optional<std::size_t> data = data_of_key(parameter.key)) {
+    const bool there =
+        judge.require(*data >= 1 && *data <= fit.data.size(), key + ".key", parameter.key,
+                      fmt::format("is of data that are not there: there are {}", fit.data.size()), "count from 1");
+    if (!there) return;
+    const FittedExperiment experiment = fit.data[*data - 1].experiment;
+    const auto own = rig_keys_of(experiment);
+    judge.require(
+        std::any_of(own.begin(), own.end(),
+                    [&parameter](std::string_view one) { return parameter.key.ends_with("." + std::string(one)); }),
+        key + ".key", parameter.key, fmt::format("has no effect on data of the experiment \"{}\"", name_of(experiment)),
+        fmt::format("these have: {}", fmt::join(own, ", ")));
+  }
   const std::optional<Dimension> dimension = dimension_of(parameter.key);
   const std::string_view unit = dimension ? si_unit(*dimension) : "";
   const bool bounds = judge.require(parameter.lower < parameter.upper, key + ".upper", quantity(parameter.upper, unit),

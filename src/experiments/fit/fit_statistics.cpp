@@ -39,7 +39,7 @@ std::string words_of(const std::vector<std::size_t>& which, const Eigen::VectorX
     const std::vector<std::string> changes = each(which, [&](std::size_t i) {
       return fmt::format("{} of {}", with_unit(change[static_cast<Eigen::Index>(i)], units[i]), parameters[i].key);
     });
-    return fmt::format("{} hardly change the loops together: {}", joined(names), fmt::join(changes, ", "));
+    return fmt::format("{} hardly change the data together: {}", joined(names), fmt::join(changes, ", "));
   }
   const double first = change[static_cast<Eigen::Index>(which[0])];
   const double second = change[static_cast<Eigen::Index>(which[1])];
@@ -123,7 +123,7 @@ std::vector<std::string> hardly_told(const Eigen::MatrixXd& sensitivities, const
   for (Eigen::Index i = 0; i < lengths.size(); ++i) {
     const FitParameter& parameter = parameters[static_cast<std::size_t>(i)];
     if (lengths[i] * (parameter.upper - parameter.lower) < difference_floor) {
-      lines.push_back(fmt::format("{} does not change the loops", parameter.key));
+      lines.push_back(fmt::format("{} does not change the data", parameter.key));
     } else {
       seen.push_back(i);
     }

@@ -53,6 +53,11 @@ export function lineEntry({ colour, marker, dash }: LineLook, text: string): Leg
   };
 }
 
+/** Of marks without a line. */
+export function markEntry({ colour, marker }: LineLook, text: string): LegendEntry {
+  return { width: 30, draw: (current) => (shapes[marker] ? [shapes[marker](colour(current))] : []), text };
+}
+
 /** What the lines of a coordinate stand for. */
 export function coordinateLegend(coordinate: Coordinate, withMarkers = true): LegendEntry[] {
   const { numbers, texts, title } = coordinate;

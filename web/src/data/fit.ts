@@ -1,12 +1,14 @@
-import type { FitSummary, GridData } from './format';
+import type { FitSummary, FittedDataInfo, GridData } from './format';
 import { Grid } from './grid';
+import { at } from './run';
 
-/** A part of a measured loop: means of the readings in it. */
+/** What was measured at a place, in SI; of a loop, means of the readings in a part of it. */
 export interface FittedPoint {
-  pull: boolean;
-  displacement: number;
+  /** From 0. */
+  series: number;
+  place: number;
   measured: number;
-  fitted: number;
+  model: number;
   residual: number;
   /** Standard deviation. */
   deviation: number;
@@ -28,7 +30,7 @@ export interface FittedParameter {
   profile: { value: number; cost: number }[];
 }
 
-/** Parameters of a case from measured loops. */
+/** Parameters of a case from measured data. */
 export class Fit extends Grid {
   readonly parameters: FittedParameter[];
 
@@ -56,21 +58,34 @@ export class Fit extends Grid {
     return this.summary.reduced_chi_square ?? NaN;
   }
 
-  get loops(): number {
-    return this.size('data');
+  /** Of loops and tables. */
+  get count(): number {
+    return this.summary.data.length;
   }
 
-  points(data: number): FittedPoint[] {
+  /** Axis, series and quantities of some data. */
+  measured(data: number): { axis: string; axisUnit: string; series: string[]; quantities: FittedDataInfo['quantities'] } {
+    const { axis, axis_unit: axisUnit, series, quantities } = at(this.summary.data, data);
+    return { axis, axisUnit, series, quantities: quantities.map(({ title, unit }) => ({ title, unit: unit === '1' ? '' : unit })) };
+  }
+
+  /** Of one of the quantities of some data. */
+  points(data: number, quantity: number): FittedPoint[] {
     const along = (name: string): number[] => this.variable(name)?.along({ data }) ?? [];
-    const [displacement, measured, fitted, residual, deviation, readings, branch] = ['measured_displacement', 'measured_force', 'fitted_force', 'force_residual', 'force_deviation', 'readings', 'fit_branch'].map(along);
-    return (displacement ?? []).map((x, i) => ({
-      pull: branch?.[i] === 1,
-      displacement: x,
-      measured: measured?.[i] ?? NaN,
-      fitted: fitted?.[i] ?? NaN,
-      residual: residual?.[i] ?? NaN,
-      deviation: deviation?.[i] ?? NaN,
-      readings: readings?.[i] ?? NaN,
-    }));
+    const column = along('data_quantity')[quantity];
+    const [series, place, measured, model, residual, deviation, readings] = ['point_series', 'point_place', 'measured_value', 'model_value', 'value_residual', 'value_deviation', 'readings'].map(along);
+    return along('point_quantity').flatMap((one, i) =>
+      one === column
+        ? {
+            series: (series?.[i] ?? 1) - 1,
+            place: place?.[i] ?? NaN,
+            measured: measured?.[i] ?? NaN,
+            model: model?.[i] ?? NaN,
+            residual: residual?.[i] ?? NaN,
+            deviation: deviation?.[i] ?? NaN,
+            readings: readings?.[i] ?? NaN,
+          }
+        : [],
+    );
   }
 }

@@ -215,11 +215,23 @@ export interface FitParameterData {
   profile?: { profile_value: number; profile_cost: number }[];
 }
 
+/** A loop or a table that was fitted: what its curves are drawn over, and what was measured. */
+export interface FittedDataInfo {
+  experiment: string;
+  points: number;
+  axis: string;
+  /** SI, as that of quantities; "1" of a plain number. */
+  axis_unit: string;
+  series: string[];
+  quantities: { title: string; unit: string }[];
+}
+
 export interface FitSummary extends SummaryHead {
   reduced_chi_square: number | null;
   degrees_of_freedom: number | null;
   collinearity: number | null;
   parameters: FitParameterData[];
+  data: FittedDataInfo[];
 }
 
 /** Asperities of a bearing that carry load, without a break. */

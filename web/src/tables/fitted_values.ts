@@ -21,7 +21,7 @@ function cells({ unit, start, value, standardError, interval, profileInterval, a
   return [text(value), text(standardError, 3), range(interval), ...(profiled ? [range(profileInterval)] : []), text(start), scale.unit, atBound ? 'at a bound' : ''];
 }
 
-/** Best values with their intervals, and how well the model follows the loops. */
+/** Best values with their intervals, and how well the model follows the data. */
 export function valueTable(fit: Fit): HTMLElement {
   const { parameters, summary } = fit;
   const profiled = parameters.some(({ profile }) => profile.length > 0);
@@ -46,7 +46,7 @@ export function valueTable(fit: Fit): HTMLElement {
   ).root;
 }
 
-/** Which parameters the loops tell together: fields are darker the nearer a correlation is to 1 or −1. */
+/** Which parameters the data tell together: fields are darker the nearer a correlation is to 1 or −1. */
 export function correlationTable(fit: Fit): HTMLElement {
   const { parameters } = fit;
   const shade = (correlation: number | null, self: boolean): string => {

@@ -1,4 +1,4 @@
-import { fittedLoop } from '../charts/fitted_loops';
+import { fittedData } from '../charts/fitted_data';
 import { profileChart } from '../charts/fit_profile';
 import { Fit } from '../data/fit';
 import type { CaseKeys, GridData, ResultData } from '../data/format';
@@ -10,11 +10,11 @@ import { part, type View } from './view';
 
 function sectionsOf(fit: Fit, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
   const profiles = fit.parameters.filter(({ profile }) => profile.length > 0).map((parameter) => profileChart(fit, parameter));
-  const loops = [...Array(fit.loops).keys()].flatMap((data) => fittedLoop(fit, data));
+  const charts = [...Array(fit.count).keys()].flatMap((data) => fittedData(fit, data));
   const compared = { several: false, focus: [fit], shown: [fit], names: fit.label, onChange: () => undefined };
   return [
     part(`${id}-values`, title('Fitted parameters'), valueTable(fit), ...(fit.parameters.length > 1 ? [correlationTable(fit)] : [])),
-    part(`${id}-loops`, title('Loops'), el('div', { class: 'multiples' }, ...loops)),
+    part(`${id}-data`, title('Measured and fitted'), el('div', { class: 'multiples' }, ...charts)),
     ...(profiles.length > 0 ? [part(`${id}-profiles`, title('Profiles'), el('div', { class: 'multiples' }, ...profiles))] : []),
     part(
       `${id}-case`,
@@ -24,7 +24,7 @@ function sectionsOf(fit: Fit, id: string, title: (text: string) => string, caseK
   ];
 }
 
-/** Fits of cases to measured loops, one after the other. */
+/** Fits of cases to measured data, one after the other. */
 export function fitView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
   const all = results.map((data) => new Fit(data as GridData));
   const several = all.length > 1 || !alone;

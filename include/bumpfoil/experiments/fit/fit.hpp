@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,39 +14,99 @@
 namespace bumpfoil {
 
 /// What was done to the foils that were measured.
-enum class FittedExperiment { cycle, strip };
+enum class FittedExperiment : std::uint8_t { cycle, strip, vibration, equilibrium };
 
 template <>
-inline constexpr auto enum_names<FittedExperiment> = std::to_array<std::string_view>({"cycle", "strip"});
+inline constexpr auto enum_names<FittedExperiment> = std::to_array<std::string_view>({"cycle", "strip", "vibration",
+                                                                                      "equilibrium"});
+
+/// What is measured, and where: a reading of a loop, or a column of a table.
+enum class FitColumn : std::uint8_t {
+  displacement,
+  force,
+  amplitude,
+  direction,
+  load_x,
+  load_y,
+  speed,
+  frequency,
+  stiffness,
+  loss_factor,
+  h_min,
+  torque,
+  x,
+  y,
+  kxx,
+  kxy,
+  kyx,
+  kyy,
+  cxx,
+  cxy,
+  cyx,
+  cyy,
+};
+
+template <>
+inline constexpr auto enum_names<FitColumn> = std::to_array<std::string_view>(
+    {"displacement", "force",       "amplitude", "direction", "load_x", "load_y", "speed", "frequency",
+     "stiffness",    "loss_factor", "h_min",     "torque",    "x",      "y",      "kxx",   "kxy",
+     "kyx",          "kyy",         "cxx",       "cxy",       "cyx",    "cyy"});
+
+/// Contacts in small motions of a running bearing.
+enum class FittedContacts : std::uint8_t { sliding, stuck };
+
+template <>
+inline constexpr auto enum_names<FittedContacts> = std::to_array<std::string_view>({"sliding", "stuck"});
 
 /// How a rig alters what it measures. With the displacement s and the force F of the foils, and the time tau that runs
 /// from -1/2 to 1/2 over the loop, it reads
 ///
 ///     s + F / machine_stiffness + displacement_origin + displacement_drift tau,   F + force_origin + force_drift tau.
+///
+/// Of a vibration it reads the stiffness and the amplitude of foils and machine in series; of an equilibrium position
+/// and torque from their origins.
 struct Rig {
   double displacement_origin{};               ///< m
   double force_origin{};                      ///< N
   double displacement_drift{};                ///< from the start of the loop to its end, m
   double force_drift{};                       ///< N
+  double x_origin{}, y_origin{};              ///< m
+  double torque_origin{};                     ///< N m
   std::optional<double> machine_stiffness{};  ///< in series with the foils, N/m; absent: that of all, else rigid
 
   bool operator==(const Rig&) const = default;
 };
 
-/// A measured loop.
+/// A column of a measured table.
+struct FitReadings {
+  std::vector<double> values{};  ///< SI, one for each row; none: there is no such column
+  std::optional<double> std{};   ///< of one reading
+
+  bool operator==(const FitReadings&) const = default;
+};
+
+/// A measured loop, or a table of what was measured of vibrations or of a running bearing.
 struct FitData {
   FittedExperiment experiment{FittedExperiment::cycle};
-  double direction{};                    ///< of a cycle, rad
-  std::optional<PlaneTarget> preload{};  ///< of a cycle, in place of that of the case
-  std::string columns{};                 ///< names of the columns of its file, see parse_measured_columns()
-  std::vector<double> displacements{};   ///< of one cycle, in the order of measurement, m
-  std::vector<double> forces{};          ///< N
-  std::optional<double> force_std{};     ///< of one reading, N; absent: from the scatter of neighbours
-  double displacement_std{};             ///< m
-  int points{100};                       ///< of equal arc length at which residuals are taken
+  double direction{};                                ///< of a cycle, or of vibrations without a column of it, rad
+  std::optional<PlaneTarget> preload{};              ///< in place of that of the case; of vibrations their load
+  FittedContacts contacts{FittedContacts::sliding};  ///< of an equilibrium, in its stiffness and damping
+  std::string columns{};                             ///< names of the columns of its file, see parse_column_names()
+  std::vector<double> displacements{};               ///< of one cycle, in the order of measurement, m
+  std::vector<double> forces{};                      ///< N
+  std::optional<double> force_std{};                 ///< of one reading, N; absent: from the scatter of neighbours
+  double displacement_std{};                         ///< m
+  int points{100};                                   ///< of equal arc length at which residuals are taken
   Rig rig;
+  std::array<FitReadings, enum_names<FitColumn>.size()> table{};  ///< of vibrations and equilibria
 
   bool operator==(const FitData&) const = default;
+
+  [[nodiscard]] bool is_loop() const {
+    return experiment == FittedExperiment::cycle || experiment == FittedExperiment::strip;
+  }
+  [[nodiscard]] FitReadings& column(FitColumn one) { return table.at(static_cast<std::size_t>(one)); }
+  [[nodiscard]] const FitReadings& column(FitColumn one) const { return table.at(static_cast<std::size_t>(one)); }
 };
 
 /// A key that is fitted: of the case, or of the rig ("fit.data[1].force_origin", "fit.machine_stiffness").
@@ -91,20 +153,32 @@ struct FittedValue {
   std::optional<double> profile_upper_95{};
 };
 
-/// A part of a measured loop of equal arc length: means of the readings in it.
+/// A number that was measured, and what the model gives for it. Of a loop: means of the readings in a part of equal arc
+/// length.
 struct FittedPoint {
-  bool pull{};  ///< on the way back
-  double displacement{};
-  double measured{};  ///< force, N
-  double fitted{};    ///< N
-  double std{};       ///< of the mean, N
-  int readings{};
+  std::size_t quantity{};  ///< among those of its data
+  std::size_t series{};    ///< that it belongs to, among those of its data
+  double at{};             ///< place along the axis of its data, SI
+  double measured{};       ///< SI
+  double fitted{};
+  double std{};     ///< of what was measured
+  int readings{1};  ///< that it is the mean of
 };
 
-struct FittedLoop {
-  std::vector<FittedPoint> points;
-  double noise{};     ///< standard deviation of one reading of the force: given, or from the scatter of neighbours, N
-  double residual{};  ///< root mean square of measured less fitted forces of the points, N
+struct FittedQuantity {
+  FitColumn column{};
+  double noise{};     ///< standard deviation of one reading: given, or of a loop from the scatter of neighbours, SI
+  double residual{};  ///< root mean square of measured less fitted
+};
+
+/// What was measured in one go, beside what the model gives.
+struct FittedData {
+  FittedExperiment experiment{};
+  std::string axis{};                 ///< what its curves are drawn over: "displacement"
+  std::string axis_unit{};            ///< SI
+  std::vector<std::string> series{};  ///< "push" and "pull"; "load (0, -50) N, along 90 deg"
+  std::vector<FittedQuantity> quantities{};
+  std::vector<FittedPoint> points{};
 };
 
 /// Where a minimisation ended.
@@ -125,14 +199,14 @@ struct FitResult {
   double collinearity{};
   std::vector<std::string> directions;  ///< what the data hardly tell, in words
   std::vector<FitMinimum> minima;       ///< that differ, the best first
-  std::vector<FittedLoop> loops;
+  std::vector<FittedData> data;
   std::size_t runs{};  ///< evaluations of the model
   Case fitted;         ///< the case with these values, without [fit]
 
   [[nodiscard]] double reduced_chi_square() const { return chi_square / degrees_of_freedom; }
 };
 
-/// Finds parameters of a case by bounded least squares from measured loops, from several starts.
+/// Finds parameters of a case by bounded least squares from measured loops and tables, from several starts.
 ///
 /// Standard errors are those of linearised least squares, from the noise of the readings; where the residuals are
 /// larger than that noise (chi-square per degree of freedom above 1), larger by its root. Intervals are those of

@@ -54,7 +54,7 @@ TEST(Fit, FindsBearingAndRigBehindNoise) {
   expect_found(result.parameters[3], 2.0);
   expect_found(result.parameters[4], 3.0);
   EXPECT_LT(*result.parameters[0].standard_error, 0.01);
-  EXPECT_NEAR(result.loops[0].noise, 0.5, 0.1);
+  EXPECT_NEAR(result.data[0].quantities[0].noise, 0.5, 0.1);
   EXPECT_NEAR(result.reduced_chi_square(), 1.0, 0.6);
   EXPECT_FALSE(warns(result, "does not explain"));
   EXPECT_EQ(result.fitted.friction.bump_sleeve, result.parameters[0].value);
@@ -128,13 +128,13 @@ TEST(Fit, WeighsByTheNoiseOfTheDisplacement) {
   expect_found(result.parameters[0], 0.15);
   expect_found(result.parameters[1], 28e-6);
   // Before the journal touches the foils there is no slope, and the noise is that of the force alone.
-  const std::vector<FittedPoint>& points = result.loops[0].points;
+  const std::vector<FittedPoint>& points = result.data[0].points;
   EXPECT_NEAR(points.front().std, 0.1 / std::sqrt(points.front().readings), 1e-6);
   // Under load, well before the journal turns, where the loop is smooth.
   const std::size_t middle = points.size() * 2 / 5;
   const FittedPoint& before = points[middle - 3];
   const FittedPoint& after = points[middle + 3];
-  const double slope = (after.fitted - before.fitted) / (after.displacement - before.displacement);
+  const double slope = (after.fitted - before.fitted) / (after.at - before.at);
   EXPECT_GT(slope * noise, 0.5);
   EXPECT_NEAR(points[middle].std * std::sqrt(points[middle].readings), std::hypot(0.1, slope * noise),
               0.15 * slope * noise);

@@ -54,7 +54,7 @@ TEST(FitStatistics, NameWhatIsHardlyTold) {
   double collinearity = 0.0;
   std::vector<std::string> lines = hardly_told(sensitivities, parameters, {"m", "m", "1"}, collinearity);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0], "c does not change the loops");
+  EXPECT_EQ(lines[0], "c does not change the data");
   EXPECT_EQ(lines[1], "a and b: only their sum is seen");
   EXPECT_GT(collinearity, 10.0);
   sensitivities.col(1) *= -1.0;
