@@ -12,6 +12,7 @@
 #include "core/number_text.hpp"
 #include "experiments/fit/fit_statistics.hpp"
 #include "results/csv_value.hpp"
+#include "results/read_unit.hpp"
 #include "results/summary_json.hpp"
 
 namespace bumpfoil {
@@ -100,20 +101,6 @@ constexpr std::array fit_point_quantities{
     FitQuantity<FittedPoint>{"readings", "1", "number of readings",
                              [](const FittedPoint& point) { return static_cast<double>(point.readings); }, tag::none,
                              "", shown::in_files, whole_number}};
-
-/// A number in the SI unit of a parameter, in a unit that people read.
-struct ReadUnit {
-  std::string name;
-  double size{1.0};
-};
-
-ReadUnit read_unit_of(const std::string& unit) {
-  if (unit == "m") return {"um", 1e-6};
-  if (unit == "rad") return {"deg", std::numbers::pi / 180.0};
-  if (unit == "N/m") return {"MN/m", 1e6};
-  if (unit == "Pa") return {"GPa", 1e9};
-  return {unit == "1" ? "" : unit, 1.0};
-}
 
 std::string parameter_line(const FitResult& result, std::size_t i, std::size_t width) {
   const FittedValue& found = result.parameters[i];
