@@ -7,6 +7,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/experiments/case_warnings.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -41,7 +42,8 @@ void add_check_command(CLI::App& program, Session& session) {
       "The output is itself a case file. Its last lines, comments, list which of the commands that it has a table for "
       "can run it, and why others cannot. If none can, that is an error.");
   command->callback([options, &session] {
-    const CheckedCase checked = check_case(read_case_text(options->case_path), options->case_path, options->overrides);
+    const CheckedCase checked =
+        check_case(read_case_text(options->case_path), options->case_path, options->overrides, faults_of_run);
     if (!session.quiet) print_some("warning: ", case_warnings(checked.input));
     if (!session.quiet) print_output(case_to_toml(checked.input) + verdicts(checked.commands));
   });

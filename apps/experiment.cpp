@@ -49,8 +49,9 @@ void remove_all(const std::filesystem::path& folder, const std::vector<std::stri
 ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options, const Session& session) {
   // Read once: the case written with the results is the one that they came from.
   const std::string case_text = read_case_text(options.case_path);
-  Case input = parse_case(case_text, options.case_path,
-                          {.overrides = options.overrides, .commands = {std::string(experiment.name)}});
+  Case input =
+      parse_case(case_text, options.case_path,
+                 {.overrides = options.overrides, .commands = {std::string(experiment.name)}, .check = faults_of_run});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
   const InterruptionGuard guard;  // before there is anything to clean up
   bool resumes = false;

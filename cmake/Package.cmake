@@ -14,7 +14,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
 # What find_package(bumpfoil) looks for.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libeigen3-dev, libfmt-dev, libtomlplusplus-dev, libnetcdf-dev, \
-libnetcdf-c++4-dev, libtbb-dev, libceres-dev")
+libnetcdf-c++4-dev, libtbb-dev, libceres-dev, libnlopt-dev")
 set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};bumpfoil;Unspecified;/")
 if(BUMPFOIL_BUILD_PYTHON)
   list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};bumpfoil;python;/")

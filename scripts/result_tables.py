@@ -65,6 +65,8 @@ def table_rows(name, experiments):
         "orbits": lambda one: True,
         "parameters": lambda one: {"parameter", "minimum"} & set(one["dims"]) and not is_dimension(one),
         "data": lambda one: "data" in one["dims"] and not is_dimension(one),
+        "keys": lambda one: {"key", "aim", "limit"} & set(one["dims"]) and "point" not in one["dims"] and not is_dimension(one),
+        "points": lambda one: {"point", "front"} & set(one["dims"]) and not is_dimension(one),
         "pads": lambda one: True,
         "rough": lambda one: "csv" not in one["tags"],
         "width": lambda one: True,

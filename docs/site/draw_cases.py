@@ -15,6 +15,7 @@ DRAWN = {
     "fit": lambda case: figures.fitted(bumpfoil.fit(case, fit={"starts": 1})),
     "graded": lambda case: figures.bump_loads(bumpfoil.run_cycle(case), width="double"),
     "larsen-strip": lambda case: figures.loops(bumpfoil.run_strip(case)),
+    "optimise": lambda case: figures.optimised(bumpfoil.optimise(case, optimise={"evaluations": 40})),
     "measured": lambda case: figures.foils(bumpfoil.run_cycle(case).cycles[0]),
     "out_of_round": lambda case: figures.foils(bumpfoil.run_cycle(case).cycles[0]),
     "running": lambda case: figures.coefficients(bumpfoil.run_equilibrium(case)),

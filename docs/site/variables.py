@@ -71,6 +71,8 @@ def small_results():
     short = {"speed": {"to": "12000 rpm", "time": "11 ms"}, "steps_per_revolution": 20, "revolutions_per_spectrum": 1}
     yield "transient", "", bumpfoil.run_transient(EXAMPLES / "rotor.toml", film=FILM["film"], transient=short)
     yield "fit", "", bumpfoil.fit(EXAMPLES / "fit.toml", fit={"starts": 1})
+    design = {"optimise": {"maximise": ["h_min"], "minimise": ["power"], "evaluations": 30, "starts": 1, "front": 1}}
+    yield "optimise", "", bumpfoil.optimise(EXAMPLES / "optimise.toml", **design)
     yield "film", "", run_film(EXAMPLES / "gen1.toml")
     yield "sweep", "", bumpfoil.run_sweep(gen1, swept)
     yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)

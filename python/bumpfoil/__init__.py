@@ -15,6 +15,7 @@ from .running_stepper import Instant, RunningStepper
 from .runs import (
     check,
     fit,
+    optimise,
     properties,
     run,
     run_cycle,
@@ -48,6 +49,7 @@ __all__ = [
     "check",
     "fit",
     "load",
+    "optimise",
     "properties",
     "run",
     "run_cycle",

@@ -132,6 +132,47 @@ def fitted(result: Result, *, width: str = "double") -> Figure:
 
 
 @styled
+def optimised(result: Result, *, width: str = "double") -> Figure:
+    """The points that were evaluated: the first aim over every key, and of two aims their front.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``optimise``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    demand(result, "evaluated points")
+    data = result.to_xarray()
+    keys, aims = ([(one[name], one["unit"]) for one in result.summary[part]] for part, name in (("keys", "key"), ("aims", "quantity")))
+    values = [*data.key_value.values.T, *data.aim_value.values.T]
+    named = [*keys, *aims]
+    first = len(keys)
+    pairs = [(number, first) for number in range(first)] + ([(first, first + 1)] if len(aims) > 1 else [])
+    sheet = Sheet(width, *arranged(width, len(pairs)), panel_height=55)
+    feasible = data.feasible.values == 1
+    best = result.summary["best_point"]
+    for ax, (across, upwards) in zip(sheet.panels, pairs):
+        (x, x_words), (y, y_words) = (_shown(values[number], *named[number]) for number in (across, upwards))
+        ax.plot(x[~feasible], y[~feasible], "o", markerfacecolor="none", color="#888888", label="misses a limit")
+        ax.plot(x[feasible], y[feasible], label="meets all limits", **{**_style(0, marked=True), "linestyle": "none"})
+        if upwards > first:
+            ax.plot(x[result.summary["front"]], y[result.summary["front"]], label="front", **_style(1))
+        if best is not None:
+            ax.plot(x[best], y[best], "s", markerfacecolor="none", color="#000000", markersize=9, label="best")
+        ax.set_xlabel(x_words)
+        ax.set_ylabel(y_words)
+    sheet.entitle([f"{named[upwards][0]} over {named[across][0]}" for across, upwards in pairs])
+    return sheet.finish(None)
+
+
+def _shown(values: Any, name: str, unit: str) -> tuple[Any, str]:
+    """Values in a unit that people read, with the words of their axis."""
+    factor, shown = {"m": (1e6, "µm"), "rad": (180 / np.pi, "°"), "N/m": (1e-6, "MN/m"), "1": (1, "")}.get(unit, (1, unit))
+    return factor * values, f"{name} ({shown})" if shown else name
+
+
+@styled
 def bump_loads(result: Result, *, width: str = "single") -> Figure:
     """Bump loads at full displacement, a panel for each cycle, all on the same scale.
 

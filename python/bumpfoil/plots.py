@@ -69,6 +69,7 @@ def demand(result: Result, picture: str) -> None:
         "responses to unbalance": result.command == "unbalance",
         "revolutions": result.command == "transient",
         "fitted data": result.command == "fit",
+        "evaluated points": result.command == "optimise",
         "free motions": result.command == "stability",
         "distributions": result.command == "montecarlo",
         "quantities over keys": result.command == "sweep",

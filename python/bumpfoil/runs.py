@@ -253,6 +253,31 @@ def fit(
 
 @_documented(
     """
+    keys : mapping, optional
+        By the keys that are chosen their ``lower`` and ``upper`` bounds, and what else [[optimise.key]] has:
+        ``{"bearing.radial_clearance": {"lower": "20 um", "upper": "40 um"}}``; in place of those of the case.
+    """
+)
+def optimise(
+    case: Any,
+    /,
+    *,
+    keys: Mapping[str, Mapping[str, Any]] | None = None,
+    progress: Progress = None,
+    **tables: Any,
+) -> Result:
+    """Chooses keys of the case so that a quantity is best under limits, as specified in [optimise].
+
+    ``summary["keys"]`` has the best values, ``summary["limits"]`` their margins, ``to_xarray()`` all points that were
+    evaluated, ``files["case.toml"]`` the case with the best values."""
+    if keys is not None:
+        given = [{"key": key, **values} for key, values in keys.items()]
+        tables["optimise"] = {**tables.get("optimise", {}), "key": given}
+    return _run("optimise", case, progress, tables)
+
+
+@_documented(
+    """
     over : mapping
         Values by their dotted keys: ``{"friction.coefficient": numpy.linspace(0, 0.5, 11)}``, pint quantities, or a
         range as for the program, ``"60 um:90 um:10 um"`` (end included). With ``equilibrium.speeds`` each point has

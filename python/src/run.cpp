@@ -28,8 +28,10 @@ auto told_by_keys(const Reading& reading) try {
 }  // namespace
 
 Case read_source(const CaseSource& source, const std::vector<std::string>& commands) {
-  return told_by_keys(
-      [&] { return parse_case(source.text, source.name, {.overrides = source.changes, .commands = commands}); });
+  return told_by_keys([&] {
+    return parse_case(source.text, source.name,
+                      {.overrides = source.changes, .commands = commands, .check = faults_of_run});
+  });
 }
 
 [[noreturn]] void refuse_argument(std::string name, std::string what, std::string advice) {
@@ -37,7 +39,7 @@ Case read_source(const CaseSource& source, const std::vector<std::string>& comma
 }
 
 void check_source(const CaseSource& source) {
-  told_by_keys([&] { return check_case(source.text, source.name, source.changes); });
+  told_by_keys([&] { return check_case(source.text, source.name, source.changes, faults_of_run); });
 }
 
 Sweep read_sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,

@@ -40,8 +40,8 @@ struct Key {
 };
 
 /// Storage of the value of a key. An absent number or an empty list means no value.
-using Value = std::variant<std::string*, bool*, int*, double*, std::optional<double>*, std::vector<double>*, PerBump*,
-                           FormedRadius*>;
+using Value = std::variant<std::string*, bool*, int*, double*, std::optional<double>*, std::vector<double>*,
+                           std::vector<std::string>*, PerBump*, FormedRadius*>;
 
 /// Visits every key of the case file, in its order, to read or to write.
 class CaseVisitor {

@@ -127,6 +127,11 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance", "give it");
   }
   std::vector<std::string> commands = requested;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const CaseTable* const own = table_of(commands[i]);
+    const std::string_view part = own != nullptr && own->requested_part ? own->requested_part(input) : "";
+    if (!part.empty()) commands.emplace_back(part);
+  }
   const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
   if (runs_ensemble && input.montecarlo) {
     commands.emplace_back(name_of(input.montecarlo->command));
@@ -154,11 +159,6 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
           fmt::format("run {}, which support pads, or remove [[pad]] and add [{}]", experiments_with_pads(), table));
     }
   }
-  for (const std::string& command : requested) {
-    const CaseTable* const own = table_of(command);
-    const std::string_view part = own != nullptr && own->requested_part ? own->requested_part(input) : "";
-    if (!part.empty()) commands.emplace_back(part);
-  }
   std::vector<Fault> faults = find_faults(input, commands);
   if (faults.empty()) {
     const std::vector<Fault> of_truss = truss_faults(input);
@@ -170,10 +170,16 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   }
   for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
+  for (const std::string& command : requested) {
+    if (!request.check) break;
+    for (const Fault& fault : request.check(command, input)) log.later_fault(fault);
+  }
+  log.throw_if_faulty();
   return input;
 }
 
-CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
+                       const CaseCheck& check) {
   CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}}), .commands = {}};
   const Case& input = checked.input;
   std::vector<Fault> faults;
@@ -185,7 +191,7 @@ CheckedCase check_case(std::string_view text, const std::string& name, const std
   for (const std::string& command : commands) {
     CheckedCommand& one = checked.commands.emplace_back(CheckedCommand{command, {}});
     try {
-      static_cast<void>(parse_case(text, name, {.overrides = overrides, .commands = {command}}));
+      static_cast<void>(parse_case(text, name, {.overrides = overrides, .commands = {command}, .check = check}));
     } catch (const Error& error) {
       one.faults = error.faults();
       for (const Fault& fault : one.faults) {

@@ -14,6 +14,7 @@
 #include "case/table_reader.hpp"
 #include "case/toml_document.hpp"
 #include "case/unit_table.hpp"
+#include "case/value_reader.hpp"
 #include "model/judge.hpp"
 
 namespace bumpfoil {
@@ -262,6 +263,9 @@ class SchemaWriter final : public CaseVisitor {
   Schema schema_of(const Key& key, const double* /*held*/) const { return number(key); }
   Schema schema_of(const Key& key, const std::optional<double>* /*held*/) const { return number(key); }
   Schema schema_of(const Key& key, const std::vector<double>* /*held*/) const { return list_or_range(number(key)); }
+  Schema schema_of(const Key& /*key*/, const std::vector<std::string>* /*held*/) const {
+    return {{"type", {"string", "array"}}, {"items", {{"type", "string"}}}, {"maxItems", most_texts}};
+  }
   Schema schema_of(const Key& key, const PerBump* /*held*/) const {
     Schema one = number(key);
     Schema out = one;

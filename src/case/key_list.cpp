@@ -32,6 +32,7 @@ struct KindOf {
   std::string operator()(const double*) const { return std::string(noun(key)); }
   std::string operator()(const std::optional<double>*) const { return std::string(noun(key)); }
   std::string operator()(const std::vector<double>*) const { return "list of " + plural(noun(key)); }
+  std::string operator()(const std::vector<std::string>*) const { return "text, or list of texts"; }
   std::string operator()(const PerBump*) const { return fmt::format("{}, list or law", noun(key)); }
   std::string operator()(const FormedRadius*) const {
     return fmt::format("{} or \"{}\"", noun(key), name_of(FormedTo::seated));
@@ -42,6 +43,9 @@ Json json_of(const std::optional<double>* number) {
   return *number ? Json(**number) : Json();
 }
 Json json_of(const std::vector<double>* list) {
+  return list->empty() ? Json() : Json(*list);
+}
+Json json_of(const std::vector<std::string>* list) {
   return list->empty() ? Json() : Json(*list);
 }
 Json json_of(const PerBump* dimension) {

@@ -155,6 +155,22 @@ void ValueReader::operator()(std::vector<double>* value) const {
   read_list(*value, {});
 }
 
+void ValueReader::operator()(std::vector<std::string>* value) const {
+  const auto* list = node.as_array();
+  if (list == nullptr && !node.is_string()) return refuse("a text or a list of texts", "write each in quotes");
+  const std::size_t count = list == nullptr ? 1 : list->size();
+  if (count > static_cast<std::size_t>(most_texts)) {
+    return log.fault(path, fmt::format("has {} entries", count), fmt::format("give at most {}", most_texts));
+  }
+  value->assign(count, {});
+  for (std::size_t i = 0; i < count; ++i) {
+    const toml::node& entry = list == nullptr ? node : *list->get(i);
+    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
+    log.met(entry_path, entry);
+    ValueReader{log, entry_path, entry}(&(*value)[i]);
+  }
+}
+
 void ValueReader::directions(std::vector<double>& angles) const {
   read_list(angles, axis_names);
 }

@@ -17,6 +17,9 @@ namespace bumpfoil {
 /// A word that stands for a number.
 using NamedNumber = std::pair<std::string_view, double>;
 
+/// Maximum number of texts of a list.
+inline constexpr int most_texts = 1000;
+
 /// Error of a node whose type is not the expected one, "a list".
 std::string is_where(const toml::node& node, std::string_view due);
 
@@ -38,6 +41,9 @@ struct ValueReader {
 
   /// Entries that are faulty become zero.
   void operator()(std::vector<double>* value) const;
+
+  /// Texts in a list, or one alone.
+  void operator()(std::vector<std::string>* value) const;
 
   /// A list of angles, in which "+X", "+Y", "-X" and "-Y" stand for theirs.
   void directions(std::vector<double>& angles) const;

@@ -5,68 +5,35 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
-#include <variant>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/results/quantity.hpp"
-#include "case/csv_lines.hpp"
-#include "case/units.hpp"
+#include "results/quantity_limit.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr std::string_view limit_option = "--limit";
-
-/// The dimension of a quantity in this unit; absent where it has none, or one that cases know not.
-std::optional<Dimension> dimension_in(std::string_view unit) {
-  for (const Dimension dimension :
-       {Dimension::length, Dimension::force, Dimension::stiffness, Dimension::pressure, Dimension::frequency}) {
-    if (si_unit(dimension) == unit) return dimension;
-  }
-  return std::nullopt;
-}
-
 /// @throws Error (input)
 EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout) {
-  const auto refuse = [&text](std::string what, std::string advice) {
-    throw Error(ErrorKind::input, {{"", 0, std::string(limit_option), text, std::move(what), std::move(advice)}});
-  };
-  const std::size_t sign = text.find_first_of("<>");
-  if (sign == std::string::npos) refuse("has no < and no >", "write a limit such as \"clearance_5N > 20 um\"");
-  const std::string name(trimmed(std::string_view(text).substr(0, sign)));
-  const std::string value(trimmed(std::string_view(text).substr(sign + 1)));
-  const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                  [&name](const EnsembleColumn& column) { return column.meaning.name == name; });
-  if (found == layout.columns.end() || found->meaning.form.kind != Form::real) {
-    std::vector<std::string> names;
-    for (const EnsembleColumn& column : layout.columns) {
-      if (column.meaning.form.kind == Form::real) names.push_back(column.meaning.name);
-    }
-    const auto nearest = nearest_name(name, names);
-    refuse("does not name a quantity of the ensemble",
-           nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "ensemble.nc has their names");
+  std::vector<std::size_t> columns;
+  std::vector<LimitedQuantity> quantities;
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    const VariableMeaning& meaning = layout.columns[i].meaning;
+    if (meaning.form.kind != Form::real) continue;
+    columns.push_back(i);
+    quantities.push_back({meaning.name, meaning.unit});
   }
-  if (!found->limitable) {
-    refuse("does not exist for rotors that whirl nowhere, nor for those that whirl at all speeds",
-           "write the limit for stable_up_to: \"stable_up_to > 12000 rpm\"");
+  const QuantityLimit limit = parse_quantity_limit(
+      text, quantities, {"--limit", "the ensemble", "ensemble.nc has their names", "clearance_5N > 20 um"});
+  const std::size_t column = columns[limit.quantity];
+  if (!layout.columns[column].limitable) {
+    throw Error(ErrorKind::input,
+                {{"", 0, "--limit", text,
+                  "does not exist for rotors that whirl nowhere, nor for those that whirl at all speeds",
+                  "write the limit for stable_up_to: \"stable_up_to > 12000 rpm\""}});
   }
-  EnsembleLimit limit{text, static_cast<std::size_t>(found - layout.columns.begin()), text[sign] == '>', 0.0};
-  if (const std::optional<double> number = parse<double>(value)) {
-    limit.bound = *number;
-  } else if (const std::optional<Dimension> dimension = dimension_in(found->meaning.unit)) {
-    const auto quantity = parse_quantity(value, *dimension);
-    if (const auto* fault = std::get_if<QuantityFault>(&quantity)) refuse(fault->what, fault->advice);
-    limit.bound = std::get<double>(quantity);
-  } else {
-    refuse("does not end with a number", found->meaning.unit == "1"
-                                             ? "write a number without a unit"
-                                             : fmt::format("write a number in {}", found->meaning.unit));
-  }
-  if (!std::isfinite(limit.bound)) refuse("is not finite", "give a finite number");
-  return limit;
+  return {text, column, limit.above, limit.bound};
 }
 
 Yield yield_of(const std::vector<bool>& passes) {
@@ -100,13 +67,18 @@ std::vector<EnsembleLimit> parse_limits(const std::vector<std::string>& texts, c
 }
 
 EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const RowLog& log) {
+  return make_yields(std::move(limits), layout, log.rows(), [&](std::size_t entry) { return log.column(entry); });
+}
+
+EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, std::size_t samples,
+                           const std::function<std::vector<double>(std::size_t entry)>& values_of_entry) {
   const auto keep = [&](std::vector<bool>& passes, std::size_t column, const auto& passing) {
     for (std::size_t place = 0; place < layout.places.size(); ++place) {
-      const std::vector<double> values = log.column(layout.entry(place, column));
+      const std::vector<double> values = values_of_entry(layout.entry(place, column));
       for (std::size_t i = 0; i < values.size(); ++i) passes[i] = passes[i] && passing(values[i]);
     }
   };
-  std::vector<bool> converged(log.rows(), true);
+  std::vector<bool> converged(samples, true);
   keep(converged, 0, [](double status) { return status == 0.0; });
   std::vector<bool> all = converged;
   EnsembleYields yields{.limits = std::move(limits), .each = {}, .all = {}};

@@ -25,4 +25,10 @@ const ExperimentInfo& experiment_named(std::string_view name) {
   return *found;
 }
 
+std::vector<Fault> faults_of_run(const std::string& command, const Case& input) {
+  const auto found = std::find_if(experiments().begin(), experiments().end(),
+                                  [&](const ExperimentInfo& experiment) { return experiment.name == command; });
+  return found == experiments().end() || !found->check ? std::vector<Fault>{} : found->check(input);
+}
+
 }  // namespace bumpfoil

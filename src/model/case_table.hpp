@@ -22,7 +22,8 @@ struct CaseTable {
   void (*check)(Judge& judge, const Case& input, const JudgedBumpFoil& foil);
   /// Whether the case holds what it needs and none but it does; null if it has no settings alone.
   bool (*given)(const Case& input){};
-  /// A further part of it that the case requests, which has checks of its own; empty: none.
+  /// A further part of it that the case requests, or another command that it runs, which has checks of its own; empty:
+  /// none.
   std::string_view (*requested_part)(const Case& input){};
 };
 

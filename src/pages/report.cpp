@@ -146,7 +146,7 @@ Json deviations_json(const Json& result) {
 
 /// What of a summary a report shows.
 Json summary_shown(const Json& summary, const std::string& kind) {
-  if (has_cycles(kind) || has_parameters(kind)) return summary;
+  if (has_cycles(kind) || has_parameters(kind) || has_points(kind)) return summary;
   Json shown = Json::object();
   for (const char* key : shown_of_summary) shown[key] = summary[key];
   if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];

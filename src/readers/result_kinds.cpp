@@ -4,7 +4,7 @@ namespace bumpfoil {
 
 bool is_shown(std::string_view kind) {
   return has_cycles(kind) || has_distributions(kind) || has_states(kind) || has_onsets(kind) || has_peaks(kind) ||
-         has_revolutions(kind) || has_parameters(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
+         has_revolutions(kind) || has_parameters(kind) || has_points(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
 }
 
 bool has_cycles(std::string_view kind) {
@@ -29,6 +29,10 @@ bool has_peaks(std::string_view kind) {
 
 bool has_parameters(std::string_view kind) {
   return kind == "fit";
+}
+
+bool has_points(std::string_view kind) {
+  return kind == "optimise";
 }
 
 bool has_revolutions(std::string_view kind) {

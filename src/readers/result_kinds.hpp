@@ -26,6 +26,9 @@ bool has_revolutions(std::string_view command);
 /// Whether these are parameters of a case with what they were found from, in the summary as well.
 bool has_parameters(std::string_view command);
 
+/// Whether these are points that were evaluated to choose keys of a case, with the best in the summary as well.
+bool has_points(std::string_view command);
+
 /// Whether these are responses of a rotor to unbalance over speed, with their peaks in the summary.
 bool has_peaks(std::string_view command);
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
@@ -182,6 +183,38 @@ class SummaryChecker {
     }
   }
 
+  /// Keys, aims and limits of an optimisation, and what the best point has; null where there is none.
+  void check_points(const Json& summary) const {
+    static_cast<void>(text(summary, "ended_by"));
+    const auto& count = at(summary, "point_count");
+    if (!count.is_number_unsigned()) refuse("point_count", "is not an integer");
+    const auto check_number = [&](const Json& number, const char* key) {
+      if (!number.is_number_unsigned() || number >= count) refuse(key, "is not the number of a point");
+    };
+    if (!at(summary, "best_point").is_null()) check_number(summary["best_point"], "best_point");
+    for (const char* list : {"keys", "aims", "limits", "front"}) {
+      if (!at(summary, list).is_array()) refuse(list, "is not a list");
+    }
+    for (const Json& number : summary["front"]) check_number(number, "front");
+    const auto check_values = [this](const Json& one, const std::string& name,
+                                     std::initializer_list<const char*> keys) {
+      for (const std::string& key : {name, std::string("unit")}) static_cast<void>(text(one, key));
+      for (const char* key : keys) check_value(key, at(one, key), {});
+    };
+    for (const Json& one : summary["keys"]) {
+      check_values(one, "key", {"lower_bound", "upper_bound", "start", "best_value"});
+      if (!at(one, "active_bound").is_null()) static_cast<void>(text(one, "active_bound"));
+    }
+    for (const Json& one : summary["aims"]) {
+      check_values(one, "quantity", {"best_value"});
+      if (!at(one, "maximise").is_boolean()) refuse("maximise", "is neither true nor false");
+    }
+    for (const Json& one : summary["limits"]) {
+      check_values(one, "limit", {"value", "margin"});
+      if (!at(one, "active").is_null() && !one["active"].is_boolean()) refuse("active", "is neither true nor false");
+    }
+  }
+
   /// The balance of energy of a run in time, and where its journals rub.
   void check_revolutions(const Json& summary) const {
     if (!at(summary, "revolutions").is_number_unsigned()) refuse("revolutions", "is not an integer");
@@ -262,6 +295,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   if (has_peaks(command)) checker.check_peaks(json);
   if (has_revolutions(command)) checker.check_revolutions(json);
   if (has_parameters(command)) checker.check_parameters(json);
+  if (has_points(command)) checker.check_points(json);
   summary.xxh3_128 = checker.text(json, "xxh3_128");
   summary.run_id = checker.text(json, "run_id");
   if (summary.run_id.empty()) checker.refuse("run_id", "is empty");

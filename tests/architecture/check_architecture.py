@@ -22,6 +22,7 @@ ALLOWED = {
     "experiments": {"core", "model", "structure", "contact", "rotor", "film", "bearing", "motion", "case", "results"},
     "origin": {"core", "model", "structure", "contact", "film", "bearing", "motion", "experiments"},
     "ensemble": {"core", "model", "case", "results", "experiments"},
+    "optimise": {"core", "model", "case", "results", "experiments", "ensemble", "sweep"},
     "readers": {"core", "model", "case", "results", "experiments", "ensemble"},
     "sweep": {"core", "model", "case", "results", "experiments"},
     "pages": {"core", "model", "structure", "case", "results", "experiments", "ensemble", "sweep", "readers"},
@@ -45,7 +46,7 @@ FOREIGN_WORDS = {
 }
 
 # Printing, files and file formats belong to the modules that read and write, and to the programs.
-MAY_USE_FILES = {"case", "results", "experiments", "ensemble", "sweep", "readers", "pages", "studies"}
+MAY_USE_FILES = {"case", "results", "experiments", "ensemble", "sweep", "optimise", "readers", "pages", "studies"}
 IO_HEADERS = re.compile(
     r"iostream|fstream|cstdio|filesystem|print|fmt/(?:os|ostream|color)\.h|nlohmann/.*|toml\+\+/.*|toml\.hpp|"
     r"netcdf.*|CLI/.*"

@@ -1,4 +1,5 @@
-// Measured loops beside computed ones: drawn together, and their differences listed. Fits of cases to such loops.
+// Measured loops beside computed ones: drawn together, and their differences listed. Fits of cases to such loops, and
+// keys that were chosen.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -27,6 +28,11 @@ before(() => {
   const one = ['fit.starts=1', `fit.parameter=[{key="friction.coefficient", start=0.1, lower=0.0, upper=0.5}]`, 'vibration={loads=[["0 N", "-50 N"]], directions=["+Y"], amplitudes=["1 um"], frequencies=["1 Hz"], steps=4}', shaken];
   run(['fit', join(dirname(caseFile), 'fit.toml'), '-o', join(folder, 'shaken'), ...one.flatMap((pair) => ['--set', pair])]);
   report('shaken.html', 'shaken');
+  const keys = '{key="friction.coefficient", lower=0.05, upper=0.4}, {key="bearing.radial_clearance", lower="25 um", upper="35 um"}';
+  const aims = ['optimise.command=cycle', 'optimise.maximise=loop_energy', 'optimise.minimise=max_force', 'optimise.limits=["max_force > 600 N"]'];
+  const search = ['optimise.evaluations=60', 'optimise.starts=1', 'optimise.front=1', 'cycle.steps=10', 'cycle.directions=["+X"]', 'solver.name=events'];
+  run(['optimise', caseFile, '-o', join(folder, 'optimised'), ...[...aims, ...search, `optimise.key=[${keys}]`, 'optimise.tolerance=0.05'].flatMap((pair) => ['--set', pair])]);
+  report('optimised.html', 'optimised');
 });
 
 test('the loops are in one chart, by their names', () =>
@@ -134,4 +140,29 @@ test('of a table every quantity has its charts, with a curve for each load and d
     assert.match(await region.locator('.legend').textContent(), /load \(0, -50\) N, along 90 deg.*along 0 deg/);
     const marks = await (await plotsIn(region)).locator('text').allTextContents();
     assert.ok(marks.includes('Stiffness (MN/m)') && marks.includes('Amplitude (µm)'), marks.join());
+  }));
+
+test('an optimisation is shown with its best point, limits, front and all points', () =>
+  withReport('optimised.html', async (page) => {
+    const { keys, aims, limits, front, best_point: best } = summaryOf('optimised');
+    const table = (name) => page.getByRole('group', { name, exact: true }).locator('tbody tr').evaluateAll((lines) => lines.map((line) => [...line.children].map((cell) => cell.textContent)));
+    const [, clearance] = await table('Table of best values');
+    assert.equal(clearance[0], 'bearing.radial_clearance');
+    near(quantity(`${clearance[1]} ${clearance[5]}`, 'm'), keys[1].best_value, 1e-4, 'clearance');
+    const [[text, value, margin]] = await table('Table of limits');
+    assert.equal(text, 'max_force > 600 N');
+    near(quantity(value, 'N'), limits[0].value, 1e-4, 'value');
+    near(quantity(margin, 'N'), limits[0].margin, 1e-2, 'margin');
+    const points = rowsOf(readFileSync(join(folder, 'optimised', 'points.csv'), 'utf8'));
+    const drawn = rowsOf((await saved(page, 'loop_energy over friction.coefficient', 'CSV')).bytes.toString());
+    assert.equal(drawn.length, points.length);
+    points.forEach((point, i) => {
+      near(Number(drawn[i].loop_energy), Number(point.loop_energy_J), 1e-6, 'aim');
+      assert.equal(drawn[i].feasible, point.feasible);
+    });
+    assert.ok(front.includes(best) && front.length > 1);
+    const marks = await (await plotsIn(page.getByRole('region', { name: 'Front of both aims', exact: true }))).locator('text').allTextContents();
+    assert.ok(marks.some((mark) => mark.startsWith(`${aims[0].quantity} (`)), marks.join());
+    assert.deepEqual(await axeFindings(page), []);
+    await assertPanelsFitPaper(page);
   }));

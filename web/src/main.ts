@@ -8,6 +8,7 @@ import { ensembleView } from './views/ensembles';
 import { equilibriumView } from './views/equilibria';
 import { fitView } from './views/fits';
 import { loopView } from './views/loops';
+import { optimiseView } from './views/optimisations';
 import { pathView } from './views/paths';
 import { stabilityView } from './views/stability';
 import { sweepView } from './views/sweeps';
@@ -31,6 +32,7 @@ const views: Record<string, MakeView> = {
   film: equilibriumView,
   fit: fitView,
   montecarlo: ensembleView,
+  optimise: optimiseView,
   path: pathView,
   stability: stabilityView,
   sweep: sweepView,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,9 @@
 
 namespace bumpfoil {
 
+/// Further errors of a case that a command is to run: those that only what runs it can tell.
+using CaseCheck = std::function<std::vector<Fault>(const std::string& command, const Case& input)>;
+
 /// Additions of the caller to a case file.
 struct CaseRequest {
   /// "table.key=value" each, applied in order: the value is TOML, or else a bare string.
@@ -16,6 +20,7 @@ struct CaseRequest {
   /// Commands that will run the case: their tables must be present, and whatever prevents one from running is an error.
   /// With "montecarlo" a case that names no solver gets ensemble_solver(), with "fit" `events` where it can.
   std::vector<std::string> commands;
+  CaseCheck check{};  ///< of each of these commands, of a case without other errors
 };
 
 /// Reads a case file in TOML and checks everything about it: unknown keys, types, units, and find_faults. Every error
@@ -45,6 +50,7 @@ struct CheckedCase {
 
 /// Reads a case as parse_case() does, and checks for each command whose table it has whether it can run.
 /// @throws Error as parse_case() does, and with the errors of all commands if none of them can run
-CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides = {});
+CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides = {},
+                       const CaseCheck& check = {});
 
 }  // namespace bumpfoil

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ struct EnsembleYields {
 /// Counts them. A bearing passes that keeps it in every direction; one
 /// that did not converge does not pass. A clearance that was never taken up is larger than any bound.
 EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const RowLog& log);
+
+/// The same of rows that are elsewhere. @param values_of_entry  values of all samples in this place of their rows
+EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, std::size_t samples,
+                           const std::function<std::vector<double>(std::size_t entry)>& values_of_entry);
 
 /// A line for people: "yield: 93 of 100 bearings, 93.0 % (86.3 to 96.6 %)"; nothing where there are no limits.
 std::string yield_text(const EnsembleYields& yields);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/dataset.hpp"
@@ -82,6 +83,8 @@ struct ExperimentInfo {
   std::vector<Switch> switches{};
   std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   ExperimentRun run;
+  /// Errors of a valid case that only the run of the experiment can tell; may be left out.
+  std::function<std::vector<Fault>(const Case&)> check{};
   /// Runs it for the command line, and stages its files as it goes: of an experiment whose results the memory may not
   /// hold. Its outcome has the totals, and no files. Others are run, and then written.
   std::function<Outcome(const Case&, const StagedRun& run, const ProgressCallback& progress)> staged{};
@@ -100,5 +103,9 @@ const std::vector<ExperimentInfo>& experiments();
 
 /// The experiment of this name.
 const ExperimentInfo& experiment_named(std::string_view name);
+
+/// What the check of the experiment of this name finds in a case; nothing where there is no such experiment, or it has
+/// no check. A CaseCheck.
+std::vector<Fault> faults_of_run(const std::string& command, const Case& input);
 
 }  // namespace bumpfoil

@@ -11,6 +11,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/results/dataset.hpp"
+#include "core/even_point.hpp"
 #include "experiments/fit/fit_keys.hpp"
 #include "experiments/fit/fit_model.hpp"
 #include "experiments/fit/fit_statistics.hpp"
@@ -31,18 +32,6 @@ constexpr double nearly_as_deep = 9.0;
 /// How far profiles go, in standard errors, and by how many steps to each side.
 constexpr double profile_reach = 3.0;
 constexpr int profile_steps = 6;
-
-/// Point k of a sequence that fills a box evenly: additive recurrence with the powers of the root of x^(n+1) = x + 1.
-Eigen::VectorXd even_point(std::size_t k, Eigen::Index parameters) {
-  double root = 1.5;
-  for (int i = 0; i < 50; ++i) root = std::pow(1.0 + root, 1.0 / static_cast<double>(parameters + 1));
-  Eigen::VectorXd x(parameters);
-  for (Eigen::Index i = 0; i < parameters; ++i) {
-    const double way = 0.5 + static_cast<double>(k) * std::pow(root, -static_cast<double>(i + 1));
-    x[i] = way - std::floor(way);
-  }
-  return x;
-}
 
 class Fit {
  public:
@@ -166,13 +155,14 @@ class Fit {
       const std::size_t places = std::max(further, places_per_parameter * settings_.parameters.size());
       std::vector<double> costs(places, std::numeric_limits<double>::infinity());
       tbb::parallel_for(std::size_t{0}, places, [&](std::size_t k) {
-        if (const auto there = residuals(even_point(k + 1, count()))) costs[k] = cost_of(problem_, *there);
+        if (const auto there = residuals(even_point(k + 1, Eigen::VectorXd::Zero(count()))))
+          costs[k] = cost_of(problem_, *there);
       });
       std::vector<std::size_t> order(places);
       std::iota(order.begin(), order.end(), std::size_t{0});
       std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
       for (std::size_t k = 0; k < further; ++k) {
-        if (std::isfinite(costs[order[k]])) starts.push_back(even_point(order[k] + 1, count()));
+        if (std::isfinite(costs[order[k]])) starts.push_back(even_point(order[k] + 1, Eigen::VectorXd::Zero(count())));
       }
     }
     std::vector<LeastSquaresMinimum> minima;

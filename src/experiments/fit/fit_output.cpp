@@ -13,6 +13,7 @@
 #include "experiments/fit/fit_columns.hpp"
 #include "experiments/fit/fit_statistics.hpp"
 #include "results/csv_value.hpp"
+#include "results/read_unit.hpp"
 #include "results/summary_json.hpp"
 
 namespace bumpfoil {
@@ -117,21 +118,6 @@ std::vector<double> columns_of_points(const FittedData& data) {
 /// In quotes, as the cell of a CSV file that has commas.
 std::string quoted_cell(const std::string& text) {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
-
-/// A number in the SI unit of a parameter, in a unit that people read.
-struct ReadUnit {
-  std::string name;
-  double size{1.0};
-};
-
-ReadUnit read_unit_of(const std::string& unit) {
-  if (unit == "m") return {"um", 1e-6};
-  if (unit == "rad") return {"deg", std::numbers::pi / 180.0};
-  if (unit == "N/m") return {"MN/m", 1e6};
-  if (unit == "N m") return {"N mm", 1e-3};
-  if (unit == "Pa") return {"GPa", 1e9};
-  return {unit == "1" ? "" : unit, 1.0};
 }
 
 std::string parameter_line(const FitResult& result, std::size_t i, std::size_t width) {

@@ -234,6 +234,17 @@ export interface FitSummary extends SummaryHead {
   data: FittedDataInfo[];
 }
 
+/** Keys that were chosen, aims and limits, with what the best point has; null where there is none. */
+export interface OptimiseSummary extends SummaryHead {
+  ended_by: string;
+  best_point: number | null;
+  keys: { key: string; unit: string; lower_bound: number; upper_bound: number; start: number | null; best_value: number | null; active_bound: string | null }[];
+  aims: { quantity: string; unit: string; maximise: boolean; best_value: number | null }[];
+  limits: { limit: string; unit: string; value: number | null; margin: number | null; active: boolean | null }[];
+  /** Numbers of points. */
+  front: number[];
+}
+
 /** Asperities of a bearing that carry load, without a break. */
 export interface RubData {
   /** From 1. */

@@ -1,0 +1,154 @@
+#include "bumpfoil/experiments/optimise/optimise_settings.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "case/case_keys.hpp"
+#include "experiments/fit/fit_keys.hpp"
+#include "model/case_table.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr int most_evaluations = 100'000;
+constexpr int most_searches = 100;
+constexpr int most_between = 100;
+constexpr Range tolerance_range{1e-6, 0.1, ""};
+
+void describe(CaseVisitor& keys, OptimisedKey& one) {
+  using enum Presence;
+  keys.value({"key", required, "Key", "a key of the case that holds a real number", "\"bearing.radial_clearance\""},
+             &one.key);
+  const auto of_key = [dimension = dimension_of(one.key)](std::string_view name, Presence presence,
+                                                          std::string_view title, std::string_view text,
+                                                          std::string_view example) {
+    return Key{.name = name,
+               .presence = presence,
+               .title = title,
+               .text = text,
+               .example = example,
+               .dimension = dimension,
+               .any_dimension = true};
+  };
+  keys.value(of_key("lower", required, "Lower bound", "with the unit of the key", "\"20 um\""), &one.lower);
+  keys.value(of_key("upper", required, "Upper bound", "", "\"40 um\""), &one.upper);
+  keys.value(of_key("start", optional, "Start", "by default what the case holds", "\"30 um\""), &one.start);
+  keys.value({"log", defaulted, "Logarithmic", "true: steps are those of the logarithm, between positive bounds"},
+             &one.log);
+}
+
+void describe(CaseVisitor& keys, OptimiseSettings& optimise) {
+  using enum Presence;
+  keys.choice({"command", defaulted, "Command", "what is run at every point; \"montecarlo\": an ensemble"},
+              optimise.command);
+  keys.value({"maximise", optional, "Maximise",
+              "quantity of result.nc that is to be largest where it is smallest, over all directions or states; of an "
+              "ensemble \"yield\", or one with a statistic, such as \"h_min.p5\"",
+              "[\"h_min\"]"},
+             &optimise.maximise);
+  keys.value({"minimise", optional, "Minimise",
+              "quantity that is to be smallest where it is largest; two aims in all make a front", "[\"power\"]"},
+             &optimise.minimise);
+  keys.value(
+      {"limits", optional, "Limits", "what the result must meet in every direction or state", "[\"h_min > 5 um\"]"},
+      &optimise.limits);
+  keys.value({"bearing_limits", optional, "Limits of a bearing",
+              "of an ensemble: what a bearing must meet to count in the yield", "[\"h_min > 5 um\"]"},
+             &optimise.bearing_limits);
+  keys.value({"evaluations", defaulted, "Evaluations", "number of points at most"}, &optimise.evaluations);
+  keys.value({"starts", defaulted, "Starts",
+              "searches, the first from the starts of the keys, others from the best of places spread evenly"},
+             &optimise.starts);
+  keys.value({"tolerance", defaulted, "Tolerance",
+              "of the keys, in parts of the distance between their bounds: ends a search"},
+             &optimise.tolerance);
+  keys.value({"front", defaulted, "Points of the front", "between its ends, of two aims"}, &optimise.front);
+  keys.value({"seed", defaulted, "Seed", "of these places; ensembles draw by montecarlo.seed, the same at all points"},
+             &optimise.seed);
+  list_of_tables(keys, {"key", required, "Key", "one for each key that is chosen, at most five"}, optimise.keys,
+                 [](CaseVisitor& inner, OptimisedKey& one) { describe(inner, one); });
+}
+
+void describe_optimise(CaseVisitor& keys, Case& input) {
+  // One that holds nothing is none: so a case loses its own.
+  const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
+  OptimiseSettings inner = held == nullptr ? OptimiseSettings{} : *held;
+  keys.table({"optimise", Presence::optional, "Optimisation", "of keys of the case, for the command optimise"},
+             inner != OptimiseSettings{}, [&](CaseVisitor& visitor) {
+               describe(visitor, inner);
+               input.settings.set(inner);
+             });
+}
+
+void judge_key(Judge& judge, const OptimisedKey& one, const std::string& key) {
+  const bool of_table = one.key.starts_with("optimise.") || is_of_rig(one.key);
+  if (!judge.require(!of_table && is_fitted_key(one.key), key + ".key", one.key,
+                     "is no key of a real number that can be chosen", advice_on_fitted(one.key))) {
+    return;
+  }
+  const std::optional<Dimension> dimension = dimension_of(one.key);
+  const std::string_view unit = dimension ? si_unit(*dimension) : "";
+  judge.finite(key + ".lower", one.lower, unit);
+  judge.finite(key + ".upper", one.upper, unit);
+  if (!judge.require(one.lower < one.upper, key + ".upper", quantity(one.upper, unit),
+                     fmt::format("is not above lower, {}", quantity(one.lower, unit)),
+                     "give bounds that leave room between them")) {
+    return;
+  }
+  judge.require(!one.log || one.lower > 0.0, key + ".lower", quantity(one.lower, unit),
+                "is not positive, but steps are those of the logarithm",
+                "give a positive lower bound, or remove log = true");
+  judge.require(!one.start || (*one.start >= one.lower && *one.start <= one.upper), key + ".start",
+                quantity(one.start.value_or(0.0), unit), "lies outside the bounds", "start between lower and upper");
+}
+
+void judge_optimise(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+  const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
+  if (held == nullptr || *held == OptimiseSettings{}) return;
+  const OptimiseSettings& optimise = *held;
+  const std::size_t aims = optimise.maximise.size() + optimise.minimise.size();
+  judge.require_for("optimise", aims > 0, "optimise.maximise", "", "is missing",
+                    "give a quantity to maximise, or one to minimise");
+  judge.require(aims <= 2, "optimise.minimise", "", fmt::format("makes {} aims", aims),
+                "give one or two aims, and limits in place of others");
+  judge.require(optimise.bearing_limits.empty() || optimise.command == OptimisedCommand::montecarlo,
+                "optimise.bearing_limits", "", "are those of an ensemble",
+                "set command = \"montecarlo\", or write them into limits");
+  judge.require_for("optimise", !optimise.keys.empty(), "optimise.key", "", "is missing",
+                    "add [[optimise.key]] with a key and its bounds");
+  judge.require(std::ssize(optimise.keys) <= most_optimised_keys, "optimise.key", "",
+                fmt::format("names {} keys", optimise.keys.size()),
+                fmt::format("give at most {}, those that matter most", most_optimised_keys));
+  judge.count("optimise.evaluations", optimise.evaluations, "points", {1, most_evaluations});
+  judge.count("optimise.starts", optimise.starts, "searches", {1, most_searches});
+  judge.within("optimise.tolerance", optimise.tolerance, tolerance_range);
+  judge.count("optimise.front", optimise.front, "points", {0, most_between});
+  for (std::size_t i = 0; i < optimise.keys.size(); ++i) {
+    const std::string key = fmt::format("optimise.key[{}]", i + 1);
+    judge_key(judge, optimise.keys[i], key);
+    const auto same = [&](const OptimisedKey& other) { return other.key == optimise.keys[i].key; };
+    const auto self = optimise.keys.begin() + static_cast<std::ptrdiff_t>(i);
+    judge.require(std::none_of(optimise.keys.begin(), self, same), key + ".key", optimise.keys[i].key,
+                  "is chosen twice", "give it once");
+  }
+}
+
+}  // namespace
+
+CaseTable optimise_settings() {
+  return {.experiment = "optimise",
+          .needs = "optimise",
+          .describe = describe_optimise,
+          .check = judge_optimise,
+          .given =
+              [](const Case& input) {
+                const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
+                return held != nullptr && *held != OptimiseSettings{};
+              },
+          .requested_part = [](const Case& input) -> std::string_view {
+            const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
+            return held == nullptr ? "" : name_of(held->command);
+          }};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/optimise/optimise.hpp"
+
+namespace bumpfoil {
+
+class PointRunner;
+
+/// What is evaluated at every point: the case with values of the chosen keys, run by the command of [optimise].
+class OptimiseModel {
+ public:
+  /// @throws Error (input) with every fault of aims, limits and starts
+  explicit OptimiseModel(const Case& input);
+  ~OptimiseModel();
+
+  [[nodiscard]] const OptimiseSettings& settings() const { return settings_; }
+  [[nodiscard]] const std::vector<OptimiseAim>& aims() const { return aims_; }
+  [[nodiscard]] const std::vector<OptimiseLimit>& limits() const { return limits_; }
+  [[nodiscard]] const std::vector<std::string>& key_units() const { return key_units_; }
+  /// Values that searches start from.
+  [[nodiscard]] const std::vector<double>& start() const { return start_; }
+
+  /// The case with these values, without [optimise]. @throws Error (input) if there is no such bearing
+  [[nodiscard]] Case case_with(const std::vector<double>& values) const;
+
+  /// Runs a point, for several threads at once. @param warnings  those of its run are put there, unless it is null
+  /// @return nothing if `progress` stopped it
+  [[nodiscard]] std::optional<OptimisePoint> evaluate(const std::vector<double>& values,
+                                                      const ProgressCallback& progress,
+                                                      std::vector<std::string>* warnings = nullptr) const;
+
+ private:
+  void read_aims(std::vector<Fault>& faults);
+  void read_limits(std::vector<Fault>& faults);
+  void find_start(const Case& bare, std::vector<Fault>& faults);
+
+  OptimiseSettings settings_;
+  std::string text_;  ///< of the case without [optimise]
+  std::unique_ptr<const PointRunner> runner_;
+  std::vector<std::string> key_units_;
+  std::vector<OptimiseAim> aims_;
+  std::vector<OptimiseLimit> limits_;
+  std::vector<double> start_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,98 @@
+#include "bumpfoil/experiments/optimise/optimise_settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr const char* table =
+    "\n[optimise]\ncommand = \"cycle\"\nmaximise = \"loss_factor\"\nlimits = [\"max_force > 100 N\"]\n";
+constexpr const char* clearance =
+    "[[optimise.key]]\nkey = \"bearing.radial_clearance\"\nlower = \"25 um\"\nupper = \"0.045 mm\"\n";
+
+Case read_optimisation(const std::string& text) {
+  return parse_case(case_template("gen1") + text, "case.toml",
+                    {.overrides = {}, .commands = {"optimise"}, .check = faults_of_run});
+}
+
+/// What is wrong, a line for each fault; each has its place in the file.
+std::string faults_in(const std::string& text) {
+  try {
+    read_optimisation(text);
+  } catch (const Error& error) {
+    for (const Fault& fault : error.faults()) EXPECT_GT(fault.line, 0U) << format_fault(fault);
+    return error.what();
+  }
+  return "";
+}
+
+void expect_fault(const std::string& text, const std::string& key, const std::string& words) {
+  const std::string found = faults_in(text);
+  EXPECT_NE(found.find(key), std::string::npos) << found;
+  EXPECT_NE(found.find(words), std::string::npos) << found;
+}
+
+TEST(OptimiseSettings, AreReadFromCaseFilesAndWritten) {
+  const Case input = read_optimisation(std::string(table) + clearance + "start = 3e-5\nlog = true\n");
+  const OptimiseSettings& optimise = *input.settings.find<OptimiseSettings>();
+  EXPECT_EQ(optimise.command, OptimisedCommand::cycle);
+  EXPECT_EQ(optimise.maximise, std::vector<std::string>{"loss_factor"});
+  EXPECT_EQ(optimise.limits, std::vector<std::string>{"max_force > 100 N"});
+  ASSERT_EQ(optimise.keys.size(), 1U);
+  EXPECT_NEAR(optimise.keys[0].lower, 25e-6, 1e-18);
+  EXPECT_NEAR(optimise.keys[0].upper, 45e-6, 1e-18);
+  EXPECT_EQ(optimise.keys[0].start, 3e-5);
+  EXPECT_TRUE(optimise.keys[0].log);
+  EXPECT_EQ(parse_case(case_to_toml(input), "written"), input);
+}
+
+TEST(OptimiseSettings, TellWhatIsWrongAndWhere) {
+  const std::string good = std::string(table) + clearance;
+  EXPECT_EQ(faults_in(good), "");
+  expect_fault(good + "start = \"50 um\"\n", "optimise.key[1].start", "outside the bounds");
+  expect_fault(good + "lowr = 1\n", "optimise.key[1].lowr", "did you mean \"lower\"?");
+  expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"friction.coefficient\"\nlower = 0.3\nupper = 0.1\n",
+               "optimise.key[1].upper", "is not above lower");
+  expect_fault(
+      std::string(table) + "[[optimise.key]]\nkey = \"friction.coefficient\"\nlower = 0\nupper = 0.1\nlog = true\n",
+      "optimise.key[1].lower", "is not positive");
+  expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"friction.coeficient\"\nlower = 0\nupper = 0.1\n",
+               "optimise.key[1].key", "did you mean \"friction.coefficient\"?");
+  expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"bump_foil.bumps\"\nlower = 10\nupper = 20\n",
+               "optimise.key[1].key", "real number");
+  expect_fault(good + clearance, "optimise.key[2].key", "chosen twice");
+  std::string six = table;
+  for (const char* key : {"bearing.radial_clearance", "bump_foil.height", "bump_foil.length", "bump_foil.thickness",
+                          "top_foil.thickness", "bearing.axial_length"}) {
+    six += "[[optimise.key]]\nkey = \"" + std::string(key) + "\"\nlower = 1e-5\nupper = 1e-2\n";
+  }
+  expect_fault(six, "optimise.key", "at most 5");
+  const auto with = [&](const std::string& lines) { return "\n[optimise]\ncommand = \"cycle\"\n" + lines + clearance; };
+  expect_fault(with("maximise = \"los_factor\"\n"), "optimise.maximise[1]", "did you mean \"loss_factor\"?");
+  expect_fault(with("minimise = [\"max_force\", \"loss_factor\", \"loop_energy\"]\n"), "optimise.minimise", "3 aims");
+  expect_fault(with("limits = [\"max_force > 1 N\"]\n"), "optimise.maximise", "is missing");
+  expect_fault(with("maximise = \"loss_factor\"\nlimits = [\"max_force > 1 N\", \"max_force > 5 um\"]\n"),
+               "optimise.limits[2]", "expected a force");
+  expect_fault(with("maximise = \"loss_factor\"\nbearing_limits = [\"max_force > 1 N\"]\n"), "optimise.bearing_limits",
+               "ensemble");
+  expect_fault(with("maximise = \"loss_factor\"\nevaluations = 0\n"), "optimise.evaluations", "number of points");
+  // All at once, each with its own place.
+  const std::string both = faults_in(with("maximise = \"los_factor\"\nlimits = [\"max_forc > 5\"]\n"));
+  EXPECT_NE(both.find("loss_factor"), std::string::npos);
+  EXPECT_NE(both.find("\"max_force\"?"), std::string::npos);
+}
+
+TEST(OptimiseSettings, NeedTheTablesOfTheirCommand) {
+  const std::string lines = "\n[optimise]\ncommand = \"vibration\"\nmaximise = \"loss_factor\"\n";
+  expect_fault(lines + clearance, "vibration", "this table is missing");
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,203 @@
+#include "bumpfoil/optimise/optimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
+#include "optimise/optimise_output.hpp"
+#include "support/rig_loops.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using test_support::few_bumps;
+
+const OptimisedKey any_clearance{.key = "bearing.radial_clearance", .lower = 20e-6, .upper = 45e-6};
+
+Case optimised(OptimiseSettings settings, double friction = 0.1) {
+  Case input = few_bumps(friction, 30e-6);
+  input.cycle.steps = 20;
+  settings.command = settings.bearing_limits.empty() ? OptimisedCommand::cycle : OptimisedCommand::montecarlo;
+  input.settings.set(std::move(settings));
+  return input;
+}
+
+double force_at(double clearance) {
+  Case input = few_bumps(0.1, clearance);
+  input.cycle.steps = 20;
+  return run_cycles(input).cycles.front().turning_point->max_force;
+}
+
+const OptimisePoint& best_of(const OptimiseResult& result) {
+  return result.points.at(result.best.value());
+}
+
+/// Force and energy of a loop fall with the clearance, so that the least energy lies where the force is at its limit.
+TEST(Optimise, EndsAtTheLimitThatBisectionFinds) {
+  const double least_force = force_at(32e-6);
+  double low = any_clearance.lower;
+  double high = any_clearance.upper;
+  while (high - low > 1e-12) (force_at(0.5 * (low + high)) > least_force ? low : high) = 0.5 * (low + high);
+  const OptimiseSettings settings{.minimise = {"loop_energy"},
+                                  .limits = {"max_force > " + std::to_string(least_force)},
+                                  .evaluations = 60,
+                                  .starts = 2,
+                                  .keys = {any_clearance}};
+  const OptimiseResult result = run_optimise(optimised(settings));
+  EXPECT_EQ(result.status, OptimiseStatus::converged);
+  EXPECT_TRUE(optimise_failures(result).empty());
+  // The tolerance of the search, 1e-3 of the bounds, and what it keeps from the limit, 1e-4 of it: here as much again.
+  EXPECT_NEAR(best_of(result).values[0], low, 2e-3 * (any_clearance.upper - any_clearance.lower));
+  EXPECT_LT(best_of(result).values[0], low);
+  EXPECT_TRUE(result.is_feasible(best_of(result)));
+  EXPECT_TRUE(result.is_active(0));
+  EXPECT_EQ(result.bound_of(0), 0);
+  EXPECT_LE(std::ssize(result.points), 60);
+  EXPECT_EQ(result.points.front().values[0], 30e-6);
+  // The case that is written gives the same.
+  const Case again = parse_case(optimised_case_text(result), "case.toml", {.overrides = {}, .commands = {"cycle"}});
+  EXPECT_EQ(again, result.optimised);
+  EXPECT_EQ(run_cycles(again).cycles.front().turning_point->max_force, best_of(result).limits[0]);
+  EXPECT_NE(optimise_table(result).find("active"), std::string::npos);
+}
+
+TEST(Optimise, EndsAtABoundWithoutLimits) {
+  const OptimiseResult result =
+      run_optimise(optimised({.maximise = {"max_force"}, .evaluations = 40, .starts = 1, .keys = {any_clearance}}));
+  EXPECT_EQ(result.status, OptimiseStatus::converged);
+  EXPECT_EQ(best_of(result).values[0], any_clearance.lower);
+  EXPECT_EQ(result.bound_of(0), -1);
+  EXPECT_NE(optimise_table(result).find("at its lower bound"), std::string::npos);
+}
+
+/// The loss factor is largest between little friction and so much that foils stick. The other key has no influence.
+TEST(Optimise, FindsAnOptimumInsideTheBounds) {
+  const OptimisedKey friction{.key = "friction.coefficient", .lower = 0.02, .upper = 2.0 / 3.0, .log = true};
+  const OptimiseResult result =
+      run_optimise(optimised({.maximise = {"loss_factor"}, .evaluations = 60, .starts = 2, .keys = {friction}}, 0.03));
+  EXPECT_EQ(result.status, OptimiseStatus::converged);
+  double most = 0.0;
+  for (double mu = friction.lower; mu < friction.upper; mu *= 1.02) {
+    Case input = few_bumps(mu, 30e-6);
+    input.cycle.steps = 20;
+    most = std::max(most, *run_cycles(input).cycles.front().loss_factor);
+  }
+  // Near it the loss factor is flat.
+  EXPECT_GE(best_of(result).aims[0], most * (1.0 - 1e-4));
+  EXPECT_EQ(result.optimised.friction.top_bump, best_of(result).values[0]);
+}
+
+TEST(Optimise, NamesTheLimitThatIsMissedByTheLeast) {
+  const OptimiseResult result = run_optimise(optimised({.maximise = {"loss_factor"},
+                                                        .limits = {"max_force > 2 kN", "max_force > 1 N"},
+                                                        .evaluations = 30,
+                                                        .starts = 1,
+                                                        .keys = {any_clearance}}));
+  EXPECT_EQ(result.status, OptimiseStatus::infeasible);
+  EXPECT_FALSE(result.best);
+  // The largest force is nearest to it.
+  EXPECT_NEAR(result.points[*result.nearest].values[0], any_clearance.lower, 0.5e-6);
+  const std::string failure = optimise_failures(result).front();
+  EXPECT_NE(failure.find("\"max_force > 2 kN\" by"), std::string::npos) << failure;
+  EXPECT_EQ(failure.find("max_force > 1 N\""), std::string::npos) << failure;
+  EXPECT_NE(optimise_table(result).find("missed"), std::string::npos);
+}
+
+/// Bumps lower than their foil is thick make no bearing.
+TEST(Optimise, KeepsPointsThatFailWhichNeverWin) {
+  const OptimisedKey height{.key = "bump_foil.height", .lower = 0.05e-3, .upper = 0.3e-3};
+  const OptimiseResult result = run_optimise(
+      optimised({.maximise = {"max_force"}, .evaluations = 40, .starts = 2, .keys = {height, any_clearance}}));
+  const auto failed = std::count_if(result.points.begin(), result.points.end(), [](const OptimisePoint& point) {
+    return point.status == PointStatus::not_physical && !point.message.empty() && point.aims.empty();
+  });
+  EXPECT_GT(failed, 0);
+  EXPECT_EQ(best_of(result).status, PointStatus::converged);
+  const std::vector<std::string> warnings = optimise_warnings(result);
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
+                          [](const std::string& line) { return line.find("make no bearing") != std::string::npos; }));
+  EXPECT_NE(points_csv(result).find(",not_physical,false,"), std::string::npos);
+}
+
+TEST(Optimise, DoesNotConvergeWithoutEvaluations) {
+  const OptimiseResult result =
+      run_optimise(optimised({.maximise = {"loss_factor"}, .evaluations = 6, .starts = 2, .keys = {any_clearance}}));
+  EXPECT_EQ(result.status, OptimiseStatus::evaluations_spent);
+  EXPECT_LE(std::ssize(result.points), 6);
+  EXPECT_NE(optimise_failures(result).front().find("optimise.evaluations"), std::string::npos);
+}
+
+TEST(Optimise, DoesNotDependOnThreads) {
+  const OptimisedKey friction{.key = "friction.coefficient", .lower = 0.05, .upper = 0.5};
+  const Case input = optimised({.maximise = {"loss_factor"},
+                                .limits = {"max_force > 200 N"},
+                                .evaluations = 60,
+                                .starts = 3,
+                                .keys = {friction, any_clearance}});
+  const OptimiseResult one = run_optimise(input, {}, 1);
+  const OptimiseResult two = run_optimise(input, {}, 2);
+  EXPECT_EQ(points_csv(one), points_csv(two));
+  EXPECT_EQ(optimise_lists(one), optimise_lists(two));
+}
+
+/// Forces of bearings of an ensemble: most of them are above the limit, or their lowest twentieth is.
+TEST(Optimise, TakesYieldsAndStatisticsOfEnsembles) {
+  const double force = force_at(35e-6);
+  const std::string least = "> " + std::to_string(force);
+  OptimiseSettings settings{.minimise = {"loop_energy.mean"},
+                            .limits = {"yield > 0.85"},
+                            .bearing_limits = {"max_force " + least},
+                            .evaluations = 30,
+                            .starts = 1,
+                            .keys = {any_clearance}};
+  Case input = optimised(settings);
+  input.montecarlo = MonteCarloSettings{.samples = 20};
+  input.montecarlo->radial_clearance = Distribution{.sigma = 1e-6};
+  const OptimiseResult by_yield = run_optimise(input, {}, 2);
+  ASSERT_TRUE(by_yield.best);
+  EXPECT_GT(best_of(by_yield).limits[0], 0.85);
+  settings.command = OptimisedCommand::montecarlo;
+  settings.limits = {"max_force.p5 " + least};
+  input.settings.set(settings);
+  const OptimiseResult by_percentile = run_optimise(input, {}, 1);
+  ASSERT_TRUE(by_percentile.best);
+  EXPECT_EQ(by_percentile.status, OptimiseStatus::converged);
+  EXPECT_NEAR(best_of(by_percentile).limits[0], force, 0.01 * force);
+  // The same bearings at every point: a nominal bearing there has a margin of some standard deviations.
+  EXPECT_GT(force_at(best_of(by_percentile).values[0]), force);
+}
+
+/// Both aims fall with the clearance: all of it is the front.
+TEST(Optimise, SpreadsTheFrontOfTwoAimsEvenly) {
+  const OptimiseResult result = run_optimise(optimised({.maximise = {"loop_energy"},
+                                                        .minimise = {"max_force"},
+                                                        .evaluations = 120,
+                                                        .starts = 1,
+                                                        .front = 3,
+                                                        .keys = {any_clearance}}));
+  EXPECT_EQ(result.status, OptimiseStatus::converged);
+  ASSERT_EQ(result.front.size(), 5U);
+  const auto aims = [&](std::size_t k) { return result.points[result.front[k]].aims; };
+  EXPECT_EQ(result.points[result.front.front()].values[0], any_clearance.lower);
+  EXPECT_EQ(result.points[result.front.back()].values[0], any_clearance.upper);
+  const double range = aims(0)[1] - aims(4)[1];
+  for (std::size_t k = 1; k < 5; ++k) {
+    EXPECT_LT(aims(k)[0], aims(k - 1)[0]);
+    // By what searches end with.
+    EXPECT_NEAR(aims(k)[1], aims(0)[1] - range * static_cast<double>(k) / 4.0, 0.01 * range);
+  }
+  EXPECT_NE(std::find(result.front.begin() + 1, result.front.end() - 1, *result.best), result.front.end() - 1);
+}
+
+TEST(Optimise, StopsWhenAsked) {
+  const Case input = optimised({.maximise = {"loss_factor"}, .keys = {any_clearance}});
+  EXPECT_EQ(run_optimise(input, [](double) { return false; }).status, OptimiseStatus::interrupted);
+}
+
+}  // namespace
+}  // namespace bumpfoil
