@@ -4,7 +4,8 @@ namespace bumpfoil {
 
 bool is_shown(std::string_view kind) {
   return has_cycles(kind) || has_distributions(kind) || has_states(kind) || has_onsets(kind) || has_peaks(kind) ||
-         has_revolutions(kind) || has_parameters(kind) || has_points(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
+         has_revolutions(kind) || has_parameters(kind) || has_points(kind) || kind == "path" || kind == "sweep" ||
+         kind == "vibration";
 }
 
 bool has_cycles(std::string_view kind) {

@@ -118,7 +118,7 @@ test('a fit is shown with its values, correlations, loops, residuals and profile
       near(Number(left[i].residual), Number(point.value_residual), 1e-6, 'residual');
     });
     const marks = await (await plotsIn(page.getByRole('region', { name: 'Residuals of the force', exact: true }))).locator('text').allTextContents();
-    assert.ok(marks.includes('Residual (standard deviations)') && marks.includes('Displacement (µm)'), marks.join());
+    assert.ok(marks.includes('Residual (std. deviations)') && marks.includes('Displacement (µm)'), marks.join());
     const profile = rowsOf((await saved(page, 'Profile of bearing.radial_clearance', 'CSV')).bytes.toString());
     assert.equal(profile.length, 13);
     profile.forEach(({ value, cost_increase: cost }, i) => {

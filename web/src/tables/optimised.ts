@@ -25,7 +25,7 @@ export function bestTable(result: Optimisation): HTMLElement {
   const reached = aims.map((aim) => `${aim.maximise ? 'maximise' : 'minimise'} ${aim.quantity}: ${formatQuantity(aim.best_value, result.unitOf(aim), 5)}`);
   return new Panel(
     {
-      title: 'Best point',
+      title: 'Best values',
       subject: () => [...reached, `ended by ${end.replace(/_/g, ' ')}`, result.label].join(' · '),
       file: () => fileName('best_point', result.label),
       csv: () =>
