@@ -63,8 +63,8 @@ ExperimentInfo optimise_experiment() {
           .check = optimise_faults,
           .small_runs = {{"optimise.command=cycle", "optimise.maximise=[\"loss_factor\"]",
                           "optimise.minimise=[\"max_force\"]", "optimise.limits=[\"max_force > 1 N\"]",
-                          "optimise.evaluations=20", "optimise.starts=1", "optimise.front=1", "cycle.steps=4",
-                          "optimise.key=[{key=\"friction.coefficient\", lower=0.05, upper=0.3}]"}}};
+                          "optimise.evaluations=40", "optimise.tolerance=0.05", "optimise.starts=1", "optimise.front=1",
+                          "cycle.steps=4", "optimise.key=[{key=\"friction.coefficient\", lower=0.05, upper=0.3}]"}}};
 }
 
 }  // namespace bumpfoil

@@ -111,9 +111,9 @@ void judge_optimise(Judge& judge, const Case& input, const JudgedBumpFoil& /*foi
                     "give a quantity to maximise, or one to minimise");
   judge.require(aims <= 2, "optimise.minimise", "", fmt::format("makes {} aims", aims),
                 "give one or two aims, and limits in place of others");
-  judge.require(optimise.bearing_limits.empty() || optimise.command == OptimisedCommand::montecarlo,
-                "optimise.bearing_limits", "", "are those of an ensemble",
-                "set command = \"montecarlo\", or write them into limits");
+  judge.require_for("optimise", optimise.bearing_limits.empty() || optimise.command == OptimisedCommand::montecarlo,
+                    "optimise.bearing_limits", "", "are those of an ensemble",
+                    "set command = \"montecarlo\", or write them into limits");
   judge.require_for("optimise", !optimise.keys.empty(), "optimise.key", "", "is missing",
                     "add [[optimise.key]] with a key and its bounds");
   judge.require(std::ssize(optimise.keys) <= most_optimised_keys, "optimise.key", "",
