@@ -9,7 +9,7 @@ from sources import with_links
 
 # Pages that only the site has.
 MADE = {
-    "Begin here": [f"/docs/notebooks/{page}" for page in ("first_steps", "rotor_in_time")],
+    "Begin here": [f"/docs/notebooks/{page}" for page in ("first_steps", "rotor_in_time", "fit_a_rig")],
     "Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp")],
 }
 
