@@ -16,7 +16,9 @@ namespace bumpfoil {
 
 /// How an optimisation ended.
 enum class OptimiseStatus {
-  converged,          ///< the search of the best point ended by its tolerance; evaluated again, the point is the same
+  /// The search of the best point ended by its tolerance, with two aims those of the best of each; evaluated again, the
+  /// best point is the same.
+  converged,
   evaluations_spent,  ///< the search of the best point ended as it had no evaluations left
   rounding_limited,   ///< it ended by round-off
   infeasible,         ///< no point meets all limits

@@ -61,6 +61,17 @@ std::optional<Dimension> dimension_of(const std::string& key) {
   return listed == nullptr ? std::nullopt : listed->key.dimension;
 }
 
+Key key_in_unit_of(std::optional<Dimension> dimension, std::string_view name, Presence presence, std::string_view title,
+                   std::string_view text, std::string_view example) {
+  return {.name = name,
+          .presence = presence,
+          .title = title,
+          .text = text,
+          .example = example,
+          .dimension = dimension,
+          .any_dimension = true};
+}
+
 std::optional<std::size_t> data_of_key(std::string_view key) {
   if (!key.starts_with(begin_of_data)) return std::nullopt;
   std::size_t number = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/fit/fit.hpp"
+#include "case/case_keys.hpp"
 #include "case/units.hpp"
 
 namespace bumpfoil {
@@ -19,6 +20,11 @@ std::string advice_on_fitted(const std::string& key);
 
 /// Absent of plain numbers, and of what is no key.
 std::optional<Dimension> dimension_of(const std::string& key);
+
+/// A key that holds a number in the unit of another, such as a bound of its values.
+/// @param dimension  of the other
+Key key_in_unit_of(std::optional<Dimension> dimension, std::string_view name, Presence presence, std::string_view title,
+                   std::string_view text, std::string_view example);
 
 /// Number from 1 of the data whose rig has this key; absent of other keys.
 std::optional<std::size_t> data_of_key(std::string_view key);

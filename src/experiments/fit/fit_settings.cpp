@@ -140,16 +140,8 @@ void describe(CaseVisitor& keys, FitParameter& parameter) {
   keys.value({"key", required, "Key", "a numeric key of the case, or of the rig such as fit.data[1].force_origin",
               "\"friction.coefficient\""},
              &parameter.key);
-  const auto of_key = [dimension = dimension_of(parameter.key)](std::string_view name, Presence presence,
-                                                                std::string_view title, std::string_view text,
-                                                                std::string_view example) {
-    return Key{.name = name,
-               .presence = presence,
-               .title = title,
-               .text = text,
-               .example = example,
-               .dimension = dimension,
-               .any_dimension = true};
+  const auto of_key = [dimension = dimension_of(parameter.key)](auto... rest) {
+    return key_in_unit_of(dimension, rest...);
   };
   keys.value(of_key("start", required, "Start", "with the unit of the key", "0.1"), &parameter.start);
   keys.value(of_key("lower", required, "Lower bound", "", "0.0"), &parameter.lower);
