@@ -160,8 +160,9 @@ function names({ shape, geometry }: Scene, layout: UnwrappedLayout): PartName[] 
 /** Of pads in short where they are close, and none where even that would cover the next name: all welds look alike. */
 function weldNames({ pads }: BearingGeometry, layout: UnwrappedLayout): PartName[] {
   const places = pads.map((pad) => layout.place(onGround(pad, 0)));
-  // At the end of the last pad are the names of the sleeve and, without room beside them, of the bump foil.
-  const ends = [...places.slice(1).map(({ x }) => x), layout.right - (layout.roomy ? 60 : 135)];
+  // At the end are the names of the sleeve and, without room beside them, of the bump foil.
+  const others = layout.right - (layout.roomy ? 60 : 135);
+  const ends = [...places.slice(1).map(({ x }) => Math.min(x, others)), others];
   return pads.flatMap(({ name }, i): PartName[] => {
     const to = at(places, i);
     const fits = (content: string): boolean => to.x + 10 + letter * content.length < at(ends, i);
