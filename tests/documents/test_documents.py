@@ -200,7 +200,10 @@ class English(unittest.TestCase):
                 for path in (ROOT / folder).rglob(f"*.{kind}"):
                     code = re.sub(r"^\s*(//|#|\*|/\*).*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
                     joined = re.sub(r'"\s*\n\s*"', "", code)
-                    yield path, "\n".join(re.findall(r'"(?:[^"\\\n]|\\.)*"', joined))
+                    quoted = r'"(?:[^"\\\n]|\\.)*"'
+                    if kind == "ts":
+                        quoted += r"|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`"
+                    yield path, "\n".join(re.findall(quoted, joined))
 
     def test_no_phrase_comes_back(self):
         phrases = [" ".join(phrase.split()) for phrase in self.PHRASES if phrase.strip()]
