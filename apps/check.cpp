@@ -39,8 +39,8 @@ void add_check_command(CLI::App& program, Session& session) {
   command->footer(
       "Example:\n"
       "  bumpfoil check case.toml\n"
-      "The output is itself a case file. Its last lines, comments, list which of the commands that it has a table for "
-      "can run it, and why others cannot. If none can, that is an error.");
+      "The output is itself a case file. Comments at its end list the commands that it has a table for: which can run "
+      "it, and why others cannot. If none can, that is an error.");
   command->callback([options, &session] {
     const CheckedCase checked =
         check_case(read_case_text(options->case_path), options->case_path, options->overrides, faults_of_run);

@@ -83,6 +83,25 @@ def complete_theme(static):
     put_in(static / "scripts/furo.js", r"""^import Gumshoe from ["']\./([^"']*)["'];""", static / "scripts")
 
 
+def complete_pages(html):
+    """For those who cannot see the pages: names of landmarks and levels of headings that the theme leaves out, no heading
+    over an empty column, and nothing read out that only the pointer can use."""
+    changes = {
+        r'<p class="caption" role="heading">': '<p class="caption" role="heading" aria-level="2">',
+        r'<aside class="sidebar-drawer">': '<aside class="sidebar-drawer" aria-label="All pages">',
+        r'<aside class="toc-drawer': '<aside aria-label="On this page" class="toc-drawer',
+        r'<label class="overlay ': '<label aria-hidden="true" class="overlay ',
+        r"<th[^>]*>(?:\s|<p></p>)*</th>": "<td></td>",
+        r'<div id="search-results">': '<h1>Search</h1>\n\\g<0>',
+    }
+    for page in html.rglob("*.html"):
+        if html / "cpp" not in page.parents:
+            text = page.read_text(encoding="utf-8")
+            for pattern, replacement in changes.items():
+                text = re.sub(pattern, replacement, text)
+            page.write_text(text, encoding="utf-8")
+
+
 def main():
     package, output = (Path(argument).resolve() for argument in sys.argv[1:])
     environment = dict(os.environ, PYTHONPATH=str(package))
@@ -99,6 +118,7 @@ def main():
     sphinx = ["sphinx-build", "-W", "--keep-going", "-q", "-c", HERE, "-d", output / "doctrees", pages, output / "html"]
     subprocess.run(sphinx, env=environment, check=True)
     complete_theme(output / "html/_static")
+    complete_pages(output / "html")
 
 
 if __name__ == "__main__":

@@ -23,6 +23,9 @@ suppress_warnings = ["myst.header"]
 
 html_math_renderer = "katex"
 html_theme = "furo"
+html_static_path = ["static"]
+html_js_files = ["scrollable.js"]
+pygments_style = "code_style.CodeStyle"
 html_title = f"Bumpfoil {release}"
 html_show_sourcelink = False
 html_copy_source = False

@@ -202,7 +202,9 @@ class SweptKeyParser {
     const std::optional<Decimal> decimal = decimal_of(number);
     if (!decimal) refuse(fmt::format("has a number of more than {} digits", most_digits), "round it");
     const std::string_view unit = trimmed(text.substr(number.size()));
-    if (unit.starts_with(',')) refuse("has a decimal comma", "write decimal points, such as 0:0.5:0.05");
+    if (unit.starts_with(','))
+      refuse("has a decimal comma",
+             "write decimal points, such as 0:0.5:0.05, or a list in brackets, such as [0.05, 0.1]");
     return {*decimal, std::string(unit)};
   }
 

@@ -34,7 +34,7 @@ std::vector<std::string> missing_equilibria(const std::vector<SpeedStatus>& spee
     }
     lines.push_back(fmt::format("{}: no equilibrium found: {}", rotor_speed_text(speed), explanation(status)));
   }
-  if (behind > 0) lines.push_back(fmt::format("the {} speeds behind it were not looked for", behind));
+  if (behind > 0) lines.push_back(fmt::format("the {} speeds after it were not computed", behind));
   return lines;
 }
 

@@ -212,7 +212,7 @@ test('the rotor is that of the program, quickly at first, beside the design befo
     console.log(`rotor: quick answers after ${times.sort((a, b) => a - b)[5]} ms (median), ${times[9]} ms at most`);
     // What is not found is told, and no number stands for it.
     await settles(() => write(page, text.replace('"3 kg"', '"2000 kg"')));
-    assert.match(await view.locator('.remarks').textContent(), /11000 rpm: no equilibrium found: .*the 3 speeds behind it were not looked for/);
+    assert.match(await view.locator('.remarks').textContent(), /11000 rpm: no equilibrium found: .*the 3 speeds after it were not computed/);
     for (const key of ['onset', 'log_decrement', 'frequency', 'direction', 'foils', 'h_min']) assert.equal(await shown(key), '–', key);
     assert.doesNotMatch(await view.innerText(), /NaN|undefined|Infinity/);
     // A warning is told once, whatever answers have it.

@@ -70,8 +70,7 @@ class Documents(unittest.TestCase):
         self.assertGreater(len(pages), 10)
         for page in pages:
             headings = re.findall(r"^## (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
-            self.assertEqual(headings, [heading for heading in order if heading in headings], page.name)
-            self.assertEqual((headings[0], headings[-2:]), ("Problem", ["Check", "Limits"]), page.name)
+            self.assertEqual(headings, order, page.name)
 
     def test_pages_write_folders_of_their_own(self):
         """Who goes through all pages in one place is refused nowhere."""
@@ -201,7 +200,10 @@ class English(unittest.TestCase):
                 for path in (ROOT / folder).rglob(f"*.{kind}"):
                     code = re.sub(r"^\s*(//|#|\*|/\*).*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
                     joined = re.sub(r'"\s*\n\s*"', "", code)
-                    yield path, "\n".join(re.findall(r'"(?:[^"\\\n]|\\.)*"', joined))
+                    quoted = r'"(?:[^"\\\n]|\\.)*"'
+                    if kind == "ts":
+                        quoted += r"|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`"
+                    yield path, "\n".join(re.findall(quoted, joined))
 
     def test_no_phrase_comes_back(self):
         phrases = [" ".join(phrase.split()) for phrase in self.PHRASES if phrase.strip()]

@@ -111,6 +111,15 @@ class Site(unittest.TestCase):
             rule = r'@media[^{]*\(prefers-color-scheme: dark\)\s*\{\s*body:not\(\[data-theme="light"\]\)[^}]*' + colour
             self.assertTrue(re.search(rule, text), style)
 
+    @unittest.skipUnless("BUMPFOIL_WEB" in os.environ, "without the page of reports there is no axe-core")
+    def test_axe_finds_nothing(self):
+        """Of each kind of page one, in light and dark."""
+        pages = ("docs/index", "docs/tutorial", "docs/theory/gas_film", "docs/notebooks/first_steps", "search")
+        script = ROOT / "tests/documents/axe_of_site.mjs"
+        command = [os.environ["BUMPFOIL_NODE"], script, self.html, *(f"{page}.html" for page in pages)]
+        looked = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual((looked.stdout, looked.returncode), ("", 0))
+
     def test_scripts_are_no_modules(self):
         """Which pages opened from a disk may not load."""
         for script in self.html.rglob("*.js"):

@@ -282,6 +282,8 @@ test('vibrations are drawn over the key, and over the amplitude', () =>
     assert.equal(await table.locator('tbody tr').count(), 3 * 2 * 2 * 3);
     await page.getByRole('searchbox', { name: 'Search rows: Coefficients by load' }).fill('0.2 50 5');
     assert.equal(await page.getByRole('region', { name: 'Coefficients by load' }).locator('tbody tr').count(), 2);
+    assert.ok(await page.getByRole('region', { name: 'Case', exact: true }).isHidden());
+    await unfold(page, 'Case and origin');
     assert.match(await page.getByRole('region', { name: 'Case', exact: true }).locator('.subject').textContent(), /Swept: Coefficients of friction: Both coefficients 0\.05, 0\.1, 0\.2\./);
     assert.deepEqual(await page.locator('nav a').allTextContents(), ['Sweep', 'Coefficients', 'Case and origin', 'Glossary']);
     assert.deepEqual(await axeFindings(page), []);

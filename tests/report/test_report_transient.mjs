@@ -229,7 +229,7 @@ test('a run that ends early says why, and shows its last steps', () =>
 
 test('a run that did not begin says so', () =>
   withReport('none.html', async (page) => {
-    assert.match(await page.locator('.warnings').textContent(), /no equilibrium found to begin with, at 50 rpm/);
+    assert.match(await page.locator('.warnings').textContent(), /no equilibrium found to start from, at 50 rpm/);
     assert.deepEqual(await page.locator('.tile strong').allTextContents(), ['touchdown', '0']);
     assert.equal(await page.locator('.chart, .round').count(), 0);
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);

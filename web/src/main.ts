@@ -107,7 +107,7 @@ function navigation(sections: HTMLElement[]): HTMLElement {
 
 /** Warnings that are shown whole, those that paper has besides, and those that are listed at all. */
 const atOnce = 2;
-const mostOnPaper = 20;
+const mostOnPaper = 6;
 const mostListed = 400;
 
 function warnings(texts: string[]): HTMLElement[] {

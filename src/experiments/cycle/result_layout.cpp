@@ -104,7 +104,8 @@ void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultL
   NamedNumbers lifted{"assembled_lifted_bumps", "1", "bumps before the last that the top foil does not rest on", {}};
   NamedNumbers bulge{"assembled_bulge", "m", "largest inward displacement of the top foil over a crest", {}};
   NamedNumbers place{"assembled_bulge_theta", "rad", "angle of that crest from the weld along the foil", {}};
-  NamedNumbers room{"assembled_room", "m", "least gap to a centred journal; negative: the foil touches it at rest", {}};
+  NamedNumbers room{
+      "assembled_room", "m", "minimum gap to a centred journal; negative: the foil touches it at rest", {}};
   for (std::size_t k = 0; k < pads.size(); ++k) {
     const PadDesign& alone = pads[k].alone;
     const PadAssembly& assembly = foils.assembly[k];

@@ -169,7 +169,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
   for (const FilmLimit& limit : result.limits) {
     if (!limit.unstable.empty()) {
       const std::string_view what = std::isnan(limit.value) ? "none, because every state on the path is unstable"
-                                                            : "states on the path do not count that are unstable";
+                                                            : "without the states on the path that are unstable";
       lines.push_back(
           fmt::format("{}: {} with the journal held ({})", name_of_limit(limit), what, unstable_ranges_text(limit)));
     }

@@ -220,9 +220,9 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"max_asperity_pressure", "Pa", "maximum pressure of asperities, mean over those around",
      pressure<&FilmBearingOutcome::max_asperity_pressure>, of_asperities | sampled, "asperities, max. pressure",
      shown::bars},
-    {"least_torque_speed", "rad/s", "speed of the least torque under the load: lift-off from rough surfaces",
+    {"least_torque_speed", "rad/s", "speed of minimum torque under the load: lift-off from rough surfaces",
      [](const B&, const S& state) { return state.least_torque_speed.value_or(absent); },
-     csv | of_asperities | shown_first, "speed of least torque", shown::revolutions},
+     csv | of_asperities | shown_first, "speed of minimum torque", shown::revolutions},
     {"power", "W", "power loss", of<&FilmBearingOutcome::power>, csv | headline | sampled, "power loss", shown::watts},
     {"couette_dissipation", "W", "Couette dissipation", of<&FilmBearingOutcome::couette_dissipation>},
     {"poiseuille_dissipation", "W", "Poiseuille dissipation",
@@ -331,7 +331,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      held_growth<&HeldMotions::stuck>, csv | of_foils | sampled},
     {"whirl_ratio_held_stuck", "1", "angular frequency of growth_held_stuck over the speed of rotation",
      held_whirl_ratio<&HeldMotions::stuck>, csv | of_foils},
-    {"hold_down", "N", "load of the top foil on the last bump before its free end; with several pads, the least",
+    {"hold_down", "N", "load of the top foil on the last bump before its free end; with several pads, the smallest",
      [](const B& bearing, const S& state) {
        const Vector loads = bump_loads(bearing, *state.last);
        double least = std::numeric_limits<double>::infinity();
@@ -344,7 +344,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B&, const S& state) { return static_cast<double>(state.light_contacts); }, of_foils, "", shown::in_files,
      whole_number},
     {"critical_mass", "kg",
-     "least mass per bearing at which a rigid rotor on two such bearings begins to whirl; none where it never does, or "
+     "smallest mass per bearing at which a rigid rotor on two such bearings begins to whirl; none where it never does, or "
      "where the state is unstable with the journal held; sliding contacts keep sliding",
      critical_mass_of<&S::critical_mass>, csv | shown_first | sampled, "critical rotor mass",
      shown::kilograms},

@@ -14,7 +14,7 @@ ExperimentInfo film_experiment() {
           "'equilibrium.positions=[[\"15 um\", \"0 um\"]]'\n"
           "  bumpfoil film case.toml -o winkler --set film.wall=springs --set film.wall_stiffness=\"5 GPa/m\" "
           "--set film.closed=true\n"
-          "With positions only: one film for each.\n",
+          "[equilibrium] lists positions, not loads: one film for each.\n",
       .files = equilibrium_file_names("film"),
       .run = [](const Case& input,
                 const ProgressCallback& progress) { return running_outcome(input, run_wall_films(input, progress)); },

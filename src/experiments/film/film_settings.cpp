@@ -330,7 +330,7 @@ void judge_wall(Judge& judge, const Case& input) {
   judge.require_for("film", input.bearing.taper == 0.0, "bearing.taper", "", "makes a step in a surface without a slot",
                     "remove it, or set film.closed = false");
   judge.require_for("film", !input.film.inlet_pressure, "film.inlet_pressure", "",
-                    "feeds an edge that a closed surface has not", "remove it, or set film.closed = false");
+                    "feeds an edge, and a closed surface has none", "remove it, or set film.closed = false");
 }
 
 void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {

@@ -275,9 +275,8 @@ void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSetti
                                    "is no key of a number that can be fitted", advice_on_fitted(parameter.key));
   if (!known) return;
   if (const std::optional<std::size_t> data = data_of_key(parameter.key)) {
-    const bool there =
-        judge.require(*data >= 1 && *data <= fit.data.size(), key + ".key", parameter.key,
-                      fmt::format("is of data that are not there: there are {}", fit.data.size()), "count from 1");
+    const bool there = judge.require(*data >= 1 && *data <= fit.data.size(), key + ".key", parameter.key,
+                                     fmt::format("is of missing data: there are {}", fit.data.size()), "count from 1");
     if (!there) return;
     const FittedExperiment experiment = fit.data[*data - 1].experiment;
     const auto own = rig_keys_of(experiment);

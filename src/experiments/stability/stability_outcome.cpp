@@ -71,8 +71,8 @@ ExperimentInfo stability_experiment() {
           "  bumpfoil stability examples/rotor.toml -o lighter --set rotor.mass=\"1 kg\"\n"
           "  bumpfoil sweep examples/rotor.toml --command stability --over 'rotor.mass=[1 kg, 2 kg, 4 kg]' -o masses\n"
           "  bumpfoil stability examples/rotor_tolerances.toml --sample rotor_tolerances/ensemble.nc:3 -o three\n"
-          "Growth is the real part of a rate over the speed of rotation: of a motion that grows by e in one radian, "
-          "1.\n",
+          "Growth is the real part of a rate over the speed of rotation; 1: the motion grows by a factor e per "
+          "radian.\n",
       .files = {"summary.json", "stability.csv", "result.nc"},
       .sampled = EnsembleCommand::stability,
       .run = run,

@@ -260,7 +260,7 @@ constexpr auto motion_quantity_table = std::to_array<MotionQuantity>({
      "",
      {},
      yes_or_no},
-    {"residual", "1", "least singular value of the dynamic stiffness over the largest one",
+    {"residual", "1", "smallest singular value of the dynamic stiffness over the largest one",
      [](const SpeedMotion& motion) { return motion.whirl->residual; }, of_solver},
 });
 

@@ -61,10 +61,10 @@ constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
      shown::micrometres},
     {"phase_y", "degree", "phase of Y in y = Re(Y exp(i a)), a the size of the angle of the rotor", turn_phase<1>, csv,
      "phase, Y"},
-    {"half_peak_to_peak_x", "m", "half of the way along X from end to end", turn_way<0>, csv | leading,
+    {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", turn_way<0>, csv | leading,
      "half peak-to-peak, X", shown::micrometres},
-    {"half_peak_to_peak_y", "m", "half of the way along Y from end to end", turn_way<1>, csv, "half peak-to-peak, Y",
-     shown::micrometres},
+    {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", turn_way<1>, csv,
+     "half peak-to-peak, Y", shown::micrometres},
     {"amplitude_x_half", "m",
      "amplitude along X at half the rotation frequency, of two revolutions with this one in their middle", turn_half<0>,
      csv, "amplitude at half the speed, X"},
@@ -112,13 +112,13 @@ constexpr auto whole_turn_quantity_table = std::to_array<WholeTurnQuantity>({
     {"revolution_film_dissipation", "J",
      "dissipated by the flow of the films under gradients of pressure in the revolution",
      turn_energy<&WorkBalance::dissipated>, none, "dissipation of films"},
-    {"revolution_friction_loss", "J", "work that friction of the foils takes in the revolution",
+    {"revolution_friction_loss", "J", "energy dissipated by friction of the foils in the revolution",
      turn_energy<&WorkBalance::friction>, none, "friction loss of foils"},
-    {"revolution_rotor_damping_loss", "J", "work that the damping of the rotor takes in the revolution",
+    {"revolution_rotor_damping_loss", "J", "energy dissipated by damping of the rotor in the revolution",
      turn_energy<&WorkBalance::damping>, none, "damping loss of the rotor"},
     {"revolution_stored_energy", "J", "change of the energy of motion, of films, foils and asperities",
      turn_energy<&WorkBalance::stored>, none, "stored energy"},
-    {"energy_defect", "J", "what is missing in the balance of energy of the revolution: the error of the steps in time",
+    {"energy_defect", "J", "defect of the energy balance of the revolution: the error of the time steps",
      [](const TransientTurn& revolution) { return revolution.energy.defect(); }, none, "defect of the balance"},
 });
 
@@ -147,7 +147,8 @@ constexpr auto run_quantity_table = std::to_array<RunQuantity>({
      sampled},
     {"end_speed", "rad/s", "speed at the end", [](const TransientReading& reading) { return reading.result.speed; },
      sampled},
-    {"largest_half_peak_to_peak", "m", "largest half of the way of a journal along X or Y in a revolution",
+    {"largest_half_peak_to_peak", "m",
+     "largest half peak-to-peak displacement of a journal along X or Y in a revolution",
      [](const TransientReading& reading) {
        return largest_of(reading, [](const TransientTurn& revolution, std::size_t i) {
          return revolution.places[i].orbit.half_peak_to_peak.maxCoeff();
@@ -176,10 +177,10 @@ constexpr auto run_quantity_table = std::to_array<RunQuantity>({
        });
      },
      headline | csv | sampled, "largest asperity load", shown::newtons},
-    {"rub_count", "1", "number of stretches of time in which a journal rubs on its foils",
+    {"rub_count", "1", "number of intervals in which a journal rubs on its foils",
      [](const TransientReading& reading) { return static_cast<double>(reading.rubs.size()); }, csv | sampled, "rubs",
      shown::unitless, whole_number},
-    {"friction_loss_of_run", "J", "work that friction of the foils takes in all whole revolutions",
+    {"friction_loss_of_run", "J", "energy dissipated by friction of the foils in all whole revolutions",
      [](const TransientReading& reading) { return reading.energy.sum.friction; }, headline | csv | sampled,
      "friction loss", shown::millijoules},
     {"energy_defect_of_run", "1",
@@ -210,7 +211,7 @@ std::vector<std::string> failure_lines(const TransientReading& reading) {
   const TransientResult& result = reading.result;
   if (result.status == Status::converged || result.status == Status::interrupted) return {};
   if (!result.steps || result.steps->rows() == 0) {
-    return {fmt::format("no equilibrium found to begin with, at {}: {}", rotor_speed_text(result.speed),
+    return {fmt::format("no equilibrium found to start from, at {}: {}", rotor_speed_text(result.speed),
                         explanation(result.status))};
   }
   return {fmt::format("the march ends after {:.6g} s, at {}, revolution {}: {}", result.time,
@@ -229,7 +230,7 @@ std::vector<std::string> warning_lines(const Case& input, const TransientReading
     const auto worst = std::max_element(reading.rubs.begin(), reading.rubs.end(),
                                         [](const RubEvent& a, const RubEvent& b) { return a.load < b.load; });
     lines.push_back(fmt::format(
-        "journals touch foils in {} stretches of time: from {:.4g} s on asperities of bearing {} carry up to {:.3g} N",
+        "journals touch foils in {} intervals: from {:.4g} s on asperities of bearing {} carry up to {:.3g} N",
         reading.rubs.size(), worst->begin, worst->bearing + 1, worst->load));
   }
   return lines;

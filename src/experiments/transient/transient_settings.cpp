@@ -133,7 +133,7 @@ void judge_transient(Judge& judge, const Case& input, const JudgedBumpFoil& /*fo
       !transient->speed.empty() && transient->speed.front().from.value_or(transient->speed.front().to) == 0.0;
   judge.require_for("transient", !rests || input.asperity.has_value(), "asperity", "",
                     "this table is missing: a rotor at rest lies on its foils",
-                    "add [asperity], or begin at a speed at which the film carries");
+                    "add [asperity], or start at a speed at which the film carries");
 }
 
 }  // namespace

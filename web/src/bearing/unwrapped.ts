@@ -39,6 +39,8 @@ const rim = 6;
 /** Foils are drawn as lines beside each other, not upon each other. */
 const foilGap = 3.4;
 const longestArrow = 44;
+/** Width of a letter of a name, on average. */
+const letter = 7;
 /** Friction is a small part of the normal force. */
 export const frictionFactor = 4;
 
@@ -151,11 +153,22 @@ function names({ shape, geometry }: Scene, layout: UnwrappedLayout): PartName[] 
       const { x, y } = layout.place(onGround(pad, 0.5 * (begin + end)));
       return { content: `shim ${formatQuantity(thickness, 'm')}`, at: { x, y: y + 22 }, anchor: 'middle' };
     }),
-    ...(geometry.welded ? geometry.pads : []).map((pad): PartName => {
-      const to = layout.place(onGround(pad, 0));
-      return { content: pad.name === '' ? 'weld' : `weld of ${pad.name}`, at: { x: to.x + 10, y: height - 28 }, to };
-    }),
+    ...(geometry.welded ? weldNames(geometry, layout) : []),
   ];
+}
+
+/** Of pads in short where they are close, and none where even that would cover the next name: all welds look alike. */
+function weldNames({ pads }: BearingGeometry, layout: UnwrappedLayout): PartName[] {
+  const places = pads.map((pad) => layout.place(onGround(pad, 0)));
+  // At the end are the names of the sleeve and, without room beside them, of the bump foil.
+  const others = layout.right - (layout.roomy ? 60 : 135);
+  const ends = [...places.slice(1).map(({ x }) => Math.min(x, others)), others];
+  return pads.flatMap(({ name }, i): PartName[] => {
+    const to = at(places, i);
+    const fits = (content: string): boolean => to.x + 10 + letter * content.length < at(ends, i);
+    const content = (name === '' ? ['weld'] : [`weld of ${name}`, `weld ${i + 1}`]).find(fits);
+    return content === undefined ? [] : [{ content, at: { x: to.x + 10, y: height - 28 }, to }];
+  });
 }
 
 function lastOf(points: ShapePoint[]): ShapePoint {

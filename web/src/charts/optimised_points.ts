@@ -115,7 +115,7 @@ export function aimHistory(result: Optimisation, aim: number): HTMLElement {
   }
   return pointChart(result, {
     title: `${upwards.name} over evaluations`,
-    subject: sign > 0 ? 'to be largest' : 'to be smallest',
+    subject: sign > 0 ? 'maximised' : 'minimised',
     across: evaluation,
     upwards,
     line: steps,

@@ -8,7 +8,7 @@ import { scroller } from '../ui/scroller';
 
 /** Terms of the balance by their keys in summary.json: what drives, what is taken, what is left. */
 const terms: [key: string, side: string, text: string][] = [
-  ['entrained_J', 'In', 'work of the journals on the gas they draw along'],
+  ['entrained_J', 'In', 'work of the journals on the gas they drag along'],
   ['supplied_J', 'In', 'work of gas that enters above ambient pressure'],
   ['forces_J', 'In', 'work of weight, unbalance, pulses and base'],
   ['rubbing_J', 'In', 'work of the friction of asperities on the rotor'],
@@ -32,7 +32,7 @@ export function energyTable(run: TimeRun): HTMLElement {
     {
       title: 'Balance of energy',
       subject: () => `All ${run.summary.revolutions} whole revolutions · ${run.label}`,
-      note: 'What goes in is what goes out, is stored, and the defect.',
+      note: 'Energy in = energy out + stored + defect.',
       file: () => fileName('energy', run.label),
       csv: () => toCsv(['term', 'energy_J'], rows.map(({ key, value }) => [key.replace(/_J$/, ''), value])),
     },

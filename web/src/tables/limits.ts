@@ -51,7 +51,7 @@ export function limitTable(states: States): HTMLElement[] {
   const panel = new Panel(
     {
       title: 'Lift-off speeds and load capacities',
-      subject: () => `As far as states are stable with the journal held and their film is film.h_lift_off thick · ${states.label}`,
+      subject: () => `Up to the last state that is stable with the journal held, on a film of film.h_lift_off or more · ${states.label}`,
       file: () => fileName('limits', states.label),
       csv: () =>
         toCsv(

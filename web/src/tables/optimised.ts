@@ -26,7 +26,7 @@ export function bestTable(result: Optimisation): HTMLElement {
   return new Panel(
     {
       title: 'Best values',
-      subject: () => [...reached, `ended by ${end.replace(/_/g, ' ')}`, result.label].join(' · '),
+      subject: () => [...reached, `search ended: ${end.replace(/_/g, ' ')}`, result.label].join(' · '),
       file: () => fileName('best_point', result.label),
       csv: () =>
         toCsv(

@@ -43,7 +43,7 @@ export function statisticsTable(ensemble: Ensemble, selection: EnsembleSelection
   const panel = new Panel(
     {
       title: 'Statistics of the bearings',
-      subject: () => `${direction()} · ${ensemble.label} · of the bearings that converged; percentiles count what is never reached as largest`,
+      subject: () => `${direction()} · ${ensemble.label} · of the bearings that converged; percentiles count a quantity that is not reached as largest`,
       file: () => fileName('statistics', ensemble.label),
       csv: () => csv(ensemble),
     },

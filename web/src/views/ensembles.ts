@@ -116,7 +116,7 @@ function warningsOf(ensemble: Ensemble): string[] {
   return [
     ...partialWarning(ensemble),
     ...told.map((text) => `${text}.`),
-    ...(samples < due && message === '' ? [`${samples} of ${due} samples are there.`] : []),
+    ...(samples < due && message === '' ? [`${samples} of ${due} samples are available.`] : []),
   ];
 }
 

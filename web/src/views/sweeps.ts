@@ -19,7 +19,7 @@ import { GridSelection } from '../ui/grid_selection';
 import { frequencyEntries, frequencySections } from './frequencies';
 import { gridControls } from './grid_controls';
 import { vibrationEntries, vibrationSections } from './vibrations';
-import { fold, part, type View } from './view';
+import { fold, foldCase, part, type View } from './view';
 
 /** A quantity of every point and cycle. */
 interface SweptQuantity extends Quantity {
@@ -198,13 +198,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
     part(
       `${id}-case`,
       title('Case and origin'),
-      fold(
-        'The case of the first point, and where the results come from',
-        caseSection(compared, caseKeys, {
-          shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''),
-          note,
-        }),
-      ),
+      foldCase(caseSection(compared, caseKeys, { shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''), note })),
     ),
   ];
 }

@@ -13,7 +13,7 @@ import { columnOf, gridTable, namesOfFirst, type GridColumn } from '../tables/gr
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { gridControls } from './grid_controls';
-import { part, type View } from './view';
+import { foldCase, part, type View } from './view';
 
 const entries = ['xx', 'xy', 'yx', 'yy'] as const;
 
@@ -160,6 +160,7 @@ export function vibrationSections(grid: Grid, caseKeys: CaseKeys, { id, title, n
   const columns = columnsOf(grid);
   const { label } = grid;
   const compared = { several: false, focus: [grid], shown: [grid], names: label, onChange: () => undefined };
+  const ofCase = caseSection(compared, caseKeys, { shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''), note });
   return [
     part(
       `${id}-charts`,
@@ -190,11 +191,7 @@ export function vibrationSections(grid: Grid, caseKeys: CaseKeys, { id, title, n
         gridTable({ title: 'Forces of the pads at the static loads', label, coordinates: [...keys, load, pad], columns: columns.padsAtLoads, main: [] }),
       ]),
     ),
-    part(
-      `${id}-case`,
-      title('Case and origin'),
-      caseSection(compared, caseKeys, { shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''), note }),
-    ),
+    part(`${id}-case`, title('Case and origin'), keys.length > 0 ? foldCase(ofCase) : ofCase),
   ];
 }
 

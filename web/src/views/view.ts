@@ -24,3 +24,8 @@ export function part(id: string, title: string, ...children: Child[]): HTMLEleme
 export function fold(text: string, ...children: Child[]): HTMLDetailsElement {
   return el('details', { class: 'more' }, el('summary', {}, text), ...children);
 }
+
+/** What is said of the case of a sweep, which is that of its first point. */
+export function foldCase(section: HTMLElement): HTMLDetailsElement {
+  return fold('The case of the first point, and where the results come from', section);
+}

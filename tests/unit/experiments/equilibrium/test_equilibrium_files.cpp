@@ -365,7 +365,7 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
                        [what](const std::string& line) { return line.find(what) != std::string::npos; });
   };
   EXPECT_TRUE(
-      says("load capacity at 45000 rpm: states on the path do not count that are unstable with the journal held "
+      says("load capacity at 45000 rpm: without the states on the path that are unstable with the journal held "
            "(30 N to 45 N and 70 N)"));
   EXPECT_TRUE(
       says("load capacity at 45000 rpm: whether 3 states of the path are stable with the journal held is not "
