@@ -158,7 +158,7 @@ def optimised(result: Result, *, width: str = "double") -> Figure:
             ax.plot(x[~feasible], y[~feasible], "o", markerfacecolor="none", color="#888888", label="misses a limit")
         ax.plot(x[feasible], y[feasible], label="meets all limits", **{**_style(0, marked=True), "linestyle": "none"})
         if upwards > first:
-            ax.plot(x[result.summary["front"]], y[result.summary["front"]], label="front", **_style(1))
+            ax.plot(x[result.summary["front"]], y[result.summary["front"]], label="front", zorder=3, **_style(1, marked=True))
         if best is not None:
             ax.plot(x[best], y[best], "s", markerfacecolor="none", color="#000000", markersize=9, label="best")
         ax.set_xlabel(x_words)

@@ -208,11 +208,11 @@ def test_points_of_optimisations(width, size):
         np.testing.assert_allclose(drawn["best"], [[factor * best[column], best.max_force_N]])
     assert figure.axes[1].get_xlabel() == "bearing.radial_clearance (µm)" and figure.axes[0].get_ylabel() == "max_force (N)"
 
-    both = {**choice, "maximise": "loss_factor", "minimise": "max_force", "front": 1}
-    result = bumpfoil.optimise(EXAMPLES / "gen1.toml", keys={"friction.coefficient": keys["friction.coefficient"]}, optimise=both, cycle=cycle)
+    both = {**choice, "maximise": "loss_factor", "minimise": "max_force", "front": 1, "evaluations": 100}
+    result = bumpfoil.optimise(EXAMPLES / "gen1.toml", keys=keys, optimise=both, cycle=cycle)
     figure = figures.optimised(result, width=width)
-    inspect(figure, width=size, panels=2)
-    (front,) = [line.get_xydata() for line in figure.axes[1].lines if line.get_label() == "front"]
+    inspect(figure, width=size, panels=3)
+    (front,) = [line.get_xydata() for line in figure.axes[2].lines if line.get_label() == "front"]
     along = result.to_dataframe().iloc[result.summary["front"]]
     np.testing.assert_allclose(front, along[["loss_factor", "max_force_N"]])
     assert [text.get_text() for text in figure.legends[0].get_texts()] == ["meets all limits", "front", "best"]
