@@ -94,7 +94,10 @@ class Sheet:
         return height
 
     def entitle(self, titles: list[str]) -> None:
-        """Letters, where there are several panels, and titles."""
+        """Letters, where there are several panels, and titles; panels beyond them are not shown."""
+        for ax in self.panels[len(titles) :]:
+            ax.remove()
+        del self.panels[len(titles) :]
         for number, (ax, title) in enumerate(zip(self.panels, titles)):
             if len(titles) > 1:
                 ax.annotate(

@@ -154,16 +154,17 @@ def optimised(result: Result, *, width: str = "double") -> Figure:
     best = result.summary["best_point"]
     for ax, (across, upwards) in zip(sheet.panels, pairs):
         (x, x_words), (y, y_words) = (_shown(values[number], *named[number]) for number in (across, upwards))
-        ax.plot(x[~feasible], y[~feasible], "o", markerfacecolor="none", color="#888888", label="misses a limit")
+        if not feasible.all():
+            ax.plot(x[~feasible], y[~feasible], "o", markerfacecolor="none", color="#888888", label="misses a limit")
         ax.plot(x[feasible], y[feasible], label="meets all limits", **{**_style(0, marked=True), "linestyle": "none"})
         if upwards > first:
-            ax.plot(x[result.summary["front"]], y[result.summary["front"]], label="front", **_style(1))
+            ax.plot(x[result.summary["front"]], y[result.summary["front"]], label="front", zorder=3, **_style(1, marked=True))
         if best is not None:
             ax.plot(x[best], y[best], "s", markerfacecolor="none", color="#000000", markersize=9, label="best")
         ax.set_xlabel(x_words)
         ax.set_ylabel(y_words)
     sheet.entitle([f"{named[upwards][0]} over {named[across][0]}" for across, upwards in pairs])
-    return sheet.finish(None)
+    return sheet.finish(sheet.panels[-1].get_legend_handles_labels()[0])  # the last has the front, too
 
 
 def _shown(values: Any, name: str, unit: str) -> tuple[Any, str]:

@@ -156,12 +156,12 @@ class Result:
             return dataset.load()
 
     def to_dataframe(self, table: str | None = None) -> pandas.DataFrame:
-        """A CSV file of the result as a table, to the last bit; for an ensemble its samples.
+        """A CSV file of the result as a table, to the last bit; for an ensemble its samples, for an optimisation its points.
 
         Parameters
         ----------
         table : str, optional
-            Name of the file without extension; by default that of the command.
+            Name of the file without extension; by default that of the command, of ``optimise`` ``points``.
 
         Returns
         -------
@@ -173,7 +173,7 @@ class Result:
         ValueError
             The result has no such table.
         """
-        name = table or self.command
+        name = table or ("points" if self.command == "optimise" else self.command)
         if name == self.command == "montecarlo":
             return tables.of_samples(self.to_xarray())
         return tables.of_csv(self, name)

@@ -36,7 +36,7 @@ struct Key {
   bool left_open{};              ///< the reader may choose a better value than the default, so templates leave it out
   std::string_view spared_by{};  ///< table that makes a required key optional
   std::string_view stand_in{};   ///< key of its table that may be given instead
-  bool any_dimension{};          ///< its dimension is that of another key, which its table names
+  bool any_dimension{};          ///< not known: that of another key, which its table names wrongly or not at all
 };
 
 /// Storage of the value of a key. An absent number or an empty list means no value.

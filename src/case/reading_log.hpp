@@ -46,6 +46,9 @@ class ReadingLog {
   /// A fault found after reading, dropped if its key, or what holds it, was at fault before.
   void later_fault(const Fault& fault);
 
+  /// Whether all that is wrong so far lies in this table, and not in this key.
+  [[nodiscard]] bool is_sound_but_for(const std::string& table, const std::string& key) const;
+
   /// A fault with its own place.
   void add(Fault fault, ErrorKind kind = ErrorKind::input);
 

@@ -145,6 +145,7 @@ void TableReader::graded(const Key& key, const toml::table& ends, const std::str
 void TableReader::value(const Key& key, Value value) {
   const auto [node, path] = find(key);
   if (node == nullptr) return;
+  if (key.any_dimension && node->is_string()) return;  // what names the other key has the error
   const auto* dimension = std::get_if<PerBump*>(&value);
   if (dimension != nullptr && node->is_table()) return graded(key, *node->as_table(), path, **dimension);
   const auto* list = std::get_if<std::vector<double>*>(&value);

@@ -1,11 +1,14 @@
 #include "optimise/constrained_search.hpp"
 
+#include <fmt/format.h>
 #include <nlopt.h>
 
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -84,8 +87,14 @@ SearchEnd search_constrained(const SearchProblem& problem, const Eigen::VectorXd
   double aim = 0.0;
   const nlopt_result end = nlopt_optimize(optimiser.get(), x.data(), &aim);
   searched.rethrow();
-  if (end == NLOPT_XTOL_REACHED || end == NLOPT_SUCCESS || end == NLOPT_FTOL_REACHED) return SearchEnd::tolerance;
-  return end == NLOPT_FORCED_STOP ? SearchEnd::stopped : SearchEnd::rounding;
+  if (end == NLOPT_FORCED_STOP) return SearchEnd::stopped;
+  if (end == NLOPT_ROUNDOFF_LIMITED) return SearchEnd::rounding;
+  if (end == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (end < 0) {
+    const char* const said = nlopt_get_errmsg(optimiser.get());
+    throw std::runtime_error(fmt::format("NLopt: {}", said == nullptr ? nlopt_result_to_string(end) : said));
+  }
+  return SearchEnd::tolerance;
 }
 
 }  // namespace bumpfoil

@@ -70,10 +70,12 @@ struct SearchRun {
   SearchGoal goal;
   KeyValues start;
   double step{wide_step};
-  std::size_t budget{};
+  std::size_t budget{};  ///< evaluations at most
   std::size_t number{};
   std::vector<OptimisePoint> evaluated{};
   OptimiseSearch record{};
+
+  [[nodiscard]] bool ended() const { return record.by_tolerance || record.by_rounding; }
 };
 
 class Optimiser {
@@ -97,7 +99,8 @@ class Optimiser {
 
   OptimiseResult run() {
     evaluate_places();
-    if (!stopped_) run_searches(first_searches());
+    if (!stopped_) run_searches(first_searches(), part_of_first());
+    if (!stopped_) run_searches(last_searches(), part_of_first());
     if (!stopped_ && two_aims()) follow_front();
     result_.points = known_.all();
     conclude();
@@ -146,12 +149,16 @@ class Optimiser {
 
   /// Runs some points, or searches, on all threads. @param run  (number, goes_on)
   void run_all(std::size_t runs, std::size_t budget, const NumberedRun& run) {
+    const auto before = static_cast<double>(known_.all().size());
     const ProgressCallback part = [&](double fraction) {
-      return !progress_ || progress_((static_cast<double>(spent_) + fraction * static_cast<double>(budget)) /
-                                     static_cast<double>(evaluations()));
+      return !progress_ ||
+             progress_((before + fraction * static_cast<double>(budget)) / static_cast<double>(evaluations()));
     };
     if (!run_in_parallel(runs, threads_, run, part)) stopped_ = true;
-    spent_ += budget;
+  }
+
+  [[nodiscard]] std::size_t evaluations_left() const {
+    return evaluations() - std::min(evaluations(), known_.all().size());
   }
 
   void evaluate_places() {
@@ -255,16 +262,29 @@ class Optimiser {
     for (std::size_t aim = 0; aim < result_.aims.size(); ++aim) {
       for (const KeyValues& start : starts_for({aim})) runs.push_back({.goal = {aim}, .start = start});
     }
-    const double left = static_cast<double>(evaluations() - std::min(evaluations(), places()));
-    const double part = two_aims() && settings_.front > 0 ? part_of_ends * left : left;
-    for (SearchRun& run : runs) run.budget = static_cast<std::size_t>(part / static_cast<double>(runs.size()));
     return runs;
   }
 
-  /// Points that a search asks for; its own come to `run.evaluated`.
+  /// From the best of an aim, where it is not the end of a search for that aim: another search met it on its way.
+  [[nodiscard]] std::vector<SearchRun> last_searches() {
+    std::vector<SearchRun> runs;
+    for (std::size_t aim = 0; aim < result_.aims.size(); ++aim) {
+      const OptimisePoint* const best = best_of(known_.all(), {aim});
+      if (best == nullptr || end_of(*best) == OptimiseStatus::converged) continue;
+      runs.push_back({.goal = {aim}, .start = best->values, .step = near_step});
+    }
+    return runs;
+  }
+
+  /// Evaluations of such searches together.
+  [[nodiscard]] std::size_t part_of_first() const {
+    const double part = two_aims() && settings_.front > 0 ? part_of_ends : 1.0;
+    return static_cast<std::size_t>(part * static_cast<double>(evaluations_left()));
+  }
+
+  /// Points that a search asks for; those that it evaluates come to `run.evaluated`.
   void search(SearchRun& run, const ProgressCallback& goes_on) {
     KnownPoints own;
-    run.record.aim = run.goal.aim;
     double worst = 0.0;
     std::optional<OptimisePoint> best_met;
     const double kept = part_of_tolerance * settings_.tolerance;
@@ -306,17 +326,30 @@ class Optimiser {
   void keep(std::vector<SearchRun>& runs) {
     for (SearchRun& run : runs) {
       for (OptimisePoint& point : run.evaluated) known_.add(std::move(point));
+      run.record.aim = run.goal.aim;
       result_.searches.push_back(std::move(run.record));
     }
   }
 
-  void run_searches(std::vector<SearchRun> runs) {
-    std::size_t budget = 0;
+  /// Evaluations that some searches leave go to those that lack some, which begin again: what they know costs nothing.
+  void run_searches(std::vector<SearchRun> runs, std::size_t budget) {
+    if (budget < runs.size()) return;
+    std::vector<SearchRun*> due;
+    due.reserve(runs.size());
     for (SearchRun& run : runs) {
-      run.number = result_.searches.size() + static_cast<std::size_t>(&run - runs.data()) + 1;
-      budget += run.budget;
+      run.number = result_.searches.size() + due.size() + 1;
+      due.push_back(&run);
     }
-    run_all(runs.size(), budget, [&](std::size_t i, const ProgressCallback& goes_on) { search(runs[i], goes_on); });
+    while (!stopped_ && budget >= due.size() && !due.empty()) {
+      for (SearchRun* run : due) run->budget = run->record.evaluations + budget / due.size();
+      run_all(due.size(), budget, [&](std::size_t i, const ProgressCallback& goes_on) { search(*due[i], goes_on); });
+      for (SearchRun* run : due) {
+        budget -= std::min(budget, run->evaluated.size());
+        for (OptimisePoint& point : run->evaluated) known_.add(std::move(point));
+        run->evaluated.clear();
+      }
+      std::erase_if(due, [](const SearchRun* run) { return run->ended(); });
+    }
     keep(runs);
   }
 
@@ -339,24 +372,23 @@ class Optimiser {
     if (first == nullptr || settings_.front == 0 || first->aims[1] == last->aims[1]) return;
     goals_ = goals_between(*first, *last);
     const std::size_t count = goals_.size();
-    const std::size_t left = evaluations() - std::min(evaluations(), spent_);
+    const std::size_t left = evaluations_left();
     std::vector<SearchRun> runs(count);
     for (std::size_t i = 0; i < count; ++i) {
-      runs[i] = {.goal = goals_[i],
-                 .start = {},
-                 .step = near_step,
-                 .budget = left / count,
-                 .number = result_.searches.size() + i + 1};
+      runs[i] = {.goal = goals_[i], .start = {}, .step = near_step, .number = result_.searches.size() + i + 1};
     }
     const std::size_t half = (count + 1) / 2;
     run_all(2, left, [&](std::size_t chain, const ProgressCallback& goes_on) {
       KeyValues at = chain == 0 ? first->values : last->values;
       const std::size_t length = chain == 0 ? half : count - half;
+      std::size_t own_left = left / count * length;
       for (std::size_t k = 0; k < length; ++k) {
         SearchRun& run = runs[chain == 0 ? k : count - 1 - k];
         run.start = at;
+        run.budget = own_left / (length - k);
         search(run,
                [&](double part) { return goes_on((static_cast<double>(k) + part) / static_cast<double>(length)); });
+        own_left -= run.record.evaluations;
         if (!run.record.best.empty()) at = run.record.best;
       }
     });
@@ -410,11 +442,10 @@ class Optimiser {
   }
 
   /// Whether the search that met the best of an aim ended by its tolerance.
-  [[nodiscard]] OptimiseStatus end_of(std::size_t aim) const {
-    const OptimisePoint* const best = best_of(result_.points, {aim});
+  [[nodiscard]] OptimiseStatus end_of(const OptimisePoint& best) const {
     OptimiseStatus status = OptimiseStatus::evaluations_spent;
     for (const OptimiseSearch& one : result_.searches) {
-      if (one.best != best->values) continue;
+      if (one.best != best.values) continue;
       if (one.by_tolerance) return OptimiseStatus::converged;
       if (one.by_rounding) status = OptimiseStatus::rounding_limited;
     }
@@ -438,8 +469,10 @@ class Optimiser {
     result_.optimised = model_.case_with(best->values);
     result_.status = OptimiseStatus::interrupted;
     if (stopped_) return;
-    result_.status = end_of(0);
-    if (two_aims() && result_.status == OptimiseStatus::converged) result_.status = end_of(1);
+    for (std::size_t aim = 0; aim < result_.aims.size(); ++aim) {
+      result_.status = end_of(*best_of(result_.points, {aim}));
+      if (result_.status != OptimiseStatus::converged) break;
+    }
     const auto again = model_.evaluate(best->values, {}, &result_.warnings);
     const bool same =
         again && again->status == PointStatus::converged && again->aims == best->aims && again->limits == best->limits;
@@ -465,7 +498,6 @@ class Optimiser {
   std::vector<double> aim_scales_;
   std::vector<double> limit_scales_;
   std::vector<SearchGoal> goals_;  ///< between the ends of the front
-  std::size_t spent_{};            ///< of the evaluations, or not to be used any more
   bool stopped_{};
 };
 

@@ -149,8 +149,14 @@ std::optional<OptimisePoint> OptimiseModel::evaluate(const std::vector<double>& 
 }
 
 std::vector<Fault> optimise_faults(const Case& input) {
+  // Errors of keys are those of [optimise] itself; the quantities do not depend on them.
+  OptimiseSettings settings = *input.settings.find<OptimiseSettings>();
+  std::erase_if(settings.keys,
+                [](const OptimisedKey& one) { return !is_fitted_key(one.key) || !(one.lower < one.upper); });
+  Case sound = input;
+  sound.settings.set(std::move(settings));
   std::vector<Fault> faults;
-  collect_faults(faults, [&] { const OptimiseModel model(input); });
+  collect_faults(faults, [&] { const OptimiseModel model(sound); });
   return faults;
 }
 

@@ -14,7 +14,7 @@ constexpr int half_arc = 4;
 constexpr std::size_t journal_points = 73;
 
 /// Fields that shapes are made of, and the last dimension of each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> used_fields{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 24> used_fields{{
     {"film_thickness", "column"},
     {"pressure", "column"},
     {"film_top_displacement", "column"},
@@ -23,8 +23,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> used_fie
     {"top_displacement", "bump"},
     {"crest_u", "bump"},
     {"crest_v", "bump"},
+    {"crest_u_slope", "bump"},
+    {"crest_v_slope", "bump"},
+    {"crest_v_parabola", "bump"},
     {"foot_u", "foot"},
     {"foot_v", "foot"},
+    {"foot_u_slope", "foot"},
+    {"foot_v_slope", "foot"},
     {"gap_journal_top", "bump"},
     {"gap_top_bump", "bump"},
     {"normal_force_journal_top", "bump"},
@@ -35,18 +40,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> used_fie
     {"state_top_bump", "bump"},
     {"state_bump_sleeve", "foot"},
 }};
-
-/// A part that is the same over the width.
-ShapedGrid over_width(ShapedPart part, const std::vector<ShapedPoint>& line, double half_width) {
-  ShapedGrid grid{.part = part, .columns = line.size(), .points = {}};
-  for (const double z : {-half_width, half_width}) {
-    for (ShapedPoint point : line) {
-      point.z = z;
-      grid.points.push_back(point);
-    }
-  }
-  return grid;
-}
 
 }  // namespace
 
@@ -187,21 +180,43 @@ double FoilShapes::film_at(const std::string& name, std::size_t state, std::size
   return at(name, state, over_rows ? row * columns_.size() + column : column);
 }
 
+/// A displacement `stem` + `mean` that may vary over the width.
+double FoilShapes::across(const std::string& stem, const std::string& mean, std::size_t state, std::size_t node,
+                          double z) const {
+  const double zeta = z / half_width_;
+  const auto part = [&](const std::string& name) { return has(name) ? at(name, state, node) : 0.0; };
+  return part(stem + mean) + part(stem + "_slope") * zeta + part(stem + "_parabola") * (1.5 * zeta * zeta - 0.5);
+}
+
+/// Lines along the foils over the width. @param line  (z) -> its points
+template <typename Line>
+ShapedGrid FoilShapes::over_width(ShapedPart part, bool varies, const Line& line) const {
+  ShapedGrid grid{.part = part, .points = {}};
+  const auto add = [&](double z) {
+    std::vector<ShapedPoint> points = line(z);
+    grid.columns = points.size();
+    for (ShapedPoint& point : points) {
+      point.z = z;
+      grid.points.push_back(point);
+    }
+  };
+  if (varies) {
+    for (const auto& [z, row] : rows_) add(z);
+  } else {
+    for (const double z : {-half_width_, half_width_}) add(z);
+  }
+  return grid;
+}
+
 ShapedGrid FoilShapes::top_foil_of_film(std::size_t state, const ShapedPad& pad) const {
   ShapedGrid grid{.part = ShapedPart::top_foil, .columns = pad.columns.size(), .points = {}};
-  const auto deflection = [&](const std::string& name, std::size_t column) {
-    return has(name) ? at(name, state, column) : 0.0;
-  };
   for (const auto& [z, row] : rows_) {
-    const double zeta = z / half_width_;
     for (const std::size_t column : pad.columns) {
       const double thickness = film_at("film_thickness", state, row, column);
       grid.points.push_back({.along = columns_[column].along,
                              .radius = journal_radius(state, columns_[column].polar, z) + thickness,
                              .z = z,
-                             .outward = deflection("film_top_displacement", column) +
-                                        deflection("film_top_slope", column) * zeta +
-                                        deflection("film_top_parabola", column) * (1.5 * zeta * zeta - 0.5),
+                             .outward = across("film_top", "_displacement", state, column, z),
                              .film_thickness = thickness,
                              .pressure = film_at("pressure", state, row, column)});
     }
@@ -230,12 +245,18 @@ ShapedGrid FoilShapes::top_foil_of_bumps(std::size_t state, const ShapedPad& pad
   }
   line.insert(line.begin(), weld);
   line.push_back(end);
-  return over_width(ShapedPart::top_foil, line, half_width_);
+  return over_width(ShapedPart::top_foil, false, [&line](double /*z*/) { return line; });
 }
 
-double FoilShapes::crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const {
+double FoilShapes::crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double z) const {
+  const double moved = across("crest_v", "", state, bump, z);
+  if (!has("gap_top_bump")) return radius_ - height_errors_[bump] + moved;
+  return middle_crest_radius(state, pad, bump) + moved - across("crest_v", "", state, bump, 0.0);
+}
+
+/// In the mid-plane, off the top foil by the gap.
+double FoilShapes::middle_crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const {
   const Node& crest = bumps_[bump];
-  if (!has("gap_top_bump")) return radius_ - height_errors_[bump] + at("crest_v", state, bump);
   const double gap = at("gap_top_bump", state, bump);
   const double journal = journal_radius(state, crest.polar, 0.0);
   if (columns_.empty()) return journal + at("gap_journal_top", state, bump) + gap;
@@ -247,27 +268,33 @@ double FoilShapes::crest_radius(std::size_t state, const ShapedPad& pad, std::si
 }
 
 double FoilShapes::foot_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double foot_v) const {
-  return crest_radius(state, pad, bump) - at("crest_v", state, bump) + height_errors_[bump] + rises_[bump] + foot_v;
+  return crest_radius(state, pad, bump, 0.0) - across("crest_v", "", state, bump, 0.0) + height_errors_[bump] +
+         rises_[bump] + foot_v;
+}
+
+ShapedGrid FoilShapes::bump_foil(std::size_t state, const ShapedPad& pad) const {
+  return over_width(ShapedPart::bump_foil, has("crest_v_slope") || has("crest_v_parabola"),
+                    [&](double z) { return bump_foil_at(state, pad, z); });
 }
 
 /// From the weld through the arcs of all bumps; flats lie between them.
-ShapedGrid FoilShapes::bump_foil(std::size_t state, const ShapedPad& pad) const {
+std::vector<ShapedPoint> FoilShapes::bump_foil_at(std::size_t state, const ShapedPad& pad, double z) const {
   std::vector<ShapedPoint> line{{.along = 0.0, .radius = foot_radius(state, pad, pad.bumps.front(), 0.0)}};
   const bool two_feet = pad.feet.size() == 2 * pad.bumps.size();
   for (std::size_t i = 0; i < pad.bumps.size(); ++i) {
     const std::size_t bump = pad.bumps[i];
     const double rise = rises_[bump];
     const double arc_radius = (half_lengths_[bump] * half_lengths_[bump] + rise * rise) / (2.0 * rise);
-    const double crest_u = at("crest_u", state, bump);
-    const double crest_v = at("crest_v", state, bump);
-    const double crest = crest_radius(state, pad, bump);
+    const double crest_u = across("crest_u", "", state, bump, z);
+    const double crest_v = across("crest_v", "", state, bump, z);
+    const double crest = crest_radius(state, pad, bump, z);
     for (int k = -half_arc; k <= half_arc; ++k) {
       // The first bump of a truss starts at the weld, without a foot.
       const bool start = k < 0;
       const bool held = !two_feet && start && i == 0;
       const std::size_t foot = held ? 0 : pad.feet[two_feet ? 2 * i + (start ? 0 : 1) : i - (start ? 1 : 0)];
-      const double foot_u = held ? 0.0 : at("foot_u", state, foot);
-      const double foot_v = held ? 0.0 : at("foot_v", state, foot);
+      const double foot_u = held ? 0.0 : across("foot_u", "", state, foot, z);
+      const double foot_v = held ? 0.0 : across("foot_v", "", state, foot, z);
       const double low = foot_radius(state, pad, bump, foot_v);
       const double distance = half_lengths_[bump] * k / half_arc;
       const double height = std::sqrt(arc_radius * arc_radius - distance * distance) - (arc_radius - rise);
@@ -279,7 +306,7 @@ ShapedGrid FoilShapes::bump_foil(std::size_t state, const ShapedPad& pad) const 
                       .forward = forward});
     }
   }
-  return over_width(ShapedPart::bump_foil, line, half_width_);
+  return line;
 }
 
 /// Forces on the foils: on the top foil at the journal, on the bump foil at its crests and feet; in the mid-plane, of
@@ -307,8 +334,8 @@ std::vector<ShapedGrid> FoilShapes::contacts(std::size_t state, const ShapedPad&
   add(ShapedPart::top_bump, "top_bump", pad.bumps, 1.0, [&](std::size_t bump) {
     const double forward = at("crest_u", state, bump);
     return ShapedPoint{.along = bumps_[bump].along + forward / radius_,
-                       .radius = crest_radius(state, pad, bump),
-                       .outward = at("crest_v", state, bump),
+                       .radius = crest_radius(state, pad, bump, 0.0),
+                       .outward = across("crest_v", "", state, bump, 0.0),
                        .forward = forward};
   });
   const std::size_t per_bump = pad.feet.size() / pad.bumps.size();

@@ -84,11 +84,17 @@ class FoilShapes {
   [[nodiscard]] double at(const std::string& name, std::size_t state, std::size_t node) const;
   [[nodiscard]] double journal_radius(std::size_t state, double polar, double z) const;
   [[nodiscard]] double film_at(const std::string& name, std::size_t state, std::size_t row, std::size_t column) const;
-  [[nodiscard]] double crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const;
+  [[nodiscard]] double across(const std::string& stem, const std::string& mean, std::size_t state, std::size_t node,
+                              double z) const;
+  template <typename Line>
+  [[nodiscard]] ShapedGrid over_width(ShapedPart part, bool varies, const Line& line) const;
+  [[nodiscard]] double crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double z) const;
+  [[nodiscard]] double middle_crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const;
   [[nodiscard]] double foot_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double foot_v) const;
   [[nodiscard]] ShapedGrid top_foil_of_film(std::size_t state, const ShapedPad& pad) const;
   [[nodiscard]] ShapedGrid top_foil_of_bumps(std::size_t state, const ShapedPad& pad) const;
   [[nodiscard]] ShapedGrid bump_foil(std::size_t state, const ShapedPad& pad) const;
+  [[nodiscard]] std::vector<ShapedPoint> bump_foil_at(std::size_t state, const ShapedPad& pad, double z) const;
   [[nodiscard]] std::vector<ShapedGrid> contacts(std::size_t state, const ShapedPad& pad) const;
   void make_pads();
 

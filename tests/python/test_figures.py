@@ -189,6 +189,37 @@ def test_fitted_loops_and_vibrations():
         figures.fitted(bumpfoil.run_cycle(EXAMPLES / "gen1.toml", cycle={"steps": 2}))
 
 
+@pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
+def test_points_of_optimisations(width, size):
+    choice = {"command": "cycle", "minimise": "max_force", "evaluations": 30, "tolerance": 0.05, "starts": 1}
+    keys = {"friction.coefficient": {"lower": 0.05, "upper": 0.3}, "bearing.radial_clearance": {"lower": "25 um", "upper": "35 um"}}
+    cycle = {"steps": 5, "directions": ["+X"]}
+    result = bumpfoil.optimise(EXAMPLES / "gen1.toml", keys=keys, optimise={**choice, "limits": ["loss_factor > 0.13"]}, cycle=cycle)
+    figure = figures.optimised(result, width=width)
+    inspect(figure, width=size, panels=2)
+    points = result.to_dataframe()
+    for ax, column, factor in zip(figure.axes, ("friction_coefficient", "bearing_radial_clearance_m"), (1, 1e6)):
+        drawn = {line.get_label(): line.get_xydata() for line in ax.lines}
+        place = factor * points[column].to_numpy()
+        for label, shown in (("meets all limits", points.feasible), ("misses a limit", ~points.feasible)):
+            assert shown.any()
+            np.testing.assert_allclose(drawn[label], np.column_stack([place, points.max_force_N])[shown])
+        best = points.iloc[result.summary["best_point"]]
+        np.testing.assert_allclose(drawn["best"], [[factor * best[column], best.max_force_N]])
+    assert figure.axes[1].get_xlabel() == "bearing.radial_clearance (µm)" and figure.axes[0].get_ylabel() == "max_force (N)"
+
+    both = {**choice, "maximise": "loss_factor", "minimise": "max_force", "front": 1, "evaluations": 100}
+    result = bumpfoil.optimise(EXAMPLES / "gen1.toml", keys=keys, optimise=both, cycle=cycle)
+    figure = figures.optimised(result, width=width)
+    inspect(figure, width=size, panels=3)
+    (front,) = [line.get_xydata() for line in figure.axes[2].lines if line.get_label() == "front"]
+    along = result.to_dataframe().iloc[result.summary["front"]]
+    np.testing.assert_allclose(front, along[["loss_factor", "max_force_N"]])
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["meets all limits", "front", "best"]
+    with pytest.raises(ValueError, match="evaluated points"):
+        figures.optimised(bumpfoil.run_cycle(EXAMPLES / "gen1.toml", cycle={"steps": 2}))
+
+
 def test_run_up(running):
     speeds = ["0 rpm", "300 rpm", "4000 rpm", "20000 rpm"]
     rough = bumpfoil.run_equilibrium(EXAMPLES / "running_from_rest.toml", film=COARSE, equilibrium={"speeds": speeds})

@@ -69,6 +69,12 @@ def test_data_set_and_table_are_those_of_the_files(result, tmp_path):
     )
 
 
+QUICK_CHOICE = {
+    "optimise": {"command": "cycle", "maximise": "loss_factor", "minimise": "max_force", "limits": ["max_force > 600 N"],
+                 "evaluations": 40, "tolerance": 0.05, "starts": 1, "front": 1},
+    "cycle": {"steps": 5, "directions": ["+X"]},
+}
+
 SHORT = {
     "vibration": lambda: bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]}),
     "equilibrium": lambda: bumpfoil.run_equilibrium(EXAMPLES / "running.toml", film={"rows": 4}, equilibrium={"loads": [["10 N", "0 N"]]}),
@@ -76,6 +82,7 @@ SHORT = {
     "unbalance": lambda: bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film={"rows": 4}, unbalance={"speeds": ["12000 rpm", "14000 rpm"]}),
     "transient": lambda: bumpfoil.run_transient(EXAMPLES / "rotor.toml", film={"rows": 4}, transient={"speed": {"to": "12000 rpm", "time": "11 ms"}, "steps_per_revolution": 20, "revolutions_per_spectrum": 1}),
     "fit": lambda: bumpfoil.fit(EXAMPLES / "fit.toml", fit={"starts": 1}),
+    "optimise": lambda: bumpfoil.optimise(GEN1, keys={"friction.coefficient": {"lower": 0.05, "upper": 0.3}}, **QUICK_CHOICE),
     "sweep": lambda: bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0, 0.1]}, cycle={"steps": 5, "directions": ["+X"]}),
     "montecarlo": lambda: bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=3, cycle={"steps": 5}),
     "cycle": lambda: bumpfoil.run_cycle(EXAMPLES / "gen3-three-pad.toml", cycle={"steps": 5}),
@@ -170,6 +177,7 @@ def test_shown_in_a_notebook(result):
         ("sweep", ["friction_coefficient", "direction_deg", "max_force_N", "520.5", "738.6"]),
         ("montecarlo", ["+X", "maximum force (N)", "loss factor"]),
         ("path", ["path", "journal, X at the end (um)", "50", "force, X at the end (N)"]),
+        ("optimise", ["point", "friction_coefficient", "loss_factor", "limit_1_max_force_N", "converged", "0.05"]),
     ],
 )
 def test_every_command_shows_a_table(command, cells):
@@ -185,6 +193,24 @@ def test_sweeps_of_other_commands_show_their_keys_and_states():
     page = bumpfoil.run_sweep(EXAMPLES / "running.toml", over, command="equilibrium", **tables)._repr_html_()
     for cell in ("friction_coefficient", "0.05", "speed_rad_per_s", "load_x_N", "10", "h_min_m"):
         assert f"<td>{cell}</td>" in page, page
+
+
+def test_choices_of_keys_can_be_read_and_run():
+    result = SHORT["optimise"]()
+    (friction,), (least,) = result.summary["keys"], result.summary["limits"]
+    points, data = result.to_dataframe(), result.to_xarray()
+    np.testing.assert_array_equal(points.friction_coefficient, data.key_value.values[:, 0])
+    np.testing.assert_array_equal(points.limit_1_max_force_N, data.limit_value.values[:, 0])
+    best = points.iloc[result.summary["best_point"]]
+    assert best.friction_coefficient == friction["best_value"] and best.feasible
+    assert list(points.feasible) == list(points.max_force_N > 600.0)
+    # The front runs from the best of the first aim to that of the second.
+    front = points.iloc[result.summary["front"]]
+    assert (np.diff(front.loss_factor) < 0).all() and (np.diff(front.max_force_N) < 0).all()
+    chosen = bumpfoil.Case(result.files["case.toml"].decode())
+    assert bumpfoil.run_cycle(chosen).cycles[0].max_force == pytest.approx(least["value"], rel=1e-12)
+    with pytest.raises(bumpfoil.CaseError, match=r"optimise\.maximise\[1\]"):
+        bumpfoil.optimise(GEN1, keys={"friction.coefficient": {"lower": 0, "upper": 1}}, optimise={"command": "cycle", "maximise": "loss"})
 
 
 def test_samples_are_a_table():
@@ -228,8 +254,11 @@ def test_columns_have_their_units_by_one_rule(command):
     # Of clearances the file has a list.
     forces = data.clearance_force.values if "clearance_force" in data else []
     clearances = {f"clearance_{force:.6g}N_m" for force in forces}
-    # Rows of fits have units of their own, and say in words what they are of.
-    words = {"series", "quantity", "unit", "axis", "axis_unit"} if command == "fit" else set()
+    # Rows of fits have units of their own, and say in words what they are of; columns of points are named by the keys.
+    words = {
+        "fit": {"series", "quantity", "unit", "axis", "axis_unit"},
+        "optimise": {"status", "friction_coefficient", "loss_factor", "max_force_N", "limit_1_max_force_N"},
+    }.get(command, set())
     assert set(result.to_dataframe()) <= columns_of(data, data.variables) | clearances | words
 
 

@@ -150,6 +150,20 @@ class Vtk(unittest.TestCase):
         self.assertLess(float(result.z[0]), 0.0)
         self.assert_film(result, files)
         self.assertLess(float(result.h_min[0]) - float(files["cylinder"][0].data(TOP, "film_thickness").min()), 1e-9)
+        rows, bumps = len(result.z), len(result.bump)
+        for k, mesh in enumerate(files["cylinder"]):
+            state = result.isel(state=k)
+            radius = np.hypot(*mesh.points(BUMP)[:, :2].T).reshape(rows, -1)
+            crests = radius[:, 1 + 4 :: 9]
+            self.assertEqual(crests.shape, (rows, bumps))
+            # Crests tilt with the top foil that lies on them.
+            np.testing.assert_allclose(crests[-1] - crests[0], 2 * state.crest_v_slope, atol=1e-12)
+            columns = np.abs(result.column_theta.values[None] - result.theta.values[:, None]).argmin(axis=1)
+            top = np.hypot(*mesh.mesh.points[mesh.nodes(TOP)][:, :2].T).reshape(rows, -1)[:, columns]
+            loaded = state.normal_force_top_bump.values > 5.0
+            self.assertGreater(loaded.sum(), 3)
+            self.assertGreater(np.ptp(top[:, loaded], axis=0).max(), 5e-7)
+            np.testing.assert_allclose(crests[:, loaded], top[:, loaded], atol=1e-8)
 
     def test_films_of_rigid_foils_and_paths(self):
         at = ['equilibrium.positions=[["15 um", "-4 um"]]', 'equilibrium.speeds=["45000 rpm"]', "film.rows=4"]

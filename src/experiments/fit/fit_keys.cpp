@@ -56,20 +56,20 @@ std::string advice_on_fitted(const std::string& key) {
 }
 
 std::optional<Dimension> dimension_of(const std::string& key) {
-  if (key.empty()) return std::nullopt;  // as described where there is none
   const ListedKey* const listed = find_key(keys_of_cases(), key);
   return listed == nullptr ? std::nullopt : listed->key.dimension;
 }
 
-Key key_in_unit_of(std::optional<Dimension> dimension, std::string_view name, Presence presence, std::string_view title,
+Key key_in_unit_of(const std::string& other, std::string_view name, Presence presence, std::string_view title,
                    std::string_view text, std::string_view example) {
+  const bool known = !other.empty() && is_fitted_key(other);  // none has a name while keys_of_cases() are listed
   return {.name = name,
           .presence = presence,
           .title = title,
           .text = text,
           .example = example,
-          .dimension = dimension,
-          .any_dimension = true};
+          .dimension = known ? dimension_of(other) : std::nullopt,
+          .any_dimension = !known};
 }
 
 std::optional<std::size_t> data_of_key(std::string_view key) {

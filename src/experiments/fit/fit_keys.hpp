@@ -21,9 +21,8 @@ std::string advice_on_fitted(const std::string& key);
 /// Absent of plain numbers, and of what is no key.
 std::optional<Dimension> dimension_of(const std::string& key);
 
-/// A key that holds a number in the unit of another, such as a bound of its values.
-/// @param dimension  of the other
-Key key_in_unit_of(std::optional<Dimension> dimension, std::string_view name, Presence presence, std::string_view title,
+/// A key that holds a number in the unit of another, such as a bound of its values; in any where there is no such key.
+Key key_in_unit_of(const std::string& other, std::string_view name, Presence presence, std::string_view title,
                    std::string_view text, std::string_view example);
 
 /// Number from 1 of the data whose rig has this key; absent of other keys.

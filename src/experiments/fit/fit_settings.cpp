@@ -140,9 +140,7 @@ void describe(CaseVisitor& keys, FitParameter& parameter) {
   keys.value({"key", required, "Key", "a numeric key of the case, or of the rig such as fit.data[1].force_origin",
               "\"friction.coefficient\""},
              &parameter.key);
-  const auto of_key = [dimension = dimension_of(parameter.key)](auto... rest) {
-    return key_in_unit_of(dimension, rest...);
-  };
+  const auto of_key = [&parameter](auto... rest) { return key_in_unit_of(parameter.key, rest...); };
   keys.value(of_key("start", required, "Start", "with the unit of the key", "0.1"), &parameter.start);
   keys.value(of_key("lower", required, "Lower bound", "", "0.0"), &parameter.lower);
   keys.value(of_key("upper", required, "Upper bound", "", "0.5"), &parameter.upper);

@@ -15,6 +15,7 @@ namespace {
 /// The rig reads amplitudes to this part of them.
 constexpr double vibration_tolerance = 1e-6;
 constexpr int most_vibration_trials = 50;
+constexpr int fewest_steps = 2;
 
 /// What follows from a loop.
 struct ReadVibration {
@@ -77,6 +78,8 @@ class MeasuredVibrationData final : public MeasuredData {
     input.vibration->directions = {groups_.front().direction};
     input.vibration->amplitudes = {amplitudes_.front()};
     input.vibration->frequencies = {1.0};  // loops do not depend on it
+    // Nor on the increments where they are exact.
+    if (input.solver.name == SolverName::events) input.vibration->steps = fewest_steps;
     return input;
   }
 

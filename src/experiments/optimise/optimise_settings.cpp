@@ -19,7 +19,7 @@ void describe(CaseVisitor& keys, OptimisedKey& one) {
   using enum Presence;
   keys.value({"key", required, "Key", "a key of the case that holds a real number", "\"bearing.radial_clearance\""},
              &one.key);
-  const auto of_key = [dimension = dimension_of(one.key)](auto... rest) { return key_in_unit_of(dimension, rest...); };
+  const auto of_key = [&one](auto... rest) { return key_in_unit_of(one.key, rest...); };
   keys.value(of_key("lower", required, "Lower bound", "with the unit of the key", "\"20 um\""), &one.lower);
   keys.value(of_key("upper", required, "Upper bound", "", "\"40 um\""), &one.upper);
   keys.value(of_key("start", optional, "Start", "by default what the case holds", "\"30 um\""), &one.start);

@@ -38,6 +38,15 @@ TEST(ParseQuantity, ReadsWhatCaseFilesHold) {
   EXPECT_EQ(value_of("+1.5 m", Dimension::length), 1.5);
 }
 
+TEST(ParseQuantity, ReadsDamping) {
+  EXPECT_EQ(value_of("200 N s/m", Dimension::damping), 200.0);
+  EXPECT_EQ(value_of("0.2 N s mm-1", Dimension::damping), 200.0);
+  EXPECT_EQ(value_of("3 kg/s", Dimension::damping), 3.0);
+  EXPECT_NE(fault_of("150 N/m", Dimension::damping).find("is a stiffness, expected a damping"), std::string::npos);
+  EXPECT_EQ(name_of(Dimension::damping), "a damping");
+  EXPECT_EQ(si_unit(Dimension::damping), "N s/m");
+}
+
 TEST(ParseQuantity, ReadsBothMicroSigns) {
   EXPECT_EQ(value_of("31.8 \xc2\xb5m", Dimension::length), 31.8e-6);  // micro sign
   EXPECT_EQ(value_of("31.8 \xce\xbcm", Dimension::length), 31.8e-6);  // Greek mu

@@ -73,6 +73,11 @@ TEST(Optimise, EndsAtABoundWithoutLimits) {
   EXPECT_EQ(best_of(result).values[0], any_clearance.lower);
   EXPECT_EQ(result.bound_of(0), -1);
   EXPECT_NE(optimise_table(result).find("at its lower bound"), std::string::npos);
+  // The search begins at a place that is known, which costs nothing again.
+  const auto searched = std::count_if(result.points.begin(), result.points.end(),
+                                      [](const OptimisePoint& point) { return point.search == 1; });
+  ASSERT_EQ(result.searches.size(), 1U);
+  EXPECT_EQ(result.searches[0].evaluations, static_cast<std::size_t>(searched));
 }
 
 /// The loss factor is largest between little friction and so much that foils stick. The other key has no influence.
@@ -87,6 +92,15 @@ TEST(Optimise, FindsAnOptimumInsideTheBounds) {
     input.cycle.steps = 20;
     most = std::max(most, *run_cycles(input).cycles.front().loss_factor);
   }
+  // Places are as many on either side of the middle of the logarithm.
+  std::vector<double> places;
+  for (const OptimisePoint& point : result.points) {
+    if (point.search == 0 && point.values[0] != 0.03) places.push_back(point.values[0]);
+  }
+  const auto low = std::count_if(places.begin(), places.end(),
+                                 [&](double mu) { return mu < std::sqrt(friction.lower * friction.upper); });
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_EQ(low, 2);  // 1 of even steps of the friction itself
   // Near it the loss factor is flat.
   EXPECT_GE(best_of(result).aims[0], most * (1.0 - 1e-4));
   EXPECT_EQ(result.optimised.friction.top_bump, best_of(result).values[0]);
@@ -161,6 +175,7 @@ TEST(Optimise, TakesYieldsAndStatisticsOfEnsembles) {
   const OptimiseResult by_yield = run_optimise(input, {}, 2);
   ASSERT_TRUE(by_yield.best);
   EXPECT_GT(best_of(by_yield).limits[0], 0.85);
+  EXPECT_GT(force_at(best_of(by_yield).values[0]), force);  // of the nominal bearing, which is one of the better half
   settings.command = OptimisedCommand::montecarlo;
   settings.limits = {"max_force.p5 " + least};
   input.settings.set(settings);
@@ -170,6 +185,86 @@ TEST(Optimise, TakesYieldsAndStatisticsOfEnsembles) {
   EXPECT_NEAR(best_of(by_percentile).limits[0], force, 0.01 * force);
   // The same bearings at every point: a nominal bearing there has a margin of some standard deviations.
   EXPECT_GT(force_at(best_of(by_percentile).values[0]), force);
+}
+
+/// Bumps of some samples are lower than their foil is thick: they make no bearing.
+TEST(Optimise, KnowsNoStatisticsWhereSamplesFailButTheirYield) {
+  const OptimiseSettings settings{.minimise = {"loop_energy.mean"},
+                                  .bearing_limits = {"max_force > 1 N"},
+                                  .evaluations = 6,
+                                  .keys = {any_clearance}};
+  Case input = optimised(settings);
+  input.montecarlo = MonteCarloSettings{.samples = 6};
+  input.montecarlo->bump_height.emplace().distribution.sigma = 0.3e-3;
+  const OptimiseResult by_mean = run_optimise(input);
+  EXPECT_EQ(by_mean.status, OptimiseStatus::no_result);
+  EXPECT_EQ(by_mean.points.front().status, PointStatus::failed);
+  EXPECT_NE(by_mean.points.front().message.find("of 6 samples failed"), std::string::npos);
+  OptimiseSettings by_yield = *input.settings.find<OptimiseSettings>();
+  by_yield.minimise.clear();
+  by_yield.maximise = {"yield"};
+  input.settings.set(by_yield);
+  const OptimisePoint first = run_optimise(input).points.front();
+  EXPECT_EQ(first.status, PointStatus::converged);
+  EXPECT_LT(first.aims.at(0), 1.0);
+}
+
+/// Of several directions the worst: the least of what is to be largest, and of what is not to fall below a limit.
+TEST(Optimise, TakesTheWorstOfAllDirections) {
+  OptimisedKey clearance = any_clearance;
+  clearance.start = 33e-6;
+  Case input = optimised({.maximise = {"loss_factor"},
+                          .minimise = {"loop_energy"},
+                          .limits = {"max_force > 1 N", "max_force < 10 kN"},
+                          .evaluations = 3,
+                          .starts = 1,
+                          .keys = {clearance}});
+  input.cycle.directions.push_back(input.cycle.directions.front() + 0.1);
+  const OptimisePoint first = run_optimise(input).points.front();
+  EXPECT_EQ(first.values[0], 33e-6);
+  input.bearing.radial_clearance = 33e-6;
+  const CycleResult cycles = run_cycles(input);
+  const Cycle& one = cycles.cycles.at(0);
+  const Cycle& other = cycles.cycles.at(1);
+  ASSERT_NE(one.turning_point->max_force, other.turning_point->max_force);
+  EXPECT_EQ(first.aims, (std::vector<double>{std::min(*one.loss_factor, *other.loss_factor),
+                                             std::max(*one.loop_energy, *other.loop_energy)}));
+  EXPECT_EQ(first.limits,
+            (std::vector<double>{std::min(one.turning_point->max_force, other.turning_point->max_force),
+                                 std::max(one.turning_point->max_force, other.turning_point->max_force)}));
+}
+
+/// The best of each aim is to be found by its tolerance. A search that ends early leaves evaluations to the other.
+TEST(Optimise, ConvergesInTwoAimsOnlyIfBothDo) {
+  const OptimisedKey friction{.key = "friction.coefficient", .lower = 0.05, .upper = 0.5};
+  const auto run = [&](int evaluations) {
+    return run_optimise(optimised({.maximise = {"max_force", "loss_factor"},
+                                   .evaluations = evaluations,
+                                   .starts = 1,
+                                   .front = 0,
+                                   .keys = {any_clearance, friction}}));
+  };
+  const OptimiseResult few = run(40);
+  EXPECT_EQ(few.status, OptimiseStatus::evaluations_spent);
+  ASSERT_GE(few.searches.size(), 2U);
+  EXPECT_TRUE(few.searches[0].by_tolerance);
+  EXPECT_FALSE(few.searches[1].by_tolerance);
+  EXPECT_EQ(few.searches[1].aim, 1U);
+  constexpr std::size_t places = 9;
+  EXPECT_GT(few.searches[1].evaluations, (40 - places) / 2);
+  EXPECT_EQ(few.searches[0].evaluations + few.searches[1].evaluations, 40 - places);
+  const OptimiseResult enough = run(80);
+  EXPECT_EQ(enough.status, OptimiseStatus::converged);
+  EXPECT_TRUE(enough.searches[0].by_tolerance);
+  EXPECT_TRUE(enough.searches[1].by_tolerance);
+}
+
+/// Where the second aim is the same everywhere, the best of the first is better than all.
+TEST(Optimise, LeavesOutOfTheFrontWhatIsWorseInAnAimAndBetterInNone) {
+  const OptimiseResult result = run_optimise(optimised(
+      {.maximise = {"max_force"}, .minimise = {"amplitude"}, .evaluations = 40, .starts = 1, .keys = {any_clearance}}));
+  ASSERT_EQ(result.front.size(), 1U);
+  EXPECT_EQ(result.points[result.front[0]].values[0], any_clearance.lower);
 }
 
 /// Both aims fall with the clearance: all of it is the front.

@@ -251,6 +251,10 @@ TEST(Fit, IsReadFromCaseFiles) {
   const std::string numbers = "start = 1\nlower = 0\nupper = 2\n";
   EXPECT_NE(refusal("key = \"friction.coeficient\"\n" + numbers).find("friction.coefficient"), std::string::npos);
   EXPECT_NE(refusal("key = \"bump_foil.bumps\"\n" + numbers).find("can be fitted"), std::string::npos);
+  const std::string misspelt =
+      refusal("key = \"bearing.radial_clearence\"\nstart = \"30 um\"\nlower = 0\nupper = \"0.1 mm\"\n");
+  EXPECT_NE(misspelt.find("bearing.radial_clearance"), std::string::npos);
+  EXPECT_EQ(misspelt.find("start"), std::string::npos) << misspelt;
   EXPECT_NE(refusal("key = \"fit.data[2].force_origin\"\n" + numbers).find("not there"), std::string::npos);
   EXPECT_NE(refusal("key = \"fit.data[1].force_origin\"\nstart = 3\nlower = 0\nupper = 2\n").find("outside"),
             std::string::npos);

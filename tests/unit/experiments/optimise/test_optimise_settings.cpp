@@ -85,6 +85,26 @@ TEST(OptimiseSettings, TellWhatIsWrongAndWhere) {
   expect_fault(with("maximise = \"loss_factor\"\nbearing_limits = [\"max_force > 1 N\"]\n"), "optimise.bearing_limits",
                "ensemble");
   expect_fault(with("maximise = \"loss_factor\"\nevaluations = 0\n"), "optimise.evaluations", "number of points");
+  // A key that is none says nothing of its bounds, whose unit nobody knows; without it, too.
+  const auto faults = [&](const std::string& key) {
+    return faults_in(std::string(table) + "[[optimise.key]]\n" + key + "lower = \"25 um\"\nupper = \"45 um\"\n");
+  };
+  const std::string misspelt = faults("key = \"bearing.radial_clearence\"\n");
+  EXPECT_NE(misspelt.find("did you mean \"bearing.radial_clearance\"?"), std::string::npos) << misspelt;
+  EXPECT_EQ(misspelt.find("lower"), std::string::npos) << misspelt;
+  EXPECT_EQ(misspelt.find("upper"), std::string::npos) << misspelt;
+  EXPECT_EQ(faults("").find("lower"), std::string::npos);
+  EXPECT_NE(faults("key = \"friction.coefficient\"\n").find("optimise.key[1].lower"), std::string::npos);
+  // Quantities beside other errors of the table, but for its command.
+  const std::string other = "[[optimise.key]]\nkey = \"friction.coeficient\"\nlower = 0\nupper = 1\n";
+  const std::string all =
+      faults_in("\n[optimise]\ncommand = \"cycle\"\nmaximise = \"los_factor\"\nstarts = 0\n" + other);
+  for (const char* words : {"\"loss_factor\"?", "optimise.starts", "\"friction.coefficient\"?"}) {
+    EXPECT_NE(all.find(words), std::string::npos) << all;
+  }
+  const std::string unknown = faults_in("\n[optimise]\ncommand = \"cicle\"\nmaximise = \"los_factor\"\n" + other);
+  EXPECT_NE(unknown.find("\"cycle\"?"), std::string::npos) << unknown;
+  EXPECT_EQ(unknown.find("loss_factor"), std::string::npos) << unknown;
   // All at once, each with its own place.
   const std::string both = faults_in(with("maximise = \"los_factor\"\nlimits = [\"max_forc > 5\"]\n"));
   EXPECT_NE(both.find("loss_factor"), std::string::npos);
