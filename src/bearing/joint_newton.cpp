@@ -22,7 +22,7 @@ constexpr double round_off_step = 1e-7;
 
 /// Of two full steps in a row, Newton's method leaves an error of the square of their ratio times the second: where
 /// that is this part of the tolerance, the step that would show it is not computed.
-constexpr double part_of_tolerance = 0.1;
+constexpr double part_of_tolerance = 1e-3;
 
 /// The films, and the unknowns of the law at the iterate and at the trial.
 class JointNewton {

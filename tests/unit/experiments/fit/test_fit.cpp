@@ -255,7 +255,7 @@ TEST(Fit, IsReadFromCaseFiles) {
       refusal("key = \"bearing.radial_clearence\"\nstart = \"30 um\"\nlower = 0\nupper = \"0.1 mm\"\n");
   EXPECT_NE(misspelt.find("bearing.radial_clearance"), std::string::npos);
   EXPECT_EQ(misspelt.find("start"), std::string::npos) << misspelt;
-  EXPECT_NE(refusal("key = \"fit.data[2].force_origin\"\n" + numbers).find("not there"), std::string::npos);
+  EXPECT_NE(refusal("key = \"fit.data[2].force_origin\"\n" + numbers).find("missing data"), std::string::npos);
   EXPECT_NE(refusal("key = \"fit.data[1].force_origin\"\nstart = 3\nlower = 0\nupper = 2\n").find("outside"),
             std::string::npos);
   EXPECT_THROW(parse_case(text + "experiment = \"strip\"\n[[fit.parameter]]\n" + clearance, folder.path() / "case.toml",
