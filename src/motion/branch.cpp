@@ -16,11 +16,6 @@ constexpr double round_off = 1e-12;
 /// Steps grow until the departure from the tangent is this part of what is accepted, by no more than this at once.
 constexpr double aimed_departure = 0.5;
 constexpr double largest_growth = 8.0;
-/// Towards the end of a branch a step goes this part of the rest of the way.
-constexpr double part_of_rest = 0.6;
-/// Behind the end a state is first looked for at this part of a first step: close to the end the film would leave the
-/// last state very slowly.
-constexpr double first_leap = 1e-2;
 /// A contact that changes where a step begins bends the branch there: in half the step the departure is half as large,
 /// within these parts, however short the step.
 constexpr double least_part_at_corner = 0.35;
@@ -47,7 +42,6 @@ class BranchFollower {
   [[nodiscard]] OperatingPoint at(double fraction) const;
   [[nodiscard]] double largest_departure(const FilmReport& report) const;
   [[nodiscard]] double growth(const FilmReport& taken) const;
-  [[nodiscard]] double rest_of_branch(const FilmReport& taken) const;
   FilmReport solve_on_branch(const OperatingPoint& to, double twice_as_far);
   void jump();
 
@@ -55,12 +49,10 @@ class BranchFollower {
   const FilmBearingOptions& options_;
   OperatingPoint from_, to_;
   BearingState& state_;
-  double longest_, shortest_;           ///< steps
-  double reached_{};                    ///< by the last state
-  double least_{shortest_};             ///< step: where that fails, too, the branch ends
-  double leap_{first_leap * longest_};  ///< from the end of a branch to the next state behind it
-  double vain_{};                       ///< where no state was found last
-  bool comes_to_rest_{true};            ///< where the film was marched in time so far
+  double longest_, shortest_;  ///< steps
+  double reached_{};           ///< by the last state
+  double leap_{shortest_};     ///< from the end of a branch to the next state behind it
+  bool comes_to_rest_{true};   ///< where the film was marched in time so far
   FilmReport total_;
 };
 
@@ -116,17 +108,7 @@ FilmReport BranchFollower::solve_on_branch(const OperatingPoint& to, double twic
 double BranchFollower::growth(const FilmReport& taken) const {
   if (taken.iterations >= easy_iterations) return 1.0;
   if (!to_.by_load()) return options_.time_growth;
-  const double aimed = std::clamp(aimed_departure * largest_departure(taken) / taken.departure, 1.0, largest_growth);
-  return reached_ < vain_ ? std::min(aimed, part_of_rest * rest_of_branch(taken)) : aimed;
-}
-
-/// What is left of a branch behind a step, in lengths of the step: at a distance r from the end, where the branch turns
-/// back, states move as sqrt(r). A step that takes r to s^2 r departs from the tangent by (1 - s) / (1 + s) of what the
-/// tangent predicts.
-double BranchFollower::rest_of_branch(const FilmReport& taken) const {
-  const double ratio = std::min(1.0, taken.departure / taken.predicted_change);
-  const double s = (1.0 - ratio) / (1.0 + ratio);
-  return s * s / (1.0 - s * s);
+  return std::clamp(aimed_departure * largest_departure(taken) / taken.departure, 1.0, largest_growth);
 }
 
 /// From the last state of a branch to where the film comes to rest in time behind the end. Under a load, if it rests
@@ -175,16 +157,14 @@ FilmReport BranchFollower::follow() {
     if (report.status == Status::interrupted) return total_;
     if (report.status == Status::converged) {
       reached_ = next;
-      least_ = shortest_;
-      leap_ = first_leap * longest_;
-      step = std::max(least_, step * growth(report));
+      leap_ = shortest_;
+      step *= growth(report);
       too_far = 0.0;
       continue;
     }
     too_far = report.departure;
-    if (too_far == 0.0) vain_ = next;
     step *= 0.5;
-    if (step >= least_) continue;
+    if (step >= leap_) continue;
     if (report.status != Status::not_converged) return total_;
     // The branch ends: no state near the last one goes on.
     if (ends++ == options_.max_ends) {
@@ -195,7 +175,7 @@ FilmReport BranchFollower::follow() {
     if (total_.status != Status::converged) return total_;
     // Where the next step fails at once the end has not been left yet.
     leap_ = std::min(step_growth_off_branch * leap_, longest_);
-    step = least_ = leap_;
+    step = leap_;
     too_far = 0.0;
   }
   return total_;

@@ -21,9 +21,6 @@ constexpr double aimed_growth = 0.4;
 constexpr double largest_change_ratio = 4.0;
 constexpr double shortest_bounded_step = 1e-3;
 
-/// Of steps in which nothing moves yet.
-constexpr double growth_at_rest = 8.0;
-
 /// How far from the journal foils are assembled, in bulges: further than one step of the film may thin it.
 constexpr double bulges_away = 10.0;
 
@@ -89,8 +86,7 @@ class RestSearch {
     const bool is_left = is_near_ && change_ > options_.marching_tolerance && s_dt > 0.0;
     last_change_ = std::max(change_, options_.marching_tolerance);
     last_dt_ = dt_;
-    const double longer = change_ < options_.marching_tolerance ? growth_at_rest : options_.time_growth;
-    dt_ *= is_left ? std::min(longer, aimed_growth / s_dt) : longer;
+    dt_ *= is_left ? std::min(options_.time_growth, aimed_growth / s_dt) : options_.time_growth;
   }
 
   const FilmStepper& stepper_;

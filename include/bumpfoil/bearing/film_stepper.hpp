@@ -23,7 +23,7 @@ struct FilmBearingOptions {
   double first_time_step{0.025};  ///< of a march in time, in units of T0
   /// In place of FilmSolverOptions::step_tolerance, in steps of implicit Euler and in those of solve_together().
   double marching_tolerance{1e-6};
-  double time_growth{2.0};         ///< of time steps that converged; others are quartered
+  double time_growth{1.5};         ///< of time steps that converged; others are quartered
   double last_time_step{10e-3};    ///< s; the march ends at steps longer than this that change little:
   double resting_change{1e-4};     ///< of P and U
   double position_step{0.1};       ///< first length of a step of follow(), in units of c

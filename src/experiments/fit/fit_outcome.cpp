@@ -51,6 +51,9 @@ std::vector<ResultFile> fit_files(const Case& input, const FitResult& result, Ru
 }  // namespace
 
 ExperimentInfo fit_experiment() {
+  const std::string loop =
+      "fit.data=[{displacements=[0, 3e-5, 5e-5, 6e-5, 7e-5, 6.5e-5, 5e-5, 3e-5, 0], "
+      "forces=[0, 0, 130, 290, 460, 360, 110, 0, 0], points=8}]";
   return {
       .name = "fit",
       .summary = "Find parameters of the case from measured data, as specified in [fit]",
@@ -74,9 +77,7 @@ ExperimentInfo fit_experiment() {
                 .dataset = [=] { return fit_dataset(*result); },
                 .files = [=](const Provenance& provenance) { return fit_files(input, *result, status, provenance); }};
           },
-      .small_runs = {{"bump_foil.bumps=8", "fit.starts=1", "fit.profile=true",
-                      "fit.data=[{displacements=[0, 3e-5, 5e-5, 6e-5, 7e-5, 6.5e-5, 5e-5, 3e-5, 0], "
-                      "forces=[0, 0, 130, 290, 460, 360, 110, 0, 0], points=8}]",
+      .small_runs = {{"bump_foil.bumps=8", "fit.starts=1", "fit.profile=true", loop,
                       "fit.parameter=[{key=\"friction.coefficient\", start=0.1, lower=0.0, upper=0.5}]"}}};
 }
 

@@ -1,6 +1,6 @@
 /** What the quantities are: beside each where it stands, and all of them at the end. */
 import type { Quantity } from '../data/format';
-import { at, capital, type Run } from '../data/run';
+import { capital, type Run } from '../data/run';
 import { el } from '../ui/dom';
 
 /** A quantity and what it is. */
@@ -67,29 +67,29 @@ export function entriesOf(runs: Run[]): Entry[] {
   ]);
 }
 
-/** Every quantity of the report with its definition, as the results carry it. Results of several kinds may define one alike, or each in its words: it is one term. */
-export function glossary(entries: Entry[]): HTMLElement {
-  const terms = new Map<string, Entry[]>();
-  for (const entry of entries.filter(({ text }) => text !== '')) {
-    const title = `${entry.label} ${entry.unit}`;
-    terms.set(title, [...(terms.get(title) ?? []), entry]);
+/** Each once, in the order of their labels. */
+function sorted(entries: Entry[]): Entry[] {
+  const each = new Map<string, Entry>();
+  for (const entry of entries) {
+    const key = `${entry.name} ${entry.label}`;
+    if (entry.text !== '' && !each.has(key)) each.set(key, entry);
   }
-  const each = (all: string[]): string[] => [...new Set(all)];
-  // Names lead to the term that has them first.
+  return [...each.values()].sort((a, b) => a.label.localeCompare(b.label));
+}
+
+/** Every quantity of the report with its definition, as the results carry it. */
+export function glossary(entries: Entry[]): HTMLElement {
   const ids = new Set<string>();
-  const list = [...terms.values()]
-    .sort(([a], [b]) => (a?.label ?? '').localeCompare(b?.label ?? ''))
-    .map((same) => {
-      const { label, unit } = at(same, 0);
-      const own = each(same.map(({ name }) => anchorOf(name))).filter((id) => !ids.has(id));
-      own.forEach((id) => ids.add(id));
-      const [id, ...others] = own;
-      return el(
-        'div',
-        id === undefined ? {} : { id },
-        el('dt', {}, ...others.map((other) => el('span', { id: other })), capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit.replace('m3', 'm³').replace('degree', '°')}`)])),
-        ...each(same.map(({ text }) => sentence(text))).map((text) => el('dd', {}, text)),
-      );
-    });
+  const list = sorted(entries).map(({ name, label, unit, text }) => {
+    const id = anchorOf(name);
+    const first = !ids.has(id);
+    ids.add(id);
+    return el(
+      'div',
+      first ? { id } : {},
+      el('dt', {}, capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit.replace('m3', 'm³').replace('degree', '°')}`)])),
+      el('dd', {}, sentence(text)),
+    );
+  });
   return el('dl', { class: 'glossary' }, ...list);
 }
