@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/contact/wedging.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
@@ -33,6 +34,18 @@ void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
   }
 }
 
+/// Where friction leaves increments several answers or none.
+void warn_of_wedging(const Foils& foils, std::vector<std::string>& warnings) {
+  const std::optional<Wedge> wedge = strongest_wedge(foils.problem);
+  if (!wedge) return;
+  const int block = wedge->contact / foils.contacts_per_block();
+  const bool at_sleeve = wedge->contact % foils.contacts_per_block() >= foils.first_foot();
+  warnings.push_back(
+      fmt::format("friction wedges {} of bump {}, which takes a coefficient of {:.3g} there: increments may have "
+                  "several answers, of which one is found, or none",
+                  at_sleeve ? "a foot" : "the crest", block - foils.structure.first_bump + 1, wedge->friction));
+}
+
 std::string of_pad(const std::vector<PlacedPad>& pads, std::size_t k) {
   return pads.size() == 1 ? "" : fmt::format(" of pad {}", k + 1);
 }
@@ -45,6 +58,11 @@ std::vector<std::string> case_warnings(const Case& input) {
   warn_of_width(input, warnings);
   const std::vector<PlacedPad> pads = place_pads(input);
   std::optional<Foils> foils;
+  const bool rubs = input.friction.top_bump > 0.0 || input.friction.bump_sleeve > 0.0;
+  if (rubs && input.bump_foil.model != BumpFoilModel::former) {
+    foils = make_foils(input);
+    warn_of_wedging(*foils, warnings);
+  }
   for (std::size_t k = 0; k < pads.size(); ++k) {
     const PadDesign& alone = pads[k].alone;
     if (!is_formed(alone)) continue;

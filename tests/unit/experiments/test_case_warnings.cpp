@@ -38,6 +38,17 @@ TEST(CaseWarnings, SayWhatFoilsAreNotOverTheWidth) {
   EXPECT_TRUE(has(case_warnings(input), "2 times as long"));
 }
 
+/// A steep truss whose neighbours hardly hold it: the last foot is wedged from 0.878 on (docs/theory/uniqueness.md).
+TEST(CaseWarnings, SayWhereFrictionWedges) {
+  Case input = reference_case();
+  input.bump_foil.height = 1.7e-3;
+  input.bump_foil.truss = {.k1 = 1e6, .k2 = 1e3, .k3 = 1e3, .k4 = 1e3};
+  input.friction = {.top_bump = 0.87, .bump_sleeve = 0.87};
+  EXPECT_TRUE(case_warnings(input).empty());
+  input.friction.bump_sleeve = 0.88;
+  EXPECT_TRUE(has(case_warnings(input), "wedges a foot of bump 26, which takes a coefficient of 0.878"));
+}
+
 TEST(CaseWarnings, NamePadsAndKeepRemarks) {
   Case input = reference_case();
   input.remarks = {"a remark"};
