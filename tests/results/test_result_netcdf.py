@@ -264,7 +264,7 @@ class Partial(unittest.TestCase):
 
 def documented_variables(text):
     """Dimensions, unit and meaning of the variables in the tables of a text."""
-    rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \| (.*) \|$", text, re.MULTILINE)
+    rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| ([^|]+) \| (.*) \|$", text, re.MULTILINE)
     return {name: (dims.strip(), unit, meaning) for name, dims, unit, meaning in rows}
 
 
