@@ -32,6 +32,11 @@ constexpr auto displacements = std::to_array<NamedField>({{"top_displacement", &
                                                           {"foot_u", &FoilFields::foot_u},
                                                           {"foot_v", &FoilFields::foot_v},
                                                           {"compression", &FoilFields::compression},
+                                                          {"crest_u_slope", &FoilFields::crest_u_slope},
+                                                          {"crest_v_slope", &FoilFields::crest_v_slope},
+                                                          {"foot_u_slope", &FoilFields::foot_u_slope},
+                                                          {"foot_v_slope", &FoilFields::foot_v_slope},
+                                                          {"crest_v_parabola", &FoilFields::crest_v_parabola},
                                                           {"pad_force_x", &FoilFields::pad_force_x},
                                                           {"pad_force_y", &FoilFields::pad_force_y}});
 
@@ -119,7 +124,7 @@ py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t
   py::dict quantities;
   if (result.experiment == Experiment::cycle) quantities["direction"] = to_degrees(cycle.direction);
   if (result.experiment == Experiment::strip) quantities["cycle"] = number + 1;
-  for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.tilted)) {
     quantities[std::string(quantity.name).c_str()] = spelled(quantity.value(cycle, input), quantity.form);
   }
   if (result.experiment == Experiment::cycle) {
@@ -154,7 +159,7 @@ py::list cycle_views(const py::object& run) {
   for (std::size_t i = 0; i < result->cycles.size(); ++i) {
     const Cycle& cycle = result->cycles[i];
     py::dict series;
-    for (const IncrementQuantity& quantity : increment_quantities(result->experiment)) {
+    for (const IncrementQuantity& quantity : increment_quantities(result->experiment, result->tilted)) {
       series[std::string(quantity.name).c_str()] = array_of(cycle.increments, quantity.value, quantity.form);
     }
     py::dict events;

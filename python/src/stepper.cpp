@@ -23,7 +23,7 @@ constexpr double least_load = 1e-6;
 }  // namespace
 
 BearingStepper::BearingStepper(const Case& input)
-    : foils_(make_bearing_foils(input)), settings_(input.solver), stepper_(make_stepper(foils_, settings_)) {}
+    : foils_(make_bearing_foils(input, {"path"})), settings_(input.solver), stepper_(make_stepper(foils_, settings_)) {}
 
 BearingStepper::BearingStepper(const BearingStepper& other)
     : foils_(other.foils_), settings_(other.settings_), stepper_(make_stepper(foils_, settings_)) {}

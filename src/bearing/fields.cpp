@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/structure/width_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -40,7 +41,10 @@ struct InterfacePlace {
 InterfacePlace place_of(const Foils& foils, Interface interface) {
   switch (interface) {
     case Interface::journal_top:
-      return {.first_block = foils.structure.first_bump, .first = 0, .count = foils.top_bump()};
+      return {.first_block = foils.structure.first_bump,
+              .first = 0,
+              .count = foils.top_bump() > 0 ? 1 : 0,
+              .points = foils.crest_contacts()};
     case Interface::top_bump:
       return {.first_block = foils.structure.first_bump,
               .first = foils.top_bump(),
@@ -121,6 +125,31 @@ void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, 
   }
 }
 
+void record_modes(const Foils& foils, const Vector& x, Eigen::Index increment, FoilFields& fields) {
+  const BumpDofs& dofs = foils.structure.dofs;
+  // Unknowns of a block, bump or foot after bump or foot, by P_k over the width at zeta = 1.
+  const auto put = [&](FieldMatrix& field, int k, int first_block, const std::vector<int>& unknowns) {
+    const auto count = std::ssize(unknowns);
+    for (Eigen::Index i = 0; i < field.cols(); ++i) {
+      const int block = foils.block(first_block + static_cast<int>(i / count));
+      const int unknown = unknowns[static_cast<std::size_t>(i % count)];
+      double value = 0.0;
+      for (int s = 0; s < foils.crest_contacts(); ++s) {
+        const FoilLine& line = foils.lines[static_cast<std::size_t>(s)];
+        value += (2 * k + 1) * line.weight * legendre(k, line.zeta) *
+                 x[Eigen::Index{block} * foils.problem.K.block_size() + foils.place(s, unknown)];
+      }
+      field(increment, i) = value;
+    }
+  };
+  const int first_bump = foils.structure.first_bump;
+  put(fields.crest_u_slope, 1, first_bump, {dofs.crest_u});
+  put(fields.crest_v_slope, 1, first_bump, {dofs.crest_v});
+  put(fields.foot_u_slope, 1, 0, dofs.foot_u);
+  put(fields.foot_v_slope, 1, 0, dofs.foot_v);
+  put(fields.crest_v_parabola, 2, first_bump, {dofs.crest_v});
+}
+
 StressFields make_stress_fields(const Foils& foils, int increments) {
   const Eigen::Index count = foils.structure.blocks_of(0).count;
   const FoilStress none = foil_stress(foils.stress.front(), Vector::Zero(count * foils.structure.dofs.size));
@@ -153,9 +182,10 @@ void InterfaceFields::truncate(Eigen::Index increments) {
 }
 
 void FoilFields::truncate(Eigen::Index increments) {
-  for (FieldMatrix* field : {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &compression, &pad_force_x,
-                             &pad_force_y, &stress.top_weld, &stress.top_crest, &stress.bump_weld, &stress.bump_crest,
-                             &stress.bump_foot, &stress.bump_largest}) {
+  for (FieldMatrix* field :
+       {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &compression, &crest_u_slope, &crest_v_slope,
+        &foot_u_slope, &foot_v_slope, &crest_v_parabola, &pad_force_x, &pad_force_y, &stress.top_weld,
+        &stress.top_crest, &stress.bump_weld, &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
     field->conservativeResize(increments, Eigen::NoChange);
   }
   for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
@@ -184,9 +214,17 @@ FoilFields make_fields(const Foils& foils, int increments) {
   fields.top_displacement.resize(increments, foils.has_top_foil() ? bumps : 0);
   for (FieldMatrix* field : {&fields.crest_u, &fields.crest_v, &fields.compression}) field->resize(increments, bumps);
   for (FieldMatrix* field : {&fields.foot_u, &fields.foot_v}) field->resize(increments, feet);
-  fields.journal_top.resize(increments, foils.top_bump() * bumps);
+  fields.journal_top.resize(increments, foils.top_bump() > 0 ? bumps : 0);
   fields.top_bump.resize(increments, bumps);
   fields.bump_sleeve.resize(increments, feet);
+  const bool has_slope = foils.foot_contacts() > 1;  // all of a bump foil varies linearly, or nothing does
+  for (FieldMatrix* field : {&fields.crest_u_slope, &fields.crest_v_slope}) {
+    field->resize(increments, has_slope ? bumps : 0);
+  }
+  for (FieldMatrix* field : {&fields.foot_u_slope, &fields.foot_v_slope}) {
+    field->resize(increments, has_slope ? feet : 0);
+  }
+  fields.crest_v_parabola.resize(increments, foils.crest_contacts() > (has_slope ? 2 : 1) ? bumps : 0);
   for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
     field->resize(increments, foils.pad_count() > 1 && !foils.under_film ? foils.pad_count() : 0);
   }
@@ -227,6 +265,7 @@ void record(const Foils& foils, const BearingState& state, Eigen::Index incremen
     fields.foot_u(increment, i) = x[i / feet * size + dofs.foot_u[foot]];
     fields.foot_v(increment, i) = x[i / feet * size + dofs.foot_v[foot]];
   }
+  record_modes(foils, state.contacts.x, increment, fields);
   fields.compression.row(increment) = bump_compression(foils.structure, x);
   record_interface(foils, state, Interface::journal_top, increment, fields.journal_top);
   record_interface(foils, state, Interface::top_bump, increment, fields.top_bump);

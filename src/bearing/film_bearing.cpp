@@ -6,11 +6,12 @@
 #include <numbers>
 #include <utility>
 
-#include "bearing/film_bump_foils.hpp"
+#include "bearing/foil_lines.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/section.hpp"
+#include "bumpfoil/structure/top_foil_on_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -29,23 +30,6 @@ double mean_pitch(const std::vector<BumpShape>& bumps) {
   return first + beyond / static_cast<double>(bumps.size());
 }
 
-/// Intervals of a film in units of the mean pitch over columns_per_pitch: half of that number on each half of a pitch,
-/// all of one length there, and on the overhang as many as come nearest to the length of those before it, but two.
-Vector film_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch) {
-  const int half = columns_per_pitch / 2;
-  const double last = foils.bumps.back().pitch;
-  const double overhang = foils.top_foil->overhang / (0.5 * last);
-  const int beyond = std::max(2, static_cast<int>(std::lround(half * overhang)));
-  const auto bumps = static_cast<Eigen::Index>(foils.bumps.size());
-  Vector intervals((2 * bumps - 1) * half + beyond);
-  for (Eigen::Index i = 0; i < bumps; ++i) {
-    const Eigen::Index count = i + 1 < bumps ? 2 * half : half;
-    intervals.segment(2 * i * half, count).setConstant(foils.bumps[static_cast<std::size_t>(i)].pitch / pitch);
-  }
-  intervals.tail(beyond).setConstant(overhang * half / beyond * last / pitch);
-  return intervals;
-}
-
 FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const FilmResolution& resolution) {
   const FoilDesign foils = make_bearing_design(design);
   const auto bumps = static_cast<int>(foils.bumps.size());
@@ -57,7 +41,7 @@ FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const Film
   for (int i = 0; i < bumps; ++i) crests.push_back(m / 2 + i * m);
   const double R = design.bearing.radius;
   const int rows = resolution.width == WidthPart::half ? resolution.rows : 2 * resolution.rows;
-  const FilmMesh mesh = make_slotted_mesh(film_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m), rows,
+  const FilmMesh mesh = make_slotted_mesh(top_foil_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m), rows,
                                           0.5 * design.bearing.axial_length / R, resolution.width);
   return make_foil_film(mesh, scales, make_top_foil_section(foils).bending_stiffness, pitch, std::move(crests),
                         make_forming(foils),
@@ -209,6 +193,23 @@ double room_of(const FilmBearing& bearing) {
   return room + widening;
 }
 
+/// Unknowns of a block.
+int block_size_of(const FilmBearing& bearing) {
+  const FoilFilm& foil = bearing.pads.front().foil;
+  const int of_film = bearing.first_pressure() + foil.mesh.unknown_rows();
+  return std::max(of_film, unknowns_on_lines(bearing.lines)) + 2 * static_cast<int>(foil.stretching.rows());
+}
+
+/// What means nothing at the free ends is held, the displacement there is not.
+void hold_free_ends(const FilmBearing& bearing, BlockTridiagonal& K) {
+  const double stiffness = stiffest_of_bump_foils(bearing.structure);
+  for (const FilmPad& pad : bearing.pads) {
+    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block) + pad.foil.supports.size()];
+    last.diagonal().setConstant(stiffness);
+    last.diagonal().segment(bearing.first_pressure(), pad.foil.lines.count()).setZero();
+  }
+}
+
 }  // namespace
 
 FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution,
@@ -222,36 +223,11 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   bearing.room = room_of(bearing);
   const FoilFilm& foil = bearing.pads.front().foil;
   bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), bearing.first_pressure() + foil.mesh.unknown_rows());
-  BlockTridiagonal K = bump_foils_alone(bearing);
-  std::vector<ContactSite> pattern;  // of a block, without the journal's
-  const auto add_on_lines = [&](int of_foils, int lines) {
-    for (int s = 0; s < lines; ++s) {
-      ContactSite& site = pattern.emplace_back(foils.problem.sites[static_cast<std::size_t>(of_foils)]);
-      for (int* place : {&site.plus, &site.minus, &site.tangential}) {
-        if (*place >= 0) *place = bearing.place(s, *place);
-      }
-    }
-  };
-  add_on_lines(foils.top_bump(), bearing.crest_contacts());
-  for (int foot = 0; foot < foils.feet_per_block(); ++foot) {
-    add_on_lines(foils.first_foot() + foot * foils.foot_contacts(), bearing.foot_contacts());
-  }
-  std::vector<ContactSite> sites = in_every_block(pattern, K.blocks());
-  bearing.problem = {.K = std::move(K), .sites = std::move(sites), .force_scale = foils.problem.force_scale};
-
-  // Gaps of the last blocks stay open.
-  bearing.assembled_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
-  const Eigen::Index per_block = bearing.contacts_per_block();
-  for (int b = 0; b < foils.structure.K.blocks(); ++b) {
-    const auto from = foils.assembled_gap.segment(Eigen::Index{foils.block(b)} * foils.contacts_per_block(),
-                                                  foils.contacts_per_block());
-    auto to = bearing.assembled_gap.segment(bearing.block(b) * per_block, per_block);
-    to.head(bearing.crest_contacts()).setConstant(from[foils.top_bump()]);
-    for (int foot = 0; foot < bearing.feet_per_block(); ++foot) {
-      to.segment(bearing.first_foot() + Eigen::Index{foot} * bearing.foot_contacts(), bearing.foot_contacts())
-          .setConstant(from[foils.first_foot() + Eigen::Index{foot} * foils.foot_contacts()]);
-    }
-  }
+  BlockTridiagonal K(foils.structure.K.blocks() + bearing.pad_count(), block_size_of(bearing));
+  add_bump_foils(bearing, foil.lines, K);
+  hold_free_ends(bearing, K);
+  bearing.problem = {.K = std::move(K), .sites = {}, .force_scale = foils.problem.force_scale};
+  put_contacts_on_lines(foils, bearing.scales.thickness, bearing);  // gaps of the last blocks stay open
   return bearing;
 }
 

@@ -5,10 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "bearing/foil_lines.hpp"
 #include "bumpfoil/bearing/assembly.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
+#include "bumpfoil/structure/top_foil_on_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -17,6 +19,7 @@ namespace {
 Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
   Foils foils;
   foils.structure = make_foil_structure(design);
+  foils.forming = foils.structure.forming;
   foils.stress = {make_stress_model(design)};
 
   const BumpDofs& dofs = foils.structure.dofs;
@@ -101,6 +104,7 @@ void append(const Foils& pad, Foils& foils) {
   const Eigen::Index bumps = foils.normals.cols();
   foils.normals.conservativeResize(Eigen::NoChange, bumps + pad.normals.cols());
   foils.normals.rightCols(pad.normals.cols()) = pad.normals;
+  foils.forming = foils.structure.forming;
   const Eigen::Index contacts = foils.assembled_gap.size();
   foils.assembled_gap.conservativeResize(contacts + pad.assembled_gap.size());
   foils.assembled_gap.tail(pad.assembled_gap.size()) = pad.assembled_gap;
@@ -115,7 +119,7 @@ int Foils::block(int of_structure) const {
 }
 
 Vector Foils::foil_unknowns(const Vector& x) const {
-  if (!under_film) return x;
+  if (!under_film && lines.empty()) return x;
   const Eigen::Index size = structure.dofs.size;
   Vector known(structure.K.rows());
   for (int b = 0; b < structure.K.blocks(); ++b) {
@@ -152,6 +156,68 @@ Foils make_foils(const BearingDesign& design) {
   return foils;
 }
 
+namespace {
+
+/// Half the axial length, m.
+double half_width_of(const Foils& foils) {
+  return 0.5 * foils.placed.front().alone.bearing.axial_length;
+}
+
+/// Adds the top foil of a pad to K of the problem.
+void add_top_foil(const Foils& foils, int pad, const WidthLines& width, BlockTridiagonal& K) {
+  const FoilDesign design = make_bearing_design(foils.placed[static_cast<std::size_t>(pad)].alone);
+  const BlockTridiagonal top = top_foil_on_lines(design, width);
+  std::vector<int> places;
+  places.reserve(static_cast<std::size_t>(top.block_size()));
+  for (const int unknown : {foils.structure.dofs.top_u, foils.structure.dofs.top_moment}) {
+    for (Eigen::Index s = 0; s < width.count(); ++s) places.push_back(foils.place(s, unknown));
+  }
+  while (std::ssize(places) < top.block_size()) {  // of the membrane: the last of the block
+    places.push_back(K.block_size() - top.block_size() + static_cast<int>(std::ssize(places)));
+  }
+  const auto first = static_cast<std::size_t>(foils.structure.blocks_of(pad).first);
+  for (std::size_t b = 0; b < top.diagonal.size(); ++b) K.diagonal[first + b](places, places) += top.diagonal[b];
+  for (std::size_t b = 0; b < top.upper.size(); ++b) K.upper[first + b](places, places) += top.upper[b];
+}
+
+/// FoilStructure::forming of top foils that are one under each line, as stiff as its part of the width.
+Vector forming_on_lines(const Foils& foils) {
+  const BumpDofs& dofs = foils.structure.dofs;
+  Vector forming = Vector::Zero(foils.problem.K.rows());
+  for (std::size_t s = 0; s < foils.lines.size(); ++s) {
+    const auto put = [&](int unknown, double part) {
+      const Eigen::Index blocks = foils.structure.K.blocks();
+      forming(Eigen::seqN(Eigen::Index{foils.place(static_cast<Eigen::Index>(s), unknown)}, blocks,
+                          Eigen::Index{foils.problem.K.block_size()})) =
+          part * foils.structure.forming(Eigen::seqN(Eigen::Index{unknown}, blocks, Eigen::Index{dofs.size}));
+    };
+    put(dofs.top_u, foils.lines[s].weight);
+    put(dofs.top_moment, 1.0);
+  }
+  return forming;
+}
+
+}  // namespace
+
+Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
+  BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
+  const WidthLines width = make_width_lines(modes, WidthPart::whole);
+  Foils tilted = foils;
+  tilted.lines = foil_lines_of(width, foils.structure.dofs, foils.structure.dofs.size);
+  const int of_membrane = 2 * static_cast<int>(width.stretching_orders().size());
+  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(tilted.lines) + of_membrane);
+  add_bump_foils(tilted, width, K);
+  for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(tilted, pad, width, K);
+  tilted.problem.K = std::move(K);
+  tilted.forming = forming_on_lines(tilted);
+  put_contacts_on_lines(foils, 0.0, tilted);
+  const Vector at_side = journal_gaps(0.0, foils.normals, half_width_of(foils) * slope);
+  for (int s = 0; s < tilted.crest_contacts(); ++s) {
+    tilted.assembled_gap(tilted.pressed(s)) += tilted.lines[static_cast<std::size_t>(s)].zeta * at_side;
+  }
+  return tilted;
+}
+
 Foils make_foils(const PadDesign& whole, const StripSettings& strip) {
   Foils foils = make_flat_foils(cut_to(whole, strip.bumps), make_strip_design(whole, strip));
   foils.normals = outward_normals(Vector::Zero(foils.bumps()));
@@ -160,28 +226,57 @@ Foils make_foils(const PadDesign& whole, const StripSettings& strip) {
 }
 
 ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
-  ContactLoading loading{.initial_gap = foils.assembled_gap, .load = foils.structure.forming};
-  loading.initial_gap(foils.pressed()) += journal_gaps(foils.clearance, foils.normals, excitation.position);
+  ContactLoading loading{.initial_gap = foils.assembled_gap, .load = foils.forming};
+  const Vector journal = journal_gaps(foils.clearance, foils.normals, excitation.position);
+  for (int line = 0; line < foils.crest_contacts(); ++line) loading.initial_gap(foils.pressed(line)) += journal;
   if (excitation.gap_offset.size() > 0) loading.initial_gap += excitation.gap_offset;
   if (excitation.top_load.size() > 0) {
     BUMPFOIL_ASSERT(foils.has_top_foil());
-    loading.load(foils.top_foil()) += excitation.top_load;
+    for (int line = 0; line < foils.crest_contacts(); ++line) {
+      const double part = foils.lines.empty() ? 1.0 : foils.lines[static_cast<std::size_t>(line)].weight;
+      loading.load(foils.top_foil(line)) += part * excitation.top_load;
+    }
   }
   return loading;
 }
 
 ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction) {
   ContactLoading rate = ContactLoading::none(foils.problem);
-  rate.initial_gap(foils.pressed()) = journal_gaps(0.0, foils.normals, direction);
+  const Vector journal = journal_gaps(0.0, foils.normals, direction);
+  for (int line = 0; line < foils.crest_contacts(); ++line) rate.initial_gap(foils.pressed(line)) = journal;
   return rate;
 }
 
+Vector pressed_gaps(const Foils& foils, const Vector& gap) {
+  Vector least = gap(foils.pressed());
+  for (int line = 1; line < foils.crest_contacts(); ++line) least = least.cwiseMin(gap(foils.pressed(line)));
+  return least;
+}
+
 Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
-  return normal_force(foils.pressed());
+  Vector loads = normal_force(foils.pressed());
+  for (int line = 1; line < foils.crest_contacts(); ++line) loads += normal_force(foils.pressed(line));
+  return loads;
 }
 
 Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
   return journal_force(foils.normals, pressing_loads(foils, normal_force));
+}
+
+Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force) {
+  Eigen::Vector2d at_side = Eigen::Vector2d::Zero();
+  for (std::size_t s = 0; s < foils.lines.size(); ++s) {
+    at_side += foils.lines[s].zeta * journal_force(foils.normals, normal_force(foils.pressed(static_cast<int>(s))));
+  }
+  return foils.lines.empty() ? at_side : half_width_of(foils) * at_side;
+}
+
+ElasticResponse elastic_response(const Foils& foils, const Vector& x) {
+  if (foils.lines.empty()) return elastic_response(foils.structure, x);
+  const Vector balance = foils.problem.K.multiply(x);
+  const double load_energy = x.dot(foils.forming);
+  return {.forces = balance - foils.forming,
+          .energy = 0.5 * x.dot(balance) - load_energy + foils.structure.forming_energy};
 }
 
 Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force) {

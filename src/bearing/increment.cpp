@@ -36,23 +36,26 @@ Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vec
   increment.force_y = force_along(Eigen::Vector2d::UnitY());
   increment.force_direct = force_along(direction);
   increment.force_cross = force_along({-direction.y(), direction.x()});
+  const Eigen::Vector2d moment = holding_moment(foils, step.state.contacts.normal_force);
+  increment.moment_x = moment.x();
+  increment.moment_y = moment.y();
   increment.dissipated_energy = cleared(step.state.dissipated_energy, foils.roundings.energy);
   increment.work = cleared(step.state.work, foils.roundings.energy);
   return increment;
 }
 
 void judge(const Foils& foils, const BearingState& state, Increment& increment) {
-  const ElasticResponse elastic = elastic_response(foils.structure, state.contacts.x);
+  const ElasticResponse elastic = elastic_response(foils, state.contacts.x);
   increment.elastic_energy = cleared(elastic.energy, foils.roundings.energy);
   // The forming is among the loads.
-  increment.residuals = contact_residuals(foils.problem, elastic.forces + foils.structure.forming, state.loading,
+  increment.residuals = contact_residuals(foils.problem, elastic.forces + foils.forming, state.loading,
                                           state.slip_origin, state.contacts);
 }
 
 Increment failed_increment(const Step& step, const Eigen::Vector2d& direction) {
   Increment increment = place(step, direction);
   for (double* value : {&increment.force_x, &increment.force_y, &increment.force_direct, &increment.force_cross,
-                        &increment.dissipated_energy, &increment.work}) {
+                        &increment.moment_x, &increment.moment_y, &increment.dissipated_energy, &increment.work}) {
     *value = absent_number;
   }
   return increment;

@@ -14,7 +14,9 @@ namespace bumpfoil {
 
 SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
   require_bearing(input, commands);
-  return std::make_shared<const Foils>(make_foils(input));
+  if (!input.width.tilts()) return std::make_shared<const Foils>(make_foils(input));
+  const Eigen::Vector2d slope(input.width.tilt[0], input.width.tilt[1]);
+  return std::make_shared<const Foils>(under_tilted_journal(make_foils(input), input.width.modes, slope));
 }
 
 SharedFoils make_strip_foils(const Case& input) {
@@ -75,8 +77,8 @@ FilmSurroundings surroundings_of(const Case& input, double ambient) {
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  const SharedFoils foils = make_bearing_foils(input, {"equilibrium"});
-  return make_film_bearing(*foils, gas, resolution, surroundings_of(input, gas.ambient_pressure));
+  require_bearing(input, {"equilibrium"});
+  return make_film_bearing(make_foils(input), gas, resolution, surroundings_of(input, gas.ambient_pressure));
 }
 
 double thickness_floor(const Case& input) {

@@ -84,6 +84,9 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
     }
     std::sort(rows_.begin(), rows_.end());
   }
+  if (columns_.empty() && has("crest_v_slope")) {
+    image.refuse("crest_v_slope", "varies over the width where there is no film, which is not drawn yet");
+  }
   rises_ = per_bump("bump_rise");
   half_lengths_ = per_bump("bump_half_length");
   height_errors_ = per_bump("height_error");

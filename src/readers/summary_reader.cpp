@@ -71,7 +71,7 @@ class SummaryChecker {
     if (!at(cycle, place_key).is_number()) refuse(place_key, "is not a number");
     for (const char* key : {"amplitude_m", "steps", "converged", "max_force_N"}) static_cast<void>(at(cycle, key));
     // Versions differ in what else they have; numbers that are not known are null.
-    for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
+    for (const CycleQuantity& quantity : cycle_quantities(experiment, true)) {
       const std::string key = key_of(quantity.name, quantity.unit);
       if (cycle.contains(key)) check_value(key, cycle[key], quantity.form);
     }

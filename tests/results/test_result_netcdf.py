@@ -264,7 +264,7 @@ class Partial(unittest.TestCase):
 
 def documented_variables(text):
     """Dimensions, unit and meaning of the variables in the tables of a text."""
-    rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \| (.*) \|$", text, re.MULTILINE)
+    rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| ([^|]+) \| (.*) \|$", text, re.MULTILINE)
     return {name: (dims.strip(), unit, meaning) for name, dims, unit, meaning in rows}
 
 
@@ -279,7 +279,10 @@ class Documentation(unittest.TestCase):
     TEXT = (ROOT / "docs/results.md").read_text(encoding="utf-8")
     FORMED = re.search(r"^### Formed top foils$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
     PADS = re.search(r"^### Several pads$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
-    VARIABLES = documented_variables(TEXT[: TEXT.index("\n## Running bearings")].replace(FORMED, "").replace(PADS, ""))
+    TILTED = re.search(r"^### A tilted journal$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
+    VARIABLES = documented_variables(
+        TEXT[: TEXT.index("\n## Running bearings")].replace(FORMED, "").replace(PADS, "").replace(TILTED, "")
+    )
 
     def test_every_variable_is_documented_with_dimensions_units_and_meaning(self):
         with tempfile.TemporaryDirectory() as directory:
@@ -310,6 +313,17 @@ class Documentation(unittest.TestCase):
             with xarray.open_dataset(folder / "result.nc") as result:
                 written = written_variables(result)
         self.assertEqual(written, self.VARIABLES | documented_variables(self.FORMED))
+
+    def test_a_tilted_journal_has_what_is_documented_besides(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory) / "results"
+            run_cycle(folder, "--solver", "events", "--set", "width.modes=3", "--set", 'width.tilt=["0.1 mrad", "0 mrad"]')
+            with xarray.open_dataset(folder / "result.nc") as result:
+                written = written_variables(result)
+            keys = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["cycles"][0]
+        self.assertEqual(written, self.VARIABLES | documented_variables(self.TILTED))
+        for key in keys:
+            self.assertIn(f"`{key}`", self.TEXT)
 
     def test_bearings_of_pads_have_what_is_documented_besides(self):
         of_pads = documented_variables(self.PADS)

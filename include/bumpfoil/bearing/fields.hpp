@@ -36,10 +36,13 @@ struct StressFields {
 
 /// Everything known of the foils at every increment that was recorded.
 struct FoilFields {
-  FieldMatrix top_displacement;          ///< u_t, m, per bump; without columns where there is no top foil
-  FieldMatrix crest_u, crest_v;          ///< m, per bump
-  FieldMatrix foot_u, foot_v;            ///< m, per foot
-  FieldMatrix compression;               ///< m, per bump: how far its crest came nearer to its feet
+  FieldMatrix top_displacement;  ///< u_t, m, per bump; without columns where there is no top foil
+  FieldMatrix crest_u, crest_v;  ///< m, per bump
+  FieldMatrix foot_u, foot_v;    ///< m, per foot
+  FieldMatrix compression;       ///< m, per bump: how far its crest came nearer to its feet
+  /// What varies over the width, at zeta = 1 beyond the mean, m; without columns where nothing does: linearly, and as a
+  /// parabola. Per bump, per foot.
+  FieldMatrix crest_u_slope, crest_v_slope, foot_u_slope, foot_v_slope, crest_v_parabola;
   FieldMatrix pad_force_x, pad_force_y;  ///< N, per pad of several: what each takes of the force on the journal
   InterfaceFields journal_top;           ///< per bump; without columns under a film
   InterfaceFields top_bump;              ///< per bump

@@ -39,10 +39,11 @@ struct PadAssembly {
   double bulge_theta{};  ///< of that crest from the weld, rad
 };
 
-/// One of the lines over the width on which the displacement of foils under a film is given (WidthLines): the part of
+/// One of the lines over the width on which the displacement of foils is given (WidthLines): where it lies, the part of
 /// the width that it stands for, and where in the block of a bump it has the unknowns of BumpDofs. Lines share the
 /// places of what is uniform over the width.
 struct FoilLine {
+  double zeta{};
   double weight{1.0};
   std::vector<int> places;
 };
@@ -57,10 +58,10 @@ struct FoilLine {
 /// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
 ///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
-/// Under a film that foils answer to differently over the width there is one on every line between top foil and crest
-/// and, where feet are not uniform, between foot and sleeve.
-/// Without a top foil the first is missing, and the second is that of the plate with the crest. Under a film the first
-/// is missing, and the blocks of the problem are those of FilmBearing.
+/// Of foils that answer differently over the width there is one on every line between journal and top foil, top foil
+/// and crest and, where feet are not uniform, foot and sleeve. Without a top foil the first is missing, and the second
+/// is that of the plate with the crest. Under a film the first is missing, and the blocks of the problem are those of
+/// FilmBearing.
 struct Foils {
   std::vector<PlacedPad> placed;  ///< the pads of a bearing, worked out once; none of a strip
   FoilStructure structure;
@@ -70,16 +71,18 @@ struct Foils {
   double clearance{};        ///< gap between the journal, at the origin, and the undeformed foils, m
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
   Roundings roundings;
-  Vector assembled_gap;  ///< g0 of each contact without the journal, m: height errors, sleeve gaps and waviness
+  Vector assembled_gap;  ///< g0 of each contact without the journal, m: height errors, sleeve gaps and waviness; and
+                         ///< by what a tilted journal stands nearer than one that is not
+  Vector forming;        ///< FoilStructure::forming on the unknowns of the problem without a film, N
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
   bool under_film{};              ///< a film presses, and nothing else
-  std::vector<FoilLine> lines{};  ///< under a film; none otherwise: all is uniform over the width
+  std::vector<FoilLine> lines{};  ///< under a film or a tilted journal; none otherwise: all is uniform over the width
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {
-    return has_top_foil() && !under_film ? 1 : 0;
+    return has_top_foil() && !under_film ? crest_contacts() : 0;
   }  ///< place of the contact in the block of a bump
   /// Contacts of a crest with the top foil, side by side over the width.
   [[nodiscard]] int crest_contacts() const { return lines.empty() ? 1 : static_cast<int>(lines.size()); }
@@ -87,6 +90,7 @@ struct Foils {
   [[nodiscard]] int foot_contacts() const { return is_uniform(structure.dofs.foot_u.front()) ? 1 : crest_contacts(); }
   /// Where a line has an unknown of the structure in the block of a bump. @param unknown  among BumpDofs
   [[nodiscard]] int place(Eigen::Index line, int unknown) const {
+    if (lines.empty()) return unknown;
     return lines[static_cast<std::size_t>(line)].places[static_cast<std::size_t>(unknown)];
   }
   /// Whether an unknown of the structure is one and the same on all lines. @param unknown  among BumpDofs
@@ -110,15 +114,16 @@ struct Foils {
   [[nodiscard]] int block(int of_structure) const;
   /// The unknowns that the structure knows among those of the problem, in the mean over the width.
   [[nodiscard]] Vector foil_unknowns(const Vector& x) const;
-  /// Contacts of the journal, the first of each bump: entries of a vector of all contacts.
-  [[nodiscard]] auto pressed() const {
-    return Eigen::seqN(Eigen::Index{structure.first_bump} * contacts_per_block(), Eigen::Index{bumps()},
+  /// Contacts of the journal on a line, the first of each bump: entries of a vector of all contacts.
+  [[nodiscard]] auto pressed(int line = 0) const {
+    return Eigen::seqN(Eigen::Index{structure.first_bump} * contacts_per_block() + line, Eigen::Index{bumps()},
                        Eigen::Index{contacts_per_block()});
   }
-  /// Displacements of the top foil over each bump: entries of a vector of all unknowns. Only where there is one.
-  [[nodiscard]] auto top_foil() const {
-    const Eigen::Index size = structure.dofs.size;
-    return Eigen::seqN(structure.first_bump * size + structure.dofs.top_u, Eigen::Index{bumps()}, size);
+  /// Displacements of the top foil over each bump, on a line: entries of a vector of all unknowns. Only where there is
+  /// one, under no film.
+  [[nodiscard]] auto top_foil(int line = 0) const {
+    const Eigen::Index size = problem.K.block_size();
+    return Eigen::seqN(structure.first_bump * size + place(line, structure.dofs.top_u), Eigen::Index{bumps()}, size);
   }
 };
 
@@ -140,6 +145,12 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
 /// The foils of a bearing, pressed by its journal. The design must be valid.
 Foils make_foils(const BearingDesign& design);
 
+/// The foils of a bearing whose journal is tilted by `slope` (rad, towards X and Y) and stays so: displacements are
+/// given on the lines of so many `modes` over the whole width, as under a film (WidthLines), and each line has contacts
+/// of its own with the journal, too. What varies over the width stretches the top foil.
+/// @param foils  uniform over the width, with a top foil and without an elastic law
+Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope);
+
 /// A strip of foils between its plate and the base: flat, without clearance. Both must be valid.
 Foils make_foils(const PadDesign& whole, const StripSettings& strip);
 
@@ -154,11 +165,21 @@ ContactLoading loading_under(const Foils& foils, const Excitation& excitation);
 /// Rate of loading_under per metre of displacement along the unit vector `direction`.
 ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction);
 
+/// Gaps between journal and foils, m, one per bump: the least over the width.
+Vector pressed_gaps(const Foils& foils, const Vector& gap);
+
 /// Loads of the journal on the foils, N, one per bump.
 Vector pressing_loads(const Foils& foils, const Vector& normal_force);
 
 /// Force applied to the journal (or plate), N.
 Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force);
+
+/// Moment of these forces about the mid-plane, int z dF, N m: none where all is uniform over the width.
+Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force);
+
+/// Elastic forces and energy of the foils on the unknowns of their problem, see elastic_response() in structure/. On
+/// lines over the width the rows of unknowns that are no displacements hold what they lack.
+ElasticResponse elastic_response(const Foils& foils, const Vector& x);
 
 /// The part of it that each of several pads takes, one column per pad, N. One pad takes it all, and has no column.
 Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force);

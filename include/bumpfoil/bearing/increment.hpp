@@ -18,6 +18,8 @@ struct Increment {
   double force_x{}, force_y{};  ///< applied force, N
   double force_direct{};        ///< F.n, N
   double force_cross{};         ///< F.t with t = n turned by +90 deg, N
+  double moment_x{};            ///< of the applied forces along X about the mid-plane, int z dF, N m
+  double moment_y{};            ///< along Y
   double elastic_energy{};      ///< J
   double dissipated_energy{};   ///< since increment 0, J; at increment 0 that of the assembly is kept apart
   double work{};                ///< of the journal since increment 0, trapezoidal rule, J

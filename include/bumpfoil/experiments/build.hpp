@@ -11,7 +11,7 @@
 /// Where cases end: they are checked, and what is below takes designs, gases and settings.
 namespace bumpfoil {
 
-/// The foils of the bearing of a case, pressed by its journal.
+/// The foils of the bearing of a case, pressed by its journal without a film.
 /// @param commands  that are to run them
 /// @throws Error (input) if the case cannot be built, or run by one of them
 SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands = {});

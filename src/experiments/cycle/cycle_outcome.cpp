@@ -76,8 +76,11 @@ Sweeping cycle_sweeping(Experiment experiment, ExperimentRun run) {
           .not_begun =
               [experiment](const Case& input) {
                 // One cycle at least was to be run.
-                return cycle_outcome(
-                    input, {.solver = input.solver.chosen(), .experiment = experiment, .due = 1, .cycles = {}});
+                return cycle_outcome(input, {.solver = input.solver.chosen(),
+                                             .experiment = experiment,
+                                             .due = 1,
+                                             .tilted = experiment == Experiment::cycle && input.width.tilts(),
+                                             .cycles = {}});
               },
           .loop_values =
               [experiment](const Case& input) {
@@ -101,11 +104,13 @@ ExperimentInfo cycle_experiment() {
           .sampled = EnsembleCommand::cycle,
           .run = run,
           .sweeping = cycle_sweeping(Experiment::cycle, run),
-          .quantities = meanings_of(cycle_quantities(Experiment::cycle)),
+          .quantities = meanings_of(cycle_quantities(Experiment::cycle, true)),
           .small_runs = {{"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},
                          {"cycle.directions=[\"+X\"]", "cycle.steps=2",
                           "bump_foil.shim=[{from=1, to=2, thickness=\"5 um\"}]", "top_foil.formed_radius=seated"},
-                         {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.bumps=8", "pad=[{}, {}, {}]"}}};
+                         {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.bumps=8", "pad=[{}, {}, {}]"},
+                         {"cycle.directions=[\"+X\"]", "cycle.steps=2", "width.modes=3",
+                          "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"}}};
 }
 
 }  // namespace bumpfoil

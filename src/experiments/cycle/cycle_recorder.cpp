@@ -93,7 +93,8 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
   cycle.due = due;
   if (cycle.course == Course::push && step.converged()) {
     const Foils& foils = stepper.foils();
-    cycle.first_contact = first_contact_displacement(step.state.contacts.gap(foils.pressed()), foils.normals, normal);
+    cycle.first_contact =
+        first_contact_displacement(pressed_gaps(foils, step.state.contacts.gap), foils.normals, normal);
     if (cycle.first_contact) *cycle.first_contact += step.state.position.dot(normal);
   }
   CycleRecorder recorder(stepper, plan.recording, std::move(cycle));

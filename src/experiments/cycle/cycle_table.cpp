@@ -58,9 +58,9 @@ std::vector<CycleRow> rows_of_clearances(const Case& input) {
 }
 
 /// Rows of the quantities of the solver, or of the results.
-std::vector<CycleRow> rows_of(const Case& input, Experiment experiment, bool of_solver) {
+std::vector<CycleRow> rows_of(const Case& input, const CycleResult& result, bool of_solver) {
   std::vector<CycleRow> rows;
-  for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.tilted)) {
     if (quantity.shown.size == 0.0 || quantity.is(tag::of_solver) != of_solver) continue;
     rows.push_back({std::string(quantity.label), quantity.shown.name, [quantity, &input](const Cycle& cycle) {
                       return cell_text(quantity, quantity.value(cycle, input));
@@ -118,13 +118,13 @@ std::vector<CycleRow> rows_of_pads(const Case& input, Experiment experiment) {
 
 std::string cycle_table(const Case& input, const CycleResult& result) {
   const std::vector<std::size_t> shown = shown_cycles(result);
-  std::vector<CycleRow> rows = rows_of(input, result.experiment, false);
+  std::vector<CycleRow> rows = rows_of(input, result, false);
   const std::vector<CycleRow> clearances =
       result.experiment == Experiment::cycle ? rows_of_clearances(input) : std::vector<CycleRow>{};
   const bool turns = result.experiment != Experiment::path;
   const std::vector<CycleRow> highest_load = turns ? rows_of_highest_load(input) : std::vector<CycleRow>{};
   const std::vector<CycleRow> pads = rows_of_pads(input, result.experiment);
-  for (const std::vector<CycleRow>& more : {clearances, pads, highest_load, rows_of(input, result.experiment, true)}) {
+  for (const std::vector<CycleRow>& more : {clearances, pads, highest_load, rows_of(input, result, true)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   std::size_t column_width = least_column_width;

@@ -19,13 +19,13 @@ CycleEvent located(const Foils& foils, const StepEvent& event, Branch branch, co
   const int pair = event.contact % foils.contacts_per_block();
   CycleEvent out{.branch = branch,
                  .displacement = event.position.dot(direction),
-                 .interface = pair == foils.top_bump() ? Interface::top_bump : Interface::journal_top,
+                 .interface = pair < foils.top_bump() ? Interface::journal_top : Interface::top_bump,
                  .index = block - foils.structure.first_bump,
                  .from = event.from,
                  .to = event.to};
   if (pair >= foils.first_foot()) {
     out.interface = Interface::bump_sleeve;
-    out.index = block * foils.feet_per_block() + pair - foils.first_foot();
+    out.index = block * foils.feet_per_block() + (pair - foils.first_foot()) / foils.foot_contacts();
   }
   return out;
 }

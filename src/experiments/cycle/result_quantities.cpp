@@ -60,6 +60,11 @@ double at_turn(const Cycle& cycle, const Case& /*input*/) {
   return cycle.turning_point ? (*cycle.turning_point).*member : absent;
 }
 
+template <double Increment::*member>
+double first_turn(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.turning_point ? cycle.turns.front().*member : absent;
+}
+
 template <std::optional<double> TangentStiffnesses::*member>
 double tangent(const Cycle& cycle, const Case& /*input*/) {
   return cycle.turning_point ? (cycle.turning_point->tangent.*member).value_or(absent) : absent;
@@ -131,6 +136,10 @@ constexpr auto increment_table = std::to_array<IncrementQuantity>({
     {"force_direct", "N", "applied force on the {pressing}, {along}", of<&Increment::force_direct>, of_all | csv},
     {"force_cross", "N", "applied force on the journal, 90 degrees ahead of the direction", of<&Increment::force_cross>,
      bearings | csv},
+    {"moment_x", "N m", "moment of the applied forces along X about the mid-plane", of<&Increment::moment_x>,
+     bearings | under_tilt | csv, "moment, X", shown::newton_millimetres},
+    {"moment_y", "N m", "moment of the applied forces along Y about the mid-plane", of<&Increment::moment_y>,
+     bearings | under_tilt | csv, "moment, Y", shown::newton_millimetres},
     {"elastic_energy", "J", "elastic energy of the foils", of<&Increment::elastic_energy>, of_all | csv},
     {"dissipated_energy", "J",
      "energy dissipated since increment 0: by friction and, with `events`, where the foils snap",
@@ -188,6 +197,10 @@ constexpr auto cycle_list = std::to_array<CycleQuantity>({
      loops | headline | sampled | measured, "maximum force", shown::newtons},
     {"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>,
      of_cycles | sampled, "cross force there", shown::newtons},
+    {"moment_x_at_max", "N m", "moment of the forces along X about the mid-plane at full displacement",
+     first_turn<&Increment::moment_x>, of_cycles | under_tilt, "moment there, X", shown::newton_millimetres},
+    {"moment_y_at_max", "N m", "moment of the forces along Y about the mid-plane at full displacement",
+     first_turn<&Increment::moment_y>, of_cycles | under_tilt, "moment there, Y", shown::newton_millimetres},
     {"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>, of_cycles},
     {"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>, of_cycles},
     {"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, of_strips,
@@ -328,6 +341,24 @@ constexpr auto field_table = std::to_array<FieldQuantity>({
     {{"stress_bump_foil_weld", "Pa", "bending stress of the bump foil where it is clamped; frame only",
       stress<&StressFields::bump_weld>},
      Node::weld},
+    {{"crest_u_slope", "m",
+      "tangential displacement of the crest at its side z > 0 beyond the mean, linear over the width",
+      field<&FoilFields::crest_u_slope>, under_tilt},
+     Node::bump},
+    {{"crest_v_slope", "m", "radial displacement of the crest at its side z > 0 beyond the mean, linear over the width",
+      field<&FoilFields::crest_v_slope>, under_tilt},
+     Node::bump},
+    {{"foot_u_slope", "m",
+      "tangential displacement of the foot at its side z > 0 beyond the mean, linear over the width",
+      field<&FoilFields::foot_u_slope>, under_tilt},
+     Node::foot},
+    {{"foot_v_slope", "m", "radial displacement of the foot at its side z > 0 beyond the mean, linear over the width",
+      field<&FoilFields::foot_v_slope>, under_tilt},
+     Node::foot},
+    {{"crest_v_parabola", "m",
+      "radial displacement of the crest at its sides beyond the mean, as a parabola over the width",
+      field<&FoilFields::crest_v_parabola>, under_tilt},
+     Node::bump},
     {{"pad_force_x", "N", "part of force_x carried by the pad", field<&FoilFields::pad_force_x>}, Node::pad},
     {{"pad_force_y", "N", "part of force_y carried by the pad", field<&FoilFields::pad_force_y>}, Node::pad},
 });
@@ -391,10 +422,11 @@ constexpr Tags tag_of(Experiment experiment) {
 }
 
 template <typename Table>
-auto those_of(const Table& table, Experiment experiment) {
+auto those_of(const Table& table, Experiment experiment, bool tilted = false) {
   std::vector<typename Table::value_type> quantities;
-  std::copy_if(table.begin(), table.end(), std::back_inserter(quantities),
-               [experiment](const auto& quantity) { return quantity.is(tag_of(experiment)); });
+  std::copy_if(table.begin(), table.end(), std::back_inserter(quantities), [=](const auto& quantity) {
+    return quantity.is(tag_of(experiment)) && (tilted || !quantity.is(under_tilt));
+  });
   return quantities;
 }
 
@@ -417,12 +449,12 @@ std::string spelled(std::string_view long_name, const Wording& wording) {
                      fmt::arg("along", wording.along), fmt::arg("start", wording.start));
 }
 
-std::vector<IncrementQuantity> increment_quantities(Experiment experiment) {
-  return those_of(increment_table, experiment);
+std::vector<IncrementQuantity> increment_quantities(Experiment experiment, bool tilted) {
+  return those_of(increment_table, experiment, tilted);
 }
 
-std::vector<CycleQuantity> cycle_quantities(Experiment experiment) {
-  return those_of(cycle_list, experiment);
+std::vector<CycleQuantity> cycle_quantities(Experiment experiment, bool tilted) {
+  return those_of(cycle_list, experiment, tilted);
 }
 
 std::span<const FieldQuantity> field_quantities() {

@@ -13,8 +13,11 @@ namespace bumpfoil {
 template <typename Run>
 CycleResult run_each_cycle(Experiment experiment, const Case& input, std::ptrdiff_t cycles,
                            const ProgressCallback& progress, const Run& run) {
-  CycleResult result{
-      .solver = input.solver.chosen(), .experiment = experiment, .due = static_cast<std::size_t>(cycles), .cycles = {}};
+  CycleResult result{.solver = input.solver.chosen(),
+                     .experiment = experiment,
+                     .due = static_cast<std::size_t>(cycles),
+                     .tilted = experiment == Experiment::cycle && input.width.tilts(),
+                     .cycles = {}};
   bool stopped = false;
   for (std::size_t i = 0; std::cmp_less(i, cycles) && !stopped; ++i) {
     result.cycles.push_back(run(i, [&](double fraction) {

@@ -174,44 +174,6 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
   }
 }
 
-/// Displacements of crests and feet that vary over the width.
-void add_modes(const EquilibriumResult& result, const ResultLayout& layout, StateDataset& states) {
-  const FilmBearing& bearing = *result.bearing;
-  const WidthLines& lines = bearing.pads.front().foil.lines;
-  const BumpDofs& dofs = bearing.structure.dofs;
-  // An unknown of all blocks, or of each foot of these, by P_k over the width at zeta = 1.
-  const auto add = [&](std::string name, std::string what, int k, Node node, std::vector<int> unknowns) {
-    const auto row = std::find(lines.orders.begin(), lines.orders.end(), k) - lines.orders.begin();
-    if (row == std::ssize(lines.orders) || bearing.is_uniform(unknowns.front())) return;
-    const int first = node == Node::bump ? bearing.structure.first_bump : 0;
-    states
-        .add({std::move(name), "m", std::move(what)}, layout.dims_of(node),
-             [&bearing, &lines, unknowns, row, first](const RunningState& state) -> RowMajor {
-               const Eigen::Index size = bearing.problem.K.block_size();
-               std::vector<double> values;
-               for (int b = first; b < bearing.structure.K.blocks(); ++b) {
-                 const Eigen::Index begin = bearing.block(b) * size;
-                 for (const int unknown : unknowns) {
-                   double value = 0.0;
-                   for (int s = 0; s < bearing.crest_contacts(); ++s) {
-                     value += lines.to_modes(row, s) * state.last->contacts.x[begin + bearing.place(s, unknown)];
-                   }
-                   values.push_back(value);
-                 }
-               }
-               return Eigen::Map<const RowMajor>(values.data(), 1, std::ssize(values));
-             })
-        .attributes["coordinates"] = layout.coordinates_of(node);
-  };
-  const std::string linear = "at its side z > 0 beyond the mean, linear over the width";
-  add("crest_u_slope", "tangential displacement of the crest " + linear, 1, Node::bump, {dofs.crest_u});
-  add("crest_v_slope", "radial displacement of the crest " + linear, 1, Node::bump, {dofs.crest_v});
-  add("foot_u_slope", "tangential displacement of the foot " + linear, 1, Node::foot, dofs.foot_u);
-  add("foot_v_slope", "radial displacement of the foot " + linear, 1, Node::foot, dofs.foot_v);
-  add("crest_v_parabola", "radial displacement of the crest at its sides beyond the mean, as a parabola over the width",
-      2, Node::bump, {dofs.crest_v});
-}
-
 /// What is known of the foils without a film, too, but for the contact with the journal, which there is none of.
 void add_fields(const EquilibriumResult& result, const ResultLayout& layout, const Wording& wording,
                 StateDataset& states) {
@@ -249,10 +211,7 @@ Dataset state_dataset(const Case& input, const EquilibriumResult& result) {
   states.add_motions(*input.equilibrium);
   states.add_pads();
   add_film(result, states);
-  if (result.bearing->has_foils()) {
-    add_fields(result, layout, wording_of(input, Experiment::cycle), states);
-    add_modes(result, layout, states);
-  }
+  if (result.bearing->has_foils()) add_fields(result, layout, wording_of(input, Experiment::cycle), states);
   return states.take();
 }
 

@@ -70,12 +70,14 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
 void describe(CaseVisitor& keys, WidthSettings& width) {
   using enum Presence;
   using enum Dimension;
-  keys.value({"modes", defaulted, "Modes over the width",
-              "of the displacement of the foils, for the command equilibrium: 1, uniform; 2, linear, too, as under a "
-              "tilted journal; 3, with a parabola"},
-             &width.modes);
+  keys.value(
+      {"modes", defaulted, "Modes over the width",
+       "of the displacement of the foils, for the command equilibrium and under a tilted journal: 1, uniform; 2, "
+       "linear, too; 3, with a parabola"},
+      &width.modes);
   keys.value({"tilt", defaulted, "Tilt",
-              "misalignment, for the commands equilibrium and film: slope of the axis of the journal towards X and Y",
+              "misalignment, for the commands equilibrium, film, cycle, path and vibration: slope of the axis of the "
+              "journal towards X and Y",
               "[\"0 mrad\", \"0 mrad\"]", angle},
              &width.tilt);
   keys.value({.name = "moment",
@@ -131,8 +133,8 @@ void describe_film(CaseVisitor& keys, Case& input) {
                   input.gas, [](CaseVisitor& inner, GasSettings& gas) { describe(inner, gas); });
   defaulted_table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film,
                   [](CaseVisitor& inner, FilmSettings& film) { describe(inner, film); });
-  defaulted_table(keys, {"width", defaulted, "Width", "how journal and foils vary over the width under a film"},
-                  input.width, [](CaseVisitor& inner, WidthSettings& width) { describe(inner, width); });
+  defaulted_table(keys, {"width", defaulted, "Width", "how journal and foils vary over the width"}, input.width,
+                  [](CaseVisitor& inner, WidthSettings& width) { describe(inner, width); });
   optional_table(keys,
                  {"asperity", optional, "Mixed contact",
                   "rough surfaces of journal and top foil that touch where the film is thin, for all commands with "
@@ -260,6 +262,17 @@ bool is_dry(std::string_view command) {
   return command == "cycle" || command == "path" || command == "vibration";
 }
 
+/// What a tilted journal needs where there is no film.
+void judge_dry_tilt(Judge& judge, const Case& input, const char* command) {
+  judge.require_for(command, input.width.modes != 1, "width.tilt", "",
+                    "needs foils that answer to it where there is no film",
+                    "set width.modes = 3, or 2 without a parabola");
+  judge.require_for(command, input.bump_foil.geometry == Geometry::linear, "width.tilt", "",
+                    "is not supported with large displacements", "set bump_foil.geometry = \"linear\"");
+  judge.require_for(command, input.bump_foil.model != BumpFoilModel::former, "width.tilt", "",
+                    "needs a top foil, which the former model has none of", "set model = \"truss\" or \"frame\"");
+}
+
 /// What makes both halves of the width differ, so that the whole width is computed.
 void judge_halves(Judge& judge, const Case& input) {
   const WidthSettings& width = input.width;
@@ -274,10 +287,17 @@ void judge_halves(Judge& judge, const Case& input) {
                           : width.tilts()       ? "width.tilt"
                           : by_gas_alone        ? "film.side_pressure"
                                                 : "width.conicity";
+  const bool by_given_tilt = width.moment.empty() && width.tilts() && width.conicity == 0.0;
   for (const char* const command :
        {"cycle", "path", "vibration", "stability", "unbalance", "transient", "montecarlo"}) {
     if (by_gas_alone && is_dry(command)) continue;
-    judge.require_for(command, false, key, "", "is supported by the commands equilibrium and film alone",
+    if (by_given_tilt && is_dry(command)) {
+      judge_dry_tilt(judge, input, command);
+      continue;
+    }
+    judge.require_for(command, false, key, "",
+                      by_given_tilt ? "is supported by the commands equilibrium, film, cycle, path and vibration alone"
+                                    : "is supported by the commands equilibrium and film alone",
                       fmt::format("remove {}: the command computes what is the same on both halves of the width", key));
   }
   judge.require_for("equilibrium", !input.asperity, key, "", "is not supported with mixed contact",

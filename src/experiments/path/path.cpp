@@ -191,7 +191,11 @@ CycleResult run_path(const Case& input, const ProgressCallback& progress, const 
   if (!sink) require_memory(*path, foils->bumps());
   const auto begin = std::chrono::steady_clock::now();
   FoilStepper stepper = make_stepper(foils, input.solver);
-  CycleResult result{.solver = input.solver.chosen(), .experiment = Experiment::path, .due = 1, .cycles = {}};
+  CycleResult result{.solver = input.solver.chosen(),
+                     .experiment = Experiment::path,
+                     .due = 1,
+                     .tilted = input.width.tilts(),
+                     .cycles = {}};
   follow(stepper, *path, progress, sink, result);
   result.cycles.back().wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

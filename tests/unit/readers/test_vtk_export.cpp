@@ -105,6 +105,10 @@ TEST(VtkExport, RefusesWhatHasNoShapes) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("is a result of strip"), std::string::npos) << error.what();
   }
+  Case tilted = pushed();
+  tilted.width = {.modes = 2, .tilt = {1e-4, 0.0}};
+  const std::string bytes = stored("cycle", tilted);
+  EXPECT_THROW(write_vtk(bytes, "result.nc", folder.path(), Existing::refuse), Error);
 }
 
 }  // namespace

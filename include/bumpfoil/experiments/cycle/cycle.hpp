@@ -154,6 +154,7 @@ struct CycleResult {
   SolverName solver{};  ///< that was used
   Experiment experiment{Experiment::cycle};
   std::size_t due{};          ///< cycles that were to be run
+  bool tilted{};              ///< the journal was: results have moments, and what varies over the width
   std::vector<Cycle> cycles;  ///< one per direction, in the order of the case; of a strip, one after the other
 
   /// All cycles that were due are there, and converged.

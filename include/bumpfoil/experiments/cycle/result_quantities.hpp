@@ -43,6 +43,8 @@ inline constexpr Tags bearings = of_cycles | of_paths;
 inline constexpr Tags loops = of_cycles | of_strips;
 inline constexpr Tags of_all = of_cycles | of_strips | of_paths;
 
+inline constexpr Tags under_tilt = 2 * of_paths;  ///< of results under a tilted journal alone
+
 }  // namespace tag
 
 /// Of one increment.
@@ -74,9 +76,9 @@ struct LoadQuantity : Quantity<Vector (*)(const Cycle&)> {
 /// Of one change of state of a contact.
 using EventQuantity = Quantity<double (*)(const CycleEvent&)>;
 
-/// In the order of files and tables.
-std::vector<IncrementQuantity> increment_quantities(Experiment experiment);
-std::vector<CycleQuantity> cycle_quantities(Experiment experiment);
+/// In the order of files and tables. @param tilted  CycleResult::tilted
+std::vector<IncrementQuantity> increment_quantities(Experiment experiment, bool tilted = false);
+std::vector<CycleQuantity> cycle_quantities(Experiment experiment, bool tilted = false);
 std::span<const FieldQuantity> field_quantities();
 std::vector<LoadQuantity> load_quantities(Experiment experiment);
 std::span<const EventQuantity> event_quantities();

@@ -44,8 +44,8 @@ TEST(ResultQuantities, AreDescribedOnce) {
   for (const Experiment experiment : {Experiment::cycle, Experiment::strip}) {
     const Wording wording = wording_of(input, experiment);
     std::set<std::string_view> names;
-    expect_described(increment_quantities(experiment), wording, names);
-    expect_described(cycle_quantities(experiment), wording, names);
+    expect_described(increment_quantities(experiment, true), wording, names);
+    expect_described(cycle_quantities(experiment, true), wording, names);
     expect_described(field_quantities(), wording, names);
     expect_described(load_quantities(experiment), wording, names);
     expect_described(event_quantities(), wording, names);
@@ -68,6 +68,17 @@ TEST(ResultQuantities, AStripHasNoDirections) {
   EXPECT_TRUE(has(Experiment::cycle, "force_cross"));
   EXPECT_FALSE(has(Experiment::strip, "force_cross"));
   EXPECT_TRUE(has(Experiment::strip, "force_direct"));
+}
+
+TEST(ResultQuantities, MomentsAreThoseOfATiltedJournal) {
+  for (const Experiment experiment : {Experiment::cycle, Experiment::path}) {
+    const auto has_moment = [experiment](bool tilted) {
+      const std::vector<IncrementQuantity> all = increment_quantities(experiment, tilted);
+      return std::any_of(all.begin(), all.end(), [](const auto& quantity) { return quantity.name == "moment_y"; });
+    };
+    EXPECT_TRUE(has_moment(true));
+    EXPECT_FALSE(has_moment(false));
+  }
 }
 
 TEST(ResultQuantities, NothingIsKnownOfACycleThatFailedAtOnce) {

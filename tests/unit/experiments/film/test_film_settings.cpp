@@ -111,7 +111,26 @@ TEST(FindFaults, JudgesTheTilt) {
   EXPECT_EQ(width(tilt, "film"), Keys{});
   EXPECT_EQ(width(moment, "film"), Keys{"width.moment"});
   EXPECT_EQ(width(tilt, "stability"), Keys{"width.tilt"});
-  EXPECT_EQ(width(tilt, "cycle"), Keys{"width.tilt"});
+  EXPECT_EQ(width(tilt, "montecarlo"), Keys{"width.tilt"});
+  EXPECT_EQ(width(moment, "cycle"), Keys{"width.moment"});
+  EXPECT_EQ(width(tilt, "cycle"), Keys{"width.tilt"});  // of foils that do not answer to it
+  for (const char* const command : {"cycle", "path", "vibration"}) {
+    const auto dry = [&](const std::function<void(Case&)>& change) {
+      Case input = reference_case();
+      input.width = {.modes = 2, .tilt = {1e-4, 0.0}};
+      change(input);
+      Keys keys;
+      for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
+      return keys;
+    };
+    EXPECT_EQ(dry([](Case&) {}), Keys{}) << command;
+    const auto at_large = [](Case& input) {
+      input.bump_foil.model = BumpFoilModel::frame;
+      input.bump_foil.geometry = Geometry::nonlinear;
+    };
+    EXPECT_EQ(dry(at_large), Keys{"width.tilt"}) << command;
+    EXPECT_EQ(dry([](Case& input) { input.width.conicity = 1e-6; }), Keys{"width.tilt"}) << command;
+  }
   EXPECT_EQ(width(moment, "montecarlo"), Keys{"width.moment"});
   const auto between = [](const std::vector<double>& pressures, const std::string& command) {
     Case input = reference_case();

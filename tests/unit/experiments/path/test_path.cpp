@@ -370,6 +370,29 @@ void expect_same_files(const Case& input, const ProgressCallback& progress = {})
   EXPECT_EQ(a, b);
 }
 
+/// Opposite tilts give opposite moments, with all forces and friction the same; result.nc has them, and the slopes.
+TEST(PathExperiment, HoldsATilt) {
+  Case input = along({{0.0, -50e-6}, {20e-6, -50e-6}});
+  input.width = {.modes = 3, .tilt = {2e-4, 1e-4}};
+  const Cycle cycle = only(run_path(input));
+  ASSERT_TRUE(cycle.converged());
+  const Increment& end = cycle.increments.back();
+  EXPECT_GT(std::hypot(end.moment_x, end.moment_y), 0.02);
+  input.width.tilt = {-2e-4, -1e-4};
+  const Increment other = only(run_path(input)).increments.back();
+  EXPECT_NEAR(other.force_y, end.force_y, 1e-9 * std::abs(end.force_y));
+  EXPECT_NEAR(other.dissipated_energy, end.dissipated_energy, 1e-9 * end.elastic_energy);
+  EXPECT_NEAR(other.moment_y, -end.moment_y, 1e-9 * std::abs(end.moment_y));
+  const Dataset data = experiment_named("path").run(input, {}).dataset();
+  const auto has = [&](std::string_view name) {
+    const auto named = [name](const Variable& variable) { return variable.meaning.name == name; };
+    return std::any_of(data.variables.begin(), data.variables.end(), named);
+  };
+  for (const char* const name : {"moment_x", "moment_y", "crest_v_slope", "foot_u_slope", "crest_v_parabola"}) {
+    EXPECT_TRUE(has(name)) << name;
+  }
+}
+
 TEST(PathExperiment, WritesAsItGoesWhatAKeptRunWrites) {
   expect_same_files(long_orbit());
 }

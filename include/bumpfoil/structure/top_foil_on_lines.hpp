@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+#include "bumpfoil/model/foil_design.hpp"
+#include "bumpfoil/structure/width_lines.hpp"
+
+namespace bumpfoil {
+
+/// Distances of columns along a top foil, from the weld to its free end, in units of `pitch` over columns_per_pitch:
+/// half of that number on each half of a pitch, all of one length there, and on the overhang as many as come nearest to
+/// the length of those before it, but two. There must be a top foil.
+/// @param columns_per_pitch  even, so that every crest is a column
+Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch);
+
+/// The top foil whose displacement varies over the width, loaded over the crests of the bump foil alone: a beam under
+/// each of the lines, as stiff as its part of the width, which the membrane joins (MembraneRows). Symmetric, in N/m,
+/// with one block per bump:
+///
+///     [ 0   D        w T'          ] [ u ]   [ loads on the top foil ]
+///     [ D'  -T/part                ] [ M ] = [ forming_rotations()   ]
+///     [ w T         -C             ] [F,m]   [ 0                     ]
+///
+/// u and M of all lines, M as in FoilStructure; then F of all modes that stretch the foil, in units of EI' over p^4 per
+/// metre, and m = A g + nu B F of the same. Columns between the crests, six to a pitch, are eliminated, and so is all
+/// between the last crest and the free end. The moment over the last crest is, too: its place is kept, coupled to
+/// nothing.
+/// @param foils  with a top foil on a circle
+BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines);
+
+}  // namespace bumpfoil

@@ -1,0 +1,145 @@
+#include "bearing/foil_lines.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "bumpfoil/structure/held_crests.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Springs against what higher modes do not displace, over the stiffest of the bump foils: what such a sheet is against
+/// shear and stretch in its own surface counts as rigid.
+constexpr double rigidity_of_sheet = 1e2;
+
+bool is_of_top_foil(const BumpDofs& dofs, int place) {
+  return place == dofs.top_u || place == dofs.top_moment;
+}
+
+/// Adds a block of K of one mode to that of the lines.
+/// @param alike  of the mode on two lines: the part of the block that joins them
+template <typename Alike>
+void add_block(const Foils& foils, const Matrix& block, const Alike& alike, Matrix& sum) {
+  const BumpDofs& dofs = foils.structure.dofs;
+  for (int s = 0; s < foils.crest_contacts(); ++s) {
+    for (int r = 0; r < foils.crest_contacts(); ++r) {
+      const double part = alike(s, r);
+      for (int i = 0; i < dofs.size; ++i) {
+        if (is_of_top_foil(dofs, i)) continue;
+        for (int j = 0; j < dofs.size; ++j) {
+          if (is_of_top_foil(dofs, j)) continue;
+          sum(foils.place(s, i), foils.place(r, j)) += part * block(i, j);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FoilLine> foil_lines_of(const WidthLines& lines, const BumpDofs& dofs, int further) {
+  std::vector<FoilLine> placed(static_cast<std::size_t>(lines.count()));
+  const bool all_vary = lines.orders.size() > 1 && lines.orders[1] == 1;
+  const auto varies = [&](int i) {
+    return all_vary || is_of_top_foil(dofs, i) || i == dofs.crest_u || i == dofs.crest_v;
+  };
+  for (std::size_t s = 0; s < placed.size(); ++s) {
+    placed[s].zeta = lines.zeta[static_cast<Eigen::Index>(s)];
+    placed[s].weight = lines.weight[static_cast<Eigen::Index>(s)];
+    placed[s].places.resize(static_cast<std::size_t>(dofs.size));
+    std::iota(placed[s].places.begin(), placed[s].places.end(), 0);
+    if (s == 0) continue;
+    for (int i = 0; i < dofs.size; ++i) {
+      if (varies(i)) placed[s].places[static_cast<std::size_t>(i)] = further++;
+    }
+  }
+  return placed;
+}
+
+int unknowns_on_lines(const std::vector<FoilLine>& lines) {
+  int largest = 0;
+  for (const FoilLine& line : lines) {
+    largest = std::max(largest, *std::max_element(line.places.begin(), line.places.end()));
+  }
+  return largest + 1;
+}
+
+double stiffest_of_bump_foils(const FoilStructure& structure) {
+  double largest = 0.0;
+  for (Matrix block : structure.K.diagonal) {
+    for (const int place : {structure.dofs.top_u, structure.dofs.top_moment}) {
+      block.row(place).setZero();
+      block.col(place).setZero();
+    }
+    largest = std::max(largest, block.maxCoeff());
+  }
+  return largest;
+}
+
+void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagonal& K) {
+  const FoilStructure& structure = foils.structure;
+  const BumpDofs& dofs = structure.dofs;
+  const double largest = stiffest_of_bump_foils(structure);
+  for (Eigen::Index mode = 0; mode < width.count(); ++mode) {
+    const int order = width.orders[static_cast<std::size_t>(mode)];
+    const double square = 1.0 / (2 * order + 1);  // of P_k over the width
+    const auto alike = [&](Eigen::Index s, Eigen::Index r) {
+      return square * width.to_modes(mode, s) * width.to_modes(mode, r);
+    };
+    Matrix rigid = Matrix::Zero(dofs.size, dofs.size);
+    for (int i = 0; i < dofs.size; ++i) {
+      if (i != dofs.crest_v && !foils.is_uniform(i)) rigid(i, i) = rigidity_of_sheet * largest;
+    }
+    for (int pad = 0; pad < foils.pad_count(); ++pad) {
+      const PadBlocks blocks = structure.blocks_of(pad);
+      const Matrix held = order >= 2 ? held_crest_stiffness(structure, pad) : Matrix();
+      for (int b = 0; b < blocks.count; ++b) {
+        const auto from = static_cast<std::size_t>(blocks.first) + static_cast<std::size_t>(b);
+        const auto to = static_cast<std::size_t>(foils.block(blocks.first + b));
+        const bool last = b + 1 == blocks.count;
+        if (order < 2) {
+          add_block(foils, structure.K.diagonal[from], alike, K.diagonal[to]);
+          if (!last) add_block(foils, structure.K.upper[from], alike, K.upper[to]);
+          continue;
+        }
+        rigid(dofs.crest_v, dofs.crest_v) = held(b, b);
+        add_block(foils, rigid, alike, K.diagonal[to]);
+        if (last) continue;
+        Matrix next = Matrix::Zero(dofs.size, dofs.size);
+        next(dofs.crest_v, dofs.crest_v) = held(b, b + 1);
+        add_block(foils, next, alike, K.upper[to]);
+      }
+    }
+  }
+}
+
+void put_contacts_on_lines(const Foils& foils, double elsewhere, Foils& on_lines) {
+  // Of each contact in a block of the others: the first of those in one of `foils`.
+  std::vector<int> like;
+  std::vector<ContactSite> pattern;
+  const auto add = [&](int first, int count) {
+    for (int s = 0; s < count; ++s) {
+      like.push_back(first);
+      ContactSite& site = pattern.emplace_back(foils.problem.sites[static_cast<std::size_t>(first)]);
+      for (int* place : {&site.plus, &site.minus, &site.tangential}) {
+        if (*place >= 0) *place = on_lines.place(s, *place);
+      }
+    }
+  };
+  if (on_lines.top_bump() > 0) add(0, on_lines.crest_contacts());
+  add(foils.top_bump(), on_lines.crest_contacts());
+  for (int foot = 0; foot < foils.feet_per_block(); ++foot) {
+    add(foils.first_foot() + foot * foils.foot_contacts(), on_lines.foot_contacts());
+  }
+  on_lines.problem.sites = in_every_block(pattern, on_lines.problem.K.blocks());
+  on_lines.assembled_gap.setConstant(on_lines.problem.contacts(), elsewhere);
+  for (int b = 0; b < foils.structure.K.blocks(); ++b) {
+    const Eigen::Index from = Eigen::Index{foils.block(b)} * foils.contacts_per_block();
+    const Eigen::Index to = Eigen::Index{on_lines.block(b)} * std::ssize(like);
+    for (Eigen::Index c = 0; c < std::ssize(like); ++c) {
+      on_lines.assembled_gap[to + c] = foils.assembled_gap[from + like[static_cast<std::size_t>(c)]];
+    }
+  }
+}
+
+}  // namespace bumpfoil

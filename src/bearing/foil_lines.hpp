@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/structure/width_lines.hpp"
+
+namespace bumpfoil {
+
+/// The lines over the width with the places of their unknowns in a block: of the first in the places of the foils'
+/// unknowns, of the others from `further` on. Top foil and crest have unknowns of their own on every line; the rest of
+/// the bump foil where a mode is linear over the width, as that slides and lifts its feet, too.
+std::vector<FoilLine> foil_lines_of(const WidthLines& lines, const BumpDofs& dofs, int further);
+
+/// Places of a block up to the last one of any line.
+int unknowns_on_lines(const std::vector<FoilLine>& lines);
+
+/// The largest entry of K of the bump foils alone, N/m.
+double stiffest_of_bump_foils(const FoilStructure& structure);
+
+/// Adds the bump foils on these lines to K. Modes that are uniform or linear over the width displace all of a bump
+/// foil, and each of its slices is the bump foil there; against modes of a higher order the crest has springs, and
+/// nothing slides or lifts.
+void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagonal& K);
+
+/// The contacts of `foils` on the lines of others, which have their K already: sites and gaps without the journal.
+/// @param elsewhere  gaps of blocks that `foils` have none of, m
+void put_contacts_on_lines(const Foils& foils, double elsewhere, Foils& on_lines);
+
+}  // namespace bumpfoil

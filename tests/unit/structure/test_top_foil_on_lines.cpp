@@ -1,0 +1,79 @@
+#include "bumpfoil/structure/top_foil_on_lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <vector>
+
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
+
+namespace bumpfoil {
+namespace {
+
+FoilDesign some_foils(int bumps) {
+  Case input = reference_case();
+  input.bump_foil.bumps = bumps;
+  return make_bearing_design(PadDesign(input));
+}
+
+/// Stiffness of the crests alone: u of all lines, crest after crest.
+Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines) {
+  std::vector<Eigen::Index> kept;
+  std::vector<Eigen::Index> other;
+  for (Eigen::Index i = 0; i < K.rows(); ++i) (i % K.block_size() < lines ? kept : other).push_back(i);
+  const Matrix all = K.dense();
+  const Matrix across = all(other, kept);
+  const Matrix out = all(other, other);
+  return all(kept, kept) - across.transpose() * out.partialPivLu().solve(across);
+}
+
+TEST(TopFoilOnLines, IsABeamUnderEachLineWithoutAMembrane) {
+  for (const int bumps : {1, 4}) {
+    const FoilDesign foils = some_foils(bumps);
+    const Matrix beam = top_foil_stiffness(make_top_foil_beam(foils));
+    const WidthLines lines = make_width_lines(2, WidthPart::whole);
+    const Matrix K = of_crests(top_foil_on_lines(foils, lines), 2);
+    for (Eigen::Index s = 0; s < 2; ++s) {
+      for (Eigen::Index r = 0; r < 2; ++r) {
+        const Matrix block = K(Eigen::seqN(s, bumps, 2), Eigen::seqN(r, bumps, 2));
+        const Matrix expected = s == r ? Matrix(lines.weight[s] * beam) : Matrix::Zero(bumps, bumps);
+        EXPECT_LT((block - expected).norm(), 1e-8 * beam.norm());
+      }
+    }
+  }
+}
+
+/// What is uniform or linear over the width does not stretch the foil; a parabola does, and that is stiffer than
+/// its slices.
+TEST(TopFoilOnLines, StretchesUnderAParabolaAlone) {
+  const int bumps = 4;
+  FoilDesign foils = some_foils(bumps);
+  const WidthLines lines = make_width_lines(3, WidthPart::whole);
+  const Matrix beam = top_foil_stiffness(make_top_foil_beam(foils));
+  const auto of_mode = [&](int k) {
+    const Matrix K = of_crests(top_foil_on_lines(foils, lines), 3);
+    Matrix sum = Matrix::Zero(bumps, bumps);
+    for (Eigen::Index s = 0; s < 3; ++s) {
+      for (Eigen::Index r = 0; r < 3; ++r) {
+        sum += legendre(k, lines.zeta[s]) * legendre(k, lines.zeta[r]) *
+               K(Eigen::seqN(s, bumps, 3), Eigen::seqN(r, bumps, 3));
+      }
+    }
+    return sum;
+  };
+  EXPECT_LT((of_mode(0) - beam).norm(), 1e-8 * beam.norm());
+  EXPECT_LT((of_mode(1) - beam / 3.0).norm(), 1e-8 * beam.norm());
+  const Matrix stretched = of_mode(2);
+  EXPECT_LT((stretched - stretched.transpose()).norm(), 1e-9 * stretched.norm());
+  const Vector alike = Vector::Ones(bumps);
+  const Vector of_slices = beam * alike / 5.0;
+  const Vector of_sheet = stretched * alike;
+  EXPECT_GT(alike.dot(of_sheet), 1.1 * alike.dot(of_slices));
+  foils.top_foil->youngs_modulus *= 1e3;  // to scale, bending and membrane both
+  EXPECT_LT((of_mode(2) / 1e3 - stretched).norm(), 1e-8 * stretched.norm());
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,249 @@
+// docs/verification/width.md: the bearing without a film under a tilted journal, against an independent program.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "bumpfoil/bearing/foil_stepper.hpp"
+#include "bumpfoil/bearing/increment.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr double length = 38.1e-3;
+
+/// Pushed to +X until it carries 100 N.
+struct Pushed {
+  double x{};
+  double moment{};                     ///< N m
+  std::vector<double> loads, moments;  ///< of bumps 9 to 19, N and N m
+};
+
+/// The reference bearing with a frame for its bump foil, whose top foil is bonded to the crests and whose feet never
+/// lift, as in the independent program; the contact of the journal is unilateral.
+/// @param stuck  feet do not slide, either
+/// @param tilt   over the width towards X, m
+Pushed pushed(bool stuck, int modes, double tilt) {
+  Case input = reference_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.friction = {.top_bump = 0.0, .bump_sleeve = stuck ? 0.1 : 0.0};
+  const Foils foils = under_tilted_journal(make_foils(input), modes, Eigen::Vector2d(tilt / length, 0.0));
+  const auto system = make_mode_system(foils.problem);
+  std::vector<ContactMode> contacts(static_cast<std::size_t>(foils.problem.contacts()), ContactMode::stick);
+  const int lines = foils.crest_contacts();
+  const int per_block = foils.contacts_per_block();
+  const auto is_journal = [&](int contact) { return contact % per_block < lines; };
+  for (int c = 0; c < foils.problem.contacts(); ++c) {
+    if (is_journal(c)) contacts[static_cast<std::size_t>(c)] = ContactMode::open;
+  }
+  ContactState state = ContactState::unstressed(foils.problem);
+  const Vector at_rest = Vector::Zero(foils.problem.K.rows());
+  const auto force_at = [&](double x) {
+    const ContactLoading loading = loading_under(foils, {.position = {x, 0.0}});
+    for (bool changed = true; changed;) {
+      EXPECT_TRUE(system->set_modes(contacts));
+      system->solve(loading, at_rest, state);
+      changed = false;
+      for (int c = 0; c < foils.problem.contacts(); ++c) {
+        if (!is_journal(c)) continue;
+        ContactMode& mode = contacts[static_cast<std::size_t>(c)];
+        const bool closed = mode != ContactMode::open;
+        if (closed ? state.normal_force[c] >= 0.0 : state.gap[c] >= 0.0) continue;
+        mode = closed ? ContactMode::open : ContactMode::stick;
+        changed = true;
+      }
+    }
+    return holding_force(foils, state.normal_force).x();
+  };
+  double below = 30e-6;
+  double above = 50e-6;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (below + above);
+    (force_at(middle) < 100.0 ? below : above) = middle;
+  }
+  Pushed found{.x = below, .moment = holding_moment(foils, state.normal_force).x(), .loads = {}, .moments = {}};
+  for (int bump = 8; bump < 19; ++bump) {
+    double load = 0.0;
+    double moment = 0.0;
+    for (int s = 0; s < lines; ++s) {
+      const double part = state.normal_force[bump * per_block + s];
+      load += part;
+      moment += 0.5 * length * foils.lines[static_cast<std::size_t>(s)].zeta * part;
+    }
+    found.loads.push_back(load);
+    found.moments.push_back(moment);
+  }
+  return found;
+}
+
+struct Reference {
+  bool stuck{};
+  int modes{};
+  double tilt{}, x{}, moment{}, of_shell{};   ///< um, um, N mm, N mm
+  std::array<double, 11> loads{}, moments{};  ///< N, N mm
+};
+constexpr std::array<double, 11> loads_free{0, 0, 8.0491, 18.742, 24.142, 24.61, 20.045, 10.466, 0, 0, 0};
+constexpr std::array<double, 11> moments_free{0, 0, 27.724, 29.117, 31.431, 31.599, 29.585, 28.592, 0, 0, 0};
+constexpr Reference references[]{
+    {false, 2, 0.0, 44.21150185789828, 0.0, 0.0, loads_free, {}},
+    {false, 3, 0.0, 44.211501857895776, 0.0, 0.0, loads_free, {}},
+    {false, 2, 5.0, 44.21150185789828, 163.97068391876797, 165.00947437869084, loads_free, moments_free},
+    {false, 3, 5.0, 44.211501854851164, 163.9706839188115, 165.00947437869084, loads_free, moments_free},
+    {true, 3, 0.0, 33.99564012360373, 0.0, 0.0, {0, 0, 0, 0, 45.332, 49.654, 6.0512, 0, 0, 0, 0}, {}},
+    {true,
+     2,
+     5.0,
+     33.6399794737828,
+     1015.5687123471024,
+     0.0,
+     {0, 0, 0, 9.0028, 36.62, 40.887, 15.586, 0, 0, 0, 0},
+     {0, 0, 0, 99.018, 383.36, 384.31, 171.42, 0, 0, 0, 0}},
+    {true,
+     3,
+     5.0,
+     33.637601198365644,
+     977.269259536153,
+     962.8136637136656,
+     {0, 0, 0, 8.2034, 39.286, 42.446, 11.929, 0, 0, 0, 0},
+     {0, 0, 0, 121.05, 342.94, 361.13, 176.02, 0, 0, 0, 0}}};
+
+TEST(DryTilt, IsWhatTheIndependentProgramFinds) {
+  for (const Reference& reference : references) {
+    const Pushed found = pushed(reference.stuck, reference.modes, 1e-6 * reference.tilt);
+    SCOPED_TRACE(testing::Message() << "stuck " << reference.stuck << ", modes " << reference.modes << ", tilt "
+                                    << reference.tilt);
+    EXPECT_NEAR(1e6 * found.x, reference.x, 1e-5);
+    EXPECT_NEAR(1e3 * found.moment, reference.moment, 5e-6 * std::max(reference.moment, 1.0));
+    if (reference.of_shell > 0.0) {
+      EXPECT_NEAR(1e3 * found.moment, reference.of_shell, 0.02 * reference.of_shell);
+    }
+    for (std::size_t i = 0; i < found.loads.size(); ++i) {
+      EXPECT_NEAR(found.loads[i], reference.loads[i], 1e-3) << "bump " << i + 9;
+      EXPECT_NEAR(1e3 * found.moments[i], reference.moments[i], 2e-2) << "bump " << i + 9;
+    }
+  }
+}
+
+/// Foils on a circle, or three pads whose top foils are formed to a larger radius.
+Case some_case(bool pads, double friction) {
+  Case input = reference_case();
+  input.friction = {.top_bump = friction, .bump_sleeve = friction};
+  if (!pads) return input;
+  input.bump_foil.bumps = 8;
+  input.pads.resize(3);
+  input.top_foil.formed_radius = {.to = FormedTo::seated};
+  return input;
+}
+
+/// Takes foils from their assembly to places, one after the other.
+Increment taken(const Foils& foils, const std::vector<Eigen::Vector2d>& places) {
+  FoilStepper stepper = make_stepper(std::make_shared<const Foils>(foils), {});
+  Step step;
+  stepper.assemble({}, step);
+  for (const Eigen::Vector2d& place : places) {
+    const BearingState from = step.state;
+    stepper.advance(from, {.position = place}, step);
+    EXPECT_TRUE(step.converged());
+  }
+  Increment last = place_increment(foils, step, Eigen::Vector2d::UnitX());
+  judge(foils, step.state, last);
+  EXPECT_TRUE(last.residuals.within());
+  return last;
+}
+
+const std::vector<Eigen::Vector2d> there{{40e-6, 5e-6}, {60e-6, -10e-6}};
+
+TEST(DryTilt, MomentsAndForcesAreDerivativesOfTheEnergyWithoutFriction) {
+  for (const bool pads : {false, true}) {
+    const Foils uniform = make_foils(some_case(pads, 0.0));
+    const Eigen::Vector2d slope(3e-4, -2e-4);
+    for (const int modes : {2, 3}) {
+      SCOPED_TRACE(testing::Message() << "pads " << pads << ", modes " << modes);
+      const auto at = [&](const Eigen::Vector2d& tilted, const Eigen::Vector2d& place) {
+        return taken(under_tilted_journal(uniform, modes, tilted), {place});
+      };
+      const Eigen::Vector2d place = there.back();
+      const Increment here = at(slope, place);
+      const auto difference = [&](auto&& energy, double step) { return (energy(step) - energy(-step)) / (2.0 * step); };
+      const auto by_slope = [&](int axis) {
+        return difference(
+            [&](double step) { return at(slope + step * Eigen::Vector2d::Unit(axis), place).elastic_energy; }, 1e-8);
+      };
+      const auto by_place = [&](int axis) {
+        return difference(
+            [&](double step) { return at(slope, place + step * Eigen::Vector2d::Unit(axis)).elastic_energy; }, 1e-10);
+      };
+      const double moment = std::hypot(here.moment_x, here.moment_y);
+      EXPECT_GT(moment, 0.1);
+      EXPECT_NEAR(by_slope(0), here.moment_x, 1e-6 * moment);
+      EXPECT_NEAR(by_slope(1), here.moment_y, 1e-6 * moment);
+      const double force = std::hypot(here.force_x, here.force_y);
+      EXPECT_NEAR(by_place(0), here.force_x, 1e-6 * force);
+      EXPECT_NEAR(by_place(1), here.force_y, 1e-6 * force);
+    }
+  }
+}
+
+TEST(DryTilt, IsMirroredWithTheBearing) {
+  const Foils uniform = make_foils(some_case(true, 0.1));
+  const Eigen::Vector2d slope(3e-4, -2e-4);
+  const Increment one = taken(under_tilted_journal(uniform, 3, slope), there);
+  const Increment other = taken(under_tilted_journal(uniform, 3, -slope), there);
+  EXPECT_NEAR(one.force_x, other.force_x, 1e-9 * one.force_x);
+  EXPECT_NEAR(one.force_y, other.force_y, 1e-9 * one.force_x);
+  EXPECT_NEAR(one.moment_x, -other.moment_x, 1e-9 * std::abs(one.moment_x));
+  EXPECT_NEAR(one.moment_y, -other.moment_y, 1e-9 * std::abs(one.moment_x));
+}
+
+/// A journal that is not tilted excites nothing over the width, friction and forming included.
+TEST(DryTilt, OfNothingIsTheAlignedBearing) {
+  for (const bool pads : {false, true}) {
+    const Foils uniform = make_foils(some_case(pads, 0.1));
+    const Increment aligned = taken(uniform, there);
+    for (const int modes : {1, 2, 3}) {
+      const Increment one = taken(under_tilted_journal(uniform, modes, Eigen::Vector2d::Zero()), there);
+      EXPECT_NEAR(one.force_x, aligned.force_x, 1e-7 * aligned.force_x) << modes;
+      EXPECT_NEAR(one.force_y, aligned.force_y, 1e-7 * aligned.force_x) << modes;
+      EXPECT_NEAR(one.elastic_energy, aligned.elastic_energy, 1e-7 * aligned.elastic_energy) << modes;
+      EXPECT_NEAR(one.dissipated_energy, aligned.dissipated_energy, 1e-7 * aligned.elastic_energy) << modes;
+      EXPECT_NEAR(one.moment_x, 0.0, 1e-7 * length * aligned.force_x) << modes;
+    }
+  }
+}
+
+/// What the journal puts in is stored or rubbed away, to rounding from one change of contact to the next.
+TEST(DryTilt, EnergiesOfACycleBalance) {
+  Case input = some_case(false, 0.1);
+  input.width = {.modes = 3, .tilt = {3e-4, -2e-4}};
+  input.solver.name = SolverName::events;
+  input.cycle.directions = {0.3};
+  input.cycle.steps = 20;
+  const CycleResult result = run_cycles(input);
+  ASSERT_TRUE(result.converged());
+  const Cycle& cycle = result.cycles.front();
+  EXPECT_EQ(cycle.substeps, 0);
+  double most = 0.0;
+  double defect = 0.0;
+  for (const Increment& increment : cycle.increments) {
+    const double stored = increment.elastic_energy - cycle.start->elastic_energy;
+    most = std::max(most, std::abs(increment.work));
+    defect = std::max(defect, std::abs(increment.work - stored - increment.dissipated_energy));
+  }
+  EXPECT_LT(defect, 1e-9 * most);
+  EXPECT_GT(cycle.increments.back().dissipated_energy, 0.05 * most);
+  EXPECT_GT(std::abs(cycle.turns.front().moment_x), 0.1);
+  EXPECT_EQ(cycle.fields.crest_v_slope.cols(), 26);
+  EXPECT_GT(cycle.fields.crest_v_slope.row(20).maxCoeff(), 1e-6);
+}
+
+}  // namespace
+}  // namespace bumpfoil
