@@ -18,6 +18,7 @@
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/results/made_folder.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/studies/gnuplot.hpp"
@@ -173,7 +174,8 @@ std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Ses
 }
 
 ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) {
-  const InterruptionGuard guard;  // before there is anything to clean up
+  const InterruptionGuard guard;            // before there is anything to clean up
+  const MadeFolder folder(options.folder);  // before those inside it, so removed after them
   std::list<StudyWriter> writers;
   for (Study& study : wanted_studies(options)) {
     const std::filesystem::path path = std::filesystem::path(options.folder) / study.name;

@@ -31,6 +31,21 @@ const CaseTable* table_of(std::string_view experiment) {
   return found == case_tables().end() ? nullptr : &*found;
 }
 
+/// What else a command runs or requests, see CaseTable.
+std::string_view requested_part(const std::string& command, const Case& input) {
+  const CaseTable* const own = table_of(command);
+  return own != nullptr && own->requested_part ? own->requested_part(input) : "";
+}
+
+/// Commands whose tables the case has.
+std::vector<std::string> commands_of_tables(const Case& input) {
+  std::vector<std::string> commands;
+  for (const CaseTable& table : case_tables()) {
+    if (table.given && table.given(input)) commands.emplace_back(table.experiment);
+  }
+  return commands;
+}
+
 /// Names of the experiments with a table that take bearings with pads, for messages: "cycle, path or vibration".
 std::string experiments_with_pads() {
   std::vector<std::string_view> names;
@@ -96,6 +111,23 @@ void take_frame(Case& input, const Fault& fault) {
                   fault.key, fault.what));
 }
 
+/// Adds what the checks of the commands find, or of all that have a table, where none is named.
+void run_checks(const CaseRequest& request, const Case& input, ReadingLog& log) {
+  if (!request.check) return;
+  Case settings_alone;
+  settings_alone.settings = input.settings;
+  settings_alone.montecarlo = input.montecarlo;
+  const bool named = !request.commands.empty();
+  for (const std::string& command : named ? request.commands : commands_of_tables(input)) {
+    const CaseTable* const own = table_of(command);
+    const std::string table(own == nullptr ? command : own->needs);
+    if (log.blames(table + ".command")) continue;  // what it runs is not known
+    // What the command runs can be built though its own table has errors, which are listed with those of the check.
+    const bool can_be_built = named && log.is_sound_but_for(table);
+    for (const Fault& fault : request.check(command, can_be_built ? input : settings_alone)) log.later_fault(fault);
+  }
+}
+
 }  // namespace
 
 Case parse_case(std::string_view text, const std::string& file, const CaseRequest& request) {
@@ -114,9 +146,10 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     if (!table.given(input)) {
       log.later_fault({"", 0, std::string(table.needs), "", "requests nothing", "give its keys, or remove it"});
     }
-    if (!table.flat || !input.bearing.is_flat() ||
-        std::all_of(requested.begin(), requested.end(),
-                    [&](const auto& command) { return command == table.experiment; })) {
+    const auto needs_none = [&](const std::string& command) {
+      return command == table.experiment || requested_part(command, input) == table.experiment;
+    };
+    if (!table.flat || !input.bearing.is_flat() || std::all_of(requested.begin(), requested.end(), needs_none)) {
       continue;
     }
     const auto missed = [&](const char* key, const char* advice) {
@@ -128,8 +161,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   }
   std::vector<std::string> commands = requested;
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    const CaseTable* const own = table_of(commands[i]);
-    const std::string_view part = own != nullptr && own->requested_part ? own->requested_part(input) : "";
+    const std::string_view part = requested_part(commands[i], input);
     if (!part.empty()) commands.emplace_back(part);
   }
   const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
@@ -169,26 +201,18 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     }
   }
   for (const Fault& fault : faults) log.later_fault(fault);
-  for (const std::string& command : requested) {
-    const CaseTable* const own = table_of(command);
-    const std::string table(own == nullptr ? command : own->needs);
-    // What the command runs can be built though its own table has errors, which are listed with those of the check.
-    if (!request.check || !log.is_sound_but_for(table, table + ".command")) continue;
-    for (const Fault& fault : request.check(command, input)) log.later_fault(fault);
-  }
+  if (!requested.empty() || !log.is_sound()) run_checks(request, input, log);
   log.throw_if_faulty();
   return input;
 }
 
 CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
                        const CaseCheck& check) {
-  CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}}), .commands = {}};
+  CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}, .check = check}),
+                      .commands = {}};
   const Case& input = checked.input;
   std::vector<Fault> faults;
-  std::vector<std::string> commands;
-  for (const CaseTable& table : case_tables()) {
-    if (table.given && table.given(input)) commands.emplace_back(table.experiment);
-  }
+  std::vector<std::string> commands = commands_of_tables(input);
   if (input.montecarlo) commands.emplace_back("montecarlo");
   for (const std::string& command : commands) {
     CheckedCommand& one = checked.commands.emplace_back(CheckedCommand{command, {}});

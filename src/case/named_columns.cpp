@@ -78,7 +78,9 @@ std::optional<NamedColumn> find_named_column(CsvRows& rows, std::size_t line, st
       given.empty() ? by_known_names(columns, wanted) : by_given_name(columns, given, wanted.dimension);
   if (found.size() == 1) return std::move(found.front());
   const std::string unit = wanted.dimension ? fmt::format(" [{}]", wanted.unit) : "";
-  const std::string choice = fmt::format("{} '{}=NAME{}'", option, wanted.key, unit);
+  const std::string assigned = fmt::format("{}=NAME{}", wanted.key, unit);
+  const std::string choice = option.starts_with("--") ? fmt::format("{} '{}'", option, assigned)
+                                                      : fmt::format("{} = \"{}\"", option, assigned);
   if (!found.empty()) {
     rows.fault(line, header, fmt::format("has {} columns of the {}", found.size(), wanted.key),
                fmt::format("specify which one: {}", choice));

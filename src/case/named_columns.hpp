@@ -31,7 +31,7 @@ struct NamedColumn {
 /// Finds a column by one of its usual names, or by the one that is given, which may have a unit behind it that the file
 /// has not: "Channel 3 [mm]". One that is missing, or is there more than once, is a fault of the header.
 /// @param given   empty: by its usual names
-/// @param option  by which names are given: "--columns"
+/// @param option  by which names are given: "--columns", or "columns" of a case
 std::optional<NamedColumn> find_named_column(CsvRows& rows, std::size_t line, std::string_view header,
                                              const std::vector<std::string>& columns, const WantedColumn& wanted,
                                              const std::string& given, std::string_view option);

@@ -80,10 +80,13 @@ void ReadingLog::later_fault(const Fault& fault) {
   add(std::move(placed));
 }
 
-bool ReadingLog::is_sound_but_for(const std::string& table, const std::string& key) const {
-  return std::all_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
-    return fault.key.starts_with(table + '.') && !fault.key.starts_with(key);
-  });
+bool ReadingLog::is_sound_but_for(const std::string& table) const {
+  return std::all_of(faults_.begin(), faults_.end(),
+                     [&](const Fault& fault) { return fault.key.starts_with(table + '.'); });
+}
+
+bool ReadingLog::blames(const std::string& key) const {
+  return std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) { return fault.key.starts_with(key); });
 }
 
 bool ReadingLog::full() const {

@@ -46,8 +46,14 @@ class ReadingLog {
   /// A fault found after reading, dropped if its key, or what holds it, was at fault before.
   void later_fault(const Fault& fault);
 
-  /// Whether all that is wrong so far lies in this table, and not in this key.
-  [[nodiscard]] bool is_sound_but_for(const std::string& table, const std::string& key) const;
+  /// Whether nothing is wrong so far.
+  [[nodiscard]] bool is_sound() const { return faults_.empty(); }
+
+  /// Whether all that is wrong so far lies in this table.
+  [[nodiscard]] bool is_sound_but_for(const std::string& table) const;
+
+  /// Whether something is wrong with this key, or in it.
+  [[nodiscard]] bool blames(const std::string& key) const;
 
   /// A fault with its own place.
   void add(Fault fault, ErrorKind kind = ErrorKind::input);

@@ -90,7 +90,7 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
   return {nullptr, path};
 }
 
-/// Equally spaced values from one to another, both of them included.
+/// Equally spaced values from one to another, both of them included; none where something is wrong with them.
 void TableReader::range(const Key& key, const toml::table& ends, const std::string& path, std::vector<double>& values) {
   std::optional<double> from;
   std::optional<double> to;
@@ -102,30 +102,33 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
   reader.value({.name = "points", .presence = Presence::optional, .title = "Number of values"}, &points);
   reader.value(key_called("step", Presence::optional, key), &step);
   reader.finish();
+  const auto refuse = [&](const std::string& where, std::string what, std::string advice) {
+    log_.fault(where, std::move(what), std::move(advice));
+    log_.told(path);
+  };
   const bool counted = ends.contains("points");
   if (counted == ends.contains("step")) {
-    return log_.fault(path, counted ? "has both points and step" : "has neither points nor step",
-                      "give one of the two: how many values there are, or how far apart they lie");
+    return refuse(path, counted ? "has both points and step" : "has neither points nor step",
+                  "give one of the two: how many values there are, or how far apart they lie");
   }
-  if (!from || !to || (!counted && !step)) return;
+  if (!from || !to || (!counted && !step)) return log_.told(path);
   const double span = *to - *from;
   double spaces = counted ? points - 1.0 : span == 0.0 ? 0.0 : *step == 0.0 ? -1.0 : span / *step;
   const std::string last = path + (counted ? ".points" : ".step");
   if (!counted && std::abs(spaces - std::round(spaces)) <= step_rounding) spaces = std::round(spaces);
   if (!(spaces >= 0.0)) {  // nor is what is not finite
-    return log_.fault(last, counted ? "is not a valid number of values" : "does not lead to the last value",
-                      counted ? "give a whole number from 2 on" : "give a step from the first value to the last");
+    return refuse(last, counted ? "is not a valid number of values" : "does not lead to the last value",
+                  counted ? "give a whole number from 2 on" : "give a step from the first value to the last");
   }
   if (spaces >= most_bumps) {
-    return log_.fault(last, fmt::format("makes {:.6g} values", spaces + 1.0),
-                      fmt::format("give at most {}", most_bumps));
+    return refuse(last, fmt::format("makes {:.6g} values", spaces + 1.0), fmt::format("give at most {}", most_bumps));
   }
   if (spaces != std::floor(spaces)) {
-    return log_.fault(last, "does not lead to the last value", "give a step that fits, or points in its place");
+    return refuse(last, "does not lead to the last value", "give a step that fits, or points in its place");
   }
   if ((spaces == 0.0) != (span == 0.0)) {
-    return log_.fault(last, span == 0.0 ? "repeats the same value" : "is 1, but the ends differ",
-                      span == 0.0 ? "give one point, or ends that differ" : "give 2 or more");
+    return refuse(last, span == 0.0 ? "repeats the same value" : "is 1, but the ends differ",
+                  span == 0.0 ? "give one point, or ends that differ" : "give 2 or more");
   }
   values.assign(static_cast<std::size_t>(spaces) + 1, *to);
   for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = *from + static_cast<double>(i) * span / spaces;

@@ -9,6 +9,8 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/model/validation.hpp"
 #include "case/key_list.hpp"
 #include "experiments/fit/fit_keys.hpp"
 #include "optimise/point_runner.hpp"
@@ -45,14 +47,40 @@ LimitWords words_for(const std::string& key, const OptimiseSettings& settings) {
           "its result.nc, and sweep.nc of its sweeps, have their names", "h_min > 5 um"};
 }
 
+std::vector<Fault> faults_of_model(Case input, OptimiseSettings settings) {
+  input.settings.set(std::move(settings));
+  std::vector<Fault> faults;
+  collect_faults(faults, [&] { const OptimiseModel model(input); });
+  return faults;
+}
+
+/// Quantities and limits that no result of the command has, whatever the bearing: its small runs have all there are.
+std::vector<Fault> faults_whatever_the_bearing(const Case& input, OptimiseSettings settings) {
+  const bool ensemble = settings.command == OptimisedCommand::montecarlo;
+  if (ensemble && !input.montecarlo) return {};
+  const std::string command(ensemble ? name_of(input.montecarlo->command) : name_of(settings.command));
+  settings.keys.clear();
+  std::optional<std::vector<Fault>> all;
+  for (const std::vector<std::string>& keys : experiment_named(command).small_runs) {
+    Case reference = parse_case(case_template("gen1"), "", {.overrides = keys, .commands = {command}});
+    reference.montecarlo = input.montecarlo;
+    const std::vector<Fault> own = faults_of_model(std::move(reference), settings);
+    if (!all) all = own;
+    std::erase_if(*all, [&own](const Fault& fault) {
+      return std::none_of(own.begin(), own.end(), [&fault](const Fault& other) { return other.key == fault.key; });
+    });
+  }
+  return all.value_or(std::vector<Fault>{});
+}
+
 }  // namespace
 
 OptimiseModel::OptimiseModel(const Case& input) : settings_(*input.settings.find<OptimiseSettings>()) {
   Case bare = input;
   bare.settings.set(OptimiseSettings{});
   text_ = case_to_toml(bare);
-  runner_ = make_point_runner(bare, settings_);
   std::vector<Fault> faults;
+  runner_ = make_point_runner(bare, settings_, faults);
   read_aims(faults);
   read_limits(faults);
   find_start(bare, faults);
@@ -149,15 +177,14 @@ std::optional<OptimisePoint> OptimiseModel::evaluate(const std::vector<double>& 
 }
 
 std::vector<Fault> optimise_faults(const Case& input) {
-  // Errors of keys are those of [optimise] itself; the quantities do not depend on them.
   OptimiseSettings settings = *input.settings.find<OptimiseSettings>();
+  Case bare = input;
+  bare.settings.set(OptimiseSettings{});
+  if (!find_faults(bare).empty()) return faults_whatever_the_bearing(input, std::move(settings));
+  // Errors of keys are those of [optimise] itself; the quantities do not depend on them.
   std::erase_if(settings.keys,
                 [](const OptimisedKey& one) { return !is_fitted_key(one.key) || !(one.lower < one.upper); });
-  Case sound = input;
-  sound.settings.set(std::move(settings));
-  std::vector<Fault> faults;
-  collect_faults(faults, [&] { const OptimiseModel model(sound); });
-  return faults;
+  return faults_of_model(std::move(bare), std::move(settings));
 }
 
 }  // namespace bumpfoil

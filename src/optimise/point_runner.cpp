@@ -92,9 +92,9 @@ const std::vector<NamedStatistic>& named_statistics() {
 /// An ensemble: the same bearings of the seed at every point, so that points differ by their keys alone.
 class EnsembleRunner final : public PointRunner {
  public:
-  EnsembleRunner(const Case& input, const OptimiseSettings& settings) : texts_(settings.bearing_limits) {
+  EnsembleRunner(const Case& input, const OptimiseSettings& settings, std::vector<Fault>& faults)
+      : texts_(settings.bearing_limits) {
     const EnsembleLayout layout = make_ensemble_layout(input);
-    std::vector<Fault> faults;
     for (std::size_t i = 0; i < texts_.size(); ++i) {
       try {
         static_cast<void>(parse_limits({texts_[i]}, layout));
@@ -105,7 +105,6 @@ class EnsembleRunner final : public PointRunner {
         }
       }
     }
-    if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
     if (!texts_.empty()) kept_.push_back({std::string(yield_name), "1", shown::unitless, 0, 0});
     for (std::size_t column = 1; column < layout.columns.size(); ++column) {
       const VariableMeaning& meaning = layout.columns[column].meaning;
@@ -198,8 +197,11 @@ class EnsembleRunner final : public PointRunner {
 
 }  // namespace
 
-std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings) {
-  if (settings.command == OptimisedCommand::montecarlo) return std::make_unique<EnsembleRunner>(input, settings);
+std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings,
+                                                     std::vector<Fault>& faults) {
+  if (settings.command == OptimisedCommand::montecarlo) {
+    return std::make_unique<EnsembleRunner>(input, settings, faults);
+  }
   return std::make_unique<ExperimentRunner>(experiment_named(name_of(settings.command)), input);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/optimise/optimise.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "results/quantity_limit.hpp"
@@ -36,8 +37,9 @@ class PointRunner {
                                      const ProgressCallback& progress) const = 0;
 };
 
-/// The runner of the command of [optimise].
-/// @throws Error (input) with faults of the limits of bearings, and if the case cannot be built
-std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings);
+/// The runner of the command of [optimise]. @param faults  receives those of the limits of bearings
+/// @throws Error (input) if the case cannot be built
+std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings,
+                                                     std::vector<Fault>& faults);
 
 }  // namespace bumpfoil

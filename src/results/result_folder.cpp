@@ -11,6 +11,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/results/made_folder.hpp"
 #include "results/folder_claim.hpp"
 #include "results/posix_file.hpp"
 #include "results/publication.hpp"
@@ -34,25 +35,6 @@ void clean_up(const fs::path& folder) {
 }  // namespace
 
 struct ResultFolder::Claimed {
-  /// A folder that is removed in the end where it was made here and stayed empty.
-  class MadeFolder {
-   public:
-    explicit MadeFolder(const fs::path& path) : path_(path) {
-      std::error_code code;
-      made_ = fs::create_directories(path_, code);
-      if (code) throw_unwritable(path_, code.value());
-    }
-    ~MadeFolder() {
-      if (made_) ::rmdir(path_.c_str());
-    }
-    MadeFolder(const MadeFolder&) = delete;
-    MadeFolder& operator=(const MadeFolder&) = delete;
-
-   private:
-    fs::path path_;
-    bool made_{};
-  };
-
   explicit Claimed(const fs::path& path)
       : folder(path), claim(path), staging(work_folder(path) / (std::string(staging_prefix) + random_digits())) {
     clean_up(path);

@@ -44,13 +44,22 @@ class Running {
     posix_spawn_file_actions_destroy(&actions);
   }
 
+  /// Ends a program that a test left running as it failed.
+  ~Running() {
+    if (process_ <= 0) return;
+    end(SIGKILL);
+    wait();
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
   void interrupt() const { end(SIGINT); }
   void end(int signal) const { kill(process_, signal); }
 
   /// Exit code, or 1000 plus the signal that ended it.
-  int wait() const {
+  int wait() {
     int status = 0;
-    waitpid(process_, &status, 0);
+    waitpid(std::exchange(process_, 0), &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   }
 
@@ -70,7 +79,7 @@ struct ProgramOutcome {
 
 inline ProgramOutcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& launcher = {}) {
   const TemporaryFolder folder;
-  const Running program(arguments, (folder.path() / "output").string(), launcher);
+  Running program(arguments, (folder.path() / "output").string(), launcher);
   const int exit_code = program.wait();
   return {exit_code, folder.read("output"), program.errors()};
 }

@@ -165,9 +165,9 @@ TEST_F(RunningBearing, MayHavePads) {
 
 TEST_F(RunningBearing, MayBeInterrupted) {
   // Long enough to be interrupted on any machine.
-  const Running program(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--set", "film.rows=40", "--set",
-                                                "film.columns_per_pitch=12"}),
-                        (folder_.path() / "output").string());
+  Running program(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--set", "film.rows=40", "--set",
+                                          "film.columns_per_pitch=12"}),
+                  (folder_.path() / "output").string());
   while (!wrote_results()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   program.interrupt();

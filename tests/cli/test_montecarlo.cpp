@@ -254,7 +254,7 @@ TEST_F(MonteCarloProgram, StopsWhereTheErrorIsSmallEnough) {
 
 TEST_F(MonteCarloProgram, AnInterruptedRunLeavesFlaggedResultsAndGoesOn) {
   const std::vector<std::string> command = montecarlo("results", 1000000);
-  const Running program(command, (folder_.path() / "output").string());
+  Running program(command, (folder_.path() / "output").string());
   while (!has("results/ensemble.checkpoint")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   program.interrupt();
@@ -284,7 +284,7 @@ TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
   // Long enough to have written some, on slow machines, too.
   std::uniform_int_distribution<int> milliseconds(0, std::max(600, static_cast<int>(whole.count() / 8)));
   for (int kills = 0; kills < 20; ++kills) {
-    const Running program(command, (folder_.path() / "output").string());
+    Running program(command, (folder_.path() / "output").string());
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds(random)));
     program.end(SIGKILL);
     const int ended = program.wait();

@@ -451,8 +451,8 @@ TEST_F(Program, ReportSaysWhatItWasBuiltWithout) {
 
 TEST_F(Program, AnInterruptedRunLeavesFlaggedResults) {
   // Long enough to be interrupted on any machine.
-  const Running program({"cycle", case_path_, "-o", results_, "--set", "cycle.steps=80000"},
-                        (folder_.path() / "output").string());
+  Running program({"cycle", case_path_, "-o", results_, "--set", "cycle.steps=80000"},
+                  (folder_.path() / "output").string());
   while (!wrote_results()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   program.interrupt();
@@ -507,7 +507,7 @@ TEST_F(Program, ReproducesWithoutGnuplot) {
 }
 
 TEST_F(Program, AnInterruptedReproductionLeavesWholeStudies) {
-  const Running program({"reproduce", "-o", results_, "--all"}, (folder_.path() / "output").string());
+  Running program({"reproduce", "-o", results_, "--all"}, (folder_.path() / "output").string());
   while (!std::filesystem::exists(results_ + "/figure10/study.json")) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

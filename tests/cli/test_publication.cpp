@@ -212,6 +212,11 @@ TEST_F(RunInShell, ReproduceReplacesNothingUnlessForced) {
   }
 }
 
+TEST_F(RunInShell, AFailedReproductionLeavesNoFolders) {
+  EXPECT_EQ(run("ulimit -f 1; $bumpfoil reproduce -o new/paper --figure 10 --figure 16"), 4) << log();
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "new"));
+}
+
 #if BUMPFOIL_HAS_REPORT
 TEST_F(RunInShell, AReportDoesNotReplaceWhatItIsMadeFrom) {
   ASSERT_EQ(run(cycle + "-o base && ln -s base link"), 0);

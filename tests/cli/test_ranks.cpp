@@ -136,7 +136,7 @@ TEST_F(Ranks, SayWhereTheErrorIsSmallEnough) {
 /// Of a job that was killed there is what it had written, and its log tells how far it was.
 TEST_F(Ranks, GoOnWhereTheyWereKilled) {
   {
-    const Running job(montecarlo("results", 1000000), (folder_.path() / "output").string(), mpirun(2));
+    Running job(montecarlo("results", 1000000), (folder_.path() / "output").string(), mpirun(2));
     const auto written = [&] {
       const std::string checkpoint = "results/ensemble.checkpoint";
       return has(checkpoint) ? std::filesystem::file_size(folder_.path() / checkpoint) : 0;

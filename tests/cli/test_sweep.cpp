@@ -233,9 +233,9 @@ TEST_F(SweepProgram, FindsLimitsOverTheSpeed) {
 
 TEST_F(SweepProgram, AnInterruptedSweepLeavesFlaggedResults) {
   // The first point is done at once, the others are long enough to be interrupted on any machine.
-  const Running program({"sweep", case_path_, "--over", "cycle.steps=[2, 80000, 80001]", "-o", results_, "--set",
-                         "cycle.directions=[\"+X\"]", "--threads", "1"},
-                        (folder_.path() / "output").string());
+  Running program({"sweep", case_path_, "--over", "cycle.steps=[2, 80000, 80001]", "-o", results_, "--set",
+                   "cycle.directions=[\"+X\"]", "--threads", "1"},
+                  (folder_.path() / "output").string());
   while (!wrote_results()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   program.interrupt();

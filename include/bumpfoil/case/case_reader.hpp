@@ -20,7 +20,9 @@ struct CaseRequest {
   /// Commands that will run the case: their tables must be present, and whatever prevents one from running is an error.
   /// With "montecarlo" a case that names no solver gets ensemble_solver(), with "fit" `events` where it can.
   std::vector<std::string> commands;
-  CaseCheck check{};  ///< of each of these commands, of a case without other errors
+  /// Of each of these commands. Of a case with errors outside of its table it gets the settings of experiments and
+  /// ensembles alone, for a bearing that may not be; with no command named, of all that have a table.
+  CaseCheck check{};
 };
 
 /// Reads a case file in TOML and checks everything about it: unknown keys, types, units, and find_faults. Every error

@@ -19,9 +19,6 @@
 namespace bumpfoil {
 namespace {
 
-/// By which names of columns are given.
-constexpr std::string_view columns_option = "--columns";
-
 constexpr std::array named_axes{std::pair{"+X", 0.0}, std::pair{"+Y", 90.0}, std::pair{"-X", 180.0},
                                 std::pair{"-Y", 270.0}};
 
@@ -30,7 +27,8 @@ const WantedColumn wanted_displacement{
     Dimension::length,
     "um",
     {"displacement", "disp", "deflection", "travel", "stroke", "position", "Weg", "Auslenkung", "Verschiebung"}};
-const WantedColumn wanted_force{"force", Dimension::force, "N", {"force", "load", "load cell", "F", "Kraft", "Last"}};
+const WantedColumn wanted_force{
+    "force", Dimension::force, "N", {"force", "load", "load cell", "F", "Kraft", "Last", "force_direct"}};
 
 /// Takes the lines one by one.
 class LoopsReader {
@@ -91,14 +89,15 @@ class LoopsReader {
   void read_header(std::size_t line, std::string_view text) {
     const std::vector<std::string> names = rows_.read_header(text);
     displacement_ =
-        find_named_column(rows_, line, text, names, wanted_displacement, given_.displacement, columns_option);
-    force_ = find_named_column(rows_, line, text, names, wanted_force, given_.force, columns_option);
+        find_named_column(rows_, line, text, names, wanted_displacement, given_.displacement, given_.option);
+    force_ = find_named_column(rows_, line, text, names, wanted_force, given_.force, given_.option);
     const std::string& at_name = given_.at.empty() ? at_column_ : given_.at;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (is_column(names[i], at_name) || is_column(names[i], at_name + "_deg")) at_ = i;
     }
     if (!at_ && !given_.at.empty())
-      rows_.fault(line, text, missing_column(rows_, given_.at, names), "name one of these in --columns");
+      rows_.fault(line, text, missing_column(rows_, given_.at, names),
+                  fmt::format("name one of these in {}", given_.option));
     if (at_ && given_at_) {
       rows_.fault(line, text, fmt::format("has a column {}", names[*at_]),
                   fmt::format("leave out the {} after the file name", at_column_));
@@ -136,13 +135,14 @@ class LoopsReader {
 
 }  // namespace
 
-MeasuredColumns parse_measured_columns(std::string_view text) {
+MeasuredColumns parse_measured_columns(std::string_view text, std::string_view option) {
   MeasuredColumns columns;
+  columns.option = option;
   const std::array<std::pair<std::string_view, std::string*>, 4> keys{{{"displacement", &columns.displacement},
                                                                        {"force", &columns.force},
                                                                        {"direction", &columns.at},
                                                                        {"cycle", &columns.at}}};
-  parse_column_names(text, keys, columns_option, "displacement=NAME,force=NAME,direction=NAME");
+  parse_column_names(text, keys, option, "displacement=NAME,force=NAME,direction=NAME");
   return columns;
 }
 

@@ -19,12 +19,14 @@ struct MeasuredLoop {
 struct MeasuredColumns {
   std::string displacement;  ///< "s [mm]"
   std::string force;
-  std::string at;  ///< direction or cycle
+  std::string at;                        ///< direction or cycle
+  std::string_view option{"--columns"};  ///< by which they are given
 };
 
 /// Reads `displacement=NAME,force=NAME,direction=NAME`, names with or without quotes, commas in them included.
+/// @param option  of the command line, or key of the case, that they are given by
 /// @throws Error (input)
-MeasuredColumns parse_measured_columns(std::string_view text);
+MeasuredColumns parse_measured_columns(std::string_view text, std::string_view option = "--columns");
 
 /// Reads measured loops: a column of displacements and one of forces, by common names ("displacement_um", "Load (N)",
 /// "Kraft [kN]") or by those given, written as for read_height_errors(); of several loops also the column `at_column`

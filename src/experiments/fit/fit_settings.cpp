@@ -21,11 +21,15 @@ constexpr int most_fit_points = 10'000;
 constexpr int most_starts = 100;
 constexpr int fewest_readings = 8;
 
+bool is_of_strip(const FitData& data) {
+  return data.experiment == FittedExperiment::strip;
+}
+
 /// The loop of a file that was measured in this direction; of a strip the last.
 void take_loop(FitData& data, const std::string& path) {
-  const bool strip = data.experiment == FittedExperiment::strip;
+  const bool strip = is_of_strip(data);
   const std::vector<MeasuredLoop> loops =
-      read_measured_loops(path, strip ? "cycle" : "direction", parse_measured_columns(data.columns));
+      read_measured_loops(path, strip ? "cycle" : "direction", parse_measured_columns(data.columns, "columns"));
   const auto is_wanted = [&data, strip](const MeasuredLoop& loop) {
     const double turns = loop.at ? (*loop.at - data.direction * 180.0 / std::numbers::pi) / 360.0 : 0.0;
     return strip || std::abs(turns - std::round(turns)) < 1e-9;
@@ -181,10 +185,7 @@ void describe_fit(CaseVisitor& keys, Case& input) {
       });
 }
 
-void judge_loop(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
-  const bool strip = data.experiment == FittedExperiment::strip;
-  judge.require_for("fit", !strip || input.strip.has_value(), key + ".experiment", "strip", "needs the table [strip]",
-                    "add [strip] with its displacement");
+void judge_loop(Judge& judge, const FitData& data, const std::string& key) {
   judge.require_for("fit", data.displacements.size() == data.forces.size(), key + ".forces",
                     std::to_string(data.forces.size()),
                     fmt::format("are not as many as displacements, {}", data.displacements.size()),
@@ -258,7 +259,10 @@ void judge_table(Judge& judge, const Case& input, const FitData& data, const std
 }
 
 void judge_data(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
-  data.is_loop() ? judge_loop(judge, input, data, key) : judge_table(judge, input, data, key);
+  judge.require_for("fit", is_of_strip(data) || !input.bearing.is_flat(), key + ".experiment",
+                    std::string(name_of(data.experiment)), "needs a bearing with a radius",
+                    "give bearing.radius and bearing.radial_clearance");
+  data.is_loop() ? judge_loop(judge, data, key) : judge_table(judge, input, data, key);
   judge.angle(key + ".direction", data.direction);
   judge.count(key + ".points", data.points, "points", {fewest_readings, most_fit_points});
   if (data.force_std) judge.within(key + ".force_std", *data.force_std, load_range);
@@ -331,9 +335,15 @@ CaseTable fit_settings() {
           .needs = "fit",
           .describe = describe_fit,
           .check = judge_fit,
-          .given = [](const Case& input) {
+          .given =
+              [](const Case& input) {
+                const FitSettings* const fit = input.settings.find<FitSettings>();
+                return fit != nullptr && *fit != FitSettings{};
+              },
+          .requested_part = [](const Case& input) -> std::string_view {
             const FitSettings* const fit = input.settings.find<FitSettings>();
-            return fit != nullptr && *fit != FitSettings{};
+            const bool strips = fit != nullptr && std::any_of(fit->data.begin(), fit->data.end(), is_of_strip);
+            return strips ? name_of(FittedExperiment::strip) : "";
           }};
 }
 

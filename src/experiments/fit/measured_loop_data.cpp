@@ -50,16 +50,15 @@ bool is_swing(const Case& input, const FitData& data) {
 }
 
 Case case_of_loop(Case input, const FitData& data) {
-  if (input.solver.chosen() == SolverName::events) {  // which follows whole legs exactly
-    input.cycle.steps = 1;
-    if (input.strip) input.strip->steps = 1;
-  }
+  const bool whole_legs = input.solver.chosen() == SolverName::events;  // which follows them exactly
   const Target amplitude{Control::displacement,
                          *std::max_element(data.displacements.begin(), data.displacements.end())};
   if (data.experiment == FittedExperiment::strip) {
+    if (whole_legs) input.strip->steps = 1;
     input.strip->amplitude = amplitude;
     return input;
   }
+  if (whole_legs) input.cycle.steps = 1;
   input.cycle.directions = {data.direction};
   input.cycle.amplitude = amplitude;
   if (data.preload) input.cycle.preload = data.preload;

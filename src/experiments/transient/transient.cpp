@@ -57,14 +57,21 @@ double wave_at(double time, double begin, double duration, const std::optional<d
   return std::sin(frequency.value_or(std::numbers::pi / duration) * (time - begin));
 }
 
-/// @throws Error (input) if there is none
-const RotorStation& place_named(const std::vector<RotorStation>& places, const std::string& name) {
-  const auto found =
-      std::find_if(places.begin(), places.end(), [&](const RotorStation& place) { return place.name == name; });
-  if (found != places.end()) return *found;
+std::vector<RotorStation>::const_iterator place_named(const std::vector<RotorStation>& places,
+                                                      const std::string& name) {
+  return std::find_if(places.begin(), places.end(), [&](const RotorStation& place) { return place.name == name; });
+}
+
+/// @throws Error (input) with the pulses whose places are none of the rotor's
+void require_places(const std::vector<RotorPulse>& pulses, const std::vector<RotorStation>& places) {
   const std::vector<std::string> names = each(places, [](const RotorStation& place) { return place.name; });
-  throw Error(ErrorKind::input, {{"", 0, "transient.pulse.at", name, "is no place of the rotor",
-                                  fmt::format("give one of these: {}", fmt::join(names, ", "))}});
+  std::vector<Fault> faults;
+  for (std::size_t i = 0; i < pulses.size(); ++i) {
+    if (place_named(places, pulses[i].at) != places.end()) continue;
+    faults.push_back({"", 0, fmt::format("transient.pulse[{}].at", i + 1), pulses[i].at, "is no place of the rotor",
+                      fmt::format("give one of these: {}", fmt::join(names, ", "))});
+  }
+  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
 }
 
 /// Weight, unbalance, pulses and the inertia of a base that moves.
@@ -81,7 +88,7 @@ RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSetti
   const double part = rotor_settings.tilts() ? 1.0 : 0.5;
   for (const RotorPulse& pulse : settings.pulses) {
     const Eigen::Vector2d force(pulse.force[0], pulse.force[1]);
-    pulses.push_back({pulse, part * place_named(places, pulse.at).motion.transpose() * force});
+    pulses.push_back({pulse, part * place_named(places, pulse.at)->motion.transpose() * force});
   }
   std::vector<std::pair<BaseMotion, Eigen::VectorXd>> base;
   base.reserve(settings.base.size());
@@ -140,7 +147,7 @@ TransientResult transient_not_begun(const Case& input) {
                          .layout = {},
                          .steps = {}};
   const std::vector<RotorStation> places = result.machine.places();
-  for (const RotorPulse& pulse : settings.pulses) place_named(places, pulse.at);
+  require_places(settings.pulses, places);
   result.layout = {.places = places.size(), .bearings = result.machine.rotor.bearings.size()};
   result.speed = program.start();
   return result;

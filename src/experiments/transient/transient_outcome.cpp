@@ -4,6 +4,7 @@
 
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/transient/transient.hpp"
+#include "bumpfoil/model/validation.hpp"
 #include "case/case_json.hpp"
 #include "experiments/transient/transient_checkpoint.hpp"
 #include "experiments/transient/transient_quantities.hpp"
@@ -103,6 +104,17 @@ Outcome stage_transient(const Case& input, const StagedRun& staged, const Progre
   return outcome;
 }
 
+/// Places of pulses that only the rotor tells.
+std::vector<Fault> transient_faults(const Case& input) {
+  if (!find_faults(input).empty()) return {};  // without its bearings there is no rotor
+  try {
+    static_cast<void>(transient_not_begun(input));
+  } catch (const Error& error) {
+    return error.faults();
+  }
+  return {};
+}
+
 }  // namespace
 
 ExperimentInfo transient_experiment() {
@@ -126,6 +138,7 @@ ExperimentInfo transient_experiment() {
           .files = {"summary.json", "transient.csv", "result.nc"},
           .sampled = EnsembleCommand::transient,
           .run = run,
+          .check = transient_faults,
           .staged = stage_transient,
           .checkpoints = transient_checkpoint_names(),
           .sweeping = Sweeping{.run = run,

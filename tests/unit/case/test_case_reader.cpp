@@ -124,6 +124,12 @@ TEST(ParseCase, ReadsRangesWhereListsAreDue) {
   expect_refused("{from=5, to=20, points=1}", ".points = 1: is 1, but the ends differ");
   expect_refused("{from=5, to=20, points=0}", ".points = 0: is not a valid number");
   expect_refused("{from=5, to=20, points=100001}", ".points = 100001: makes 100001 values; give at most 100000");
+  // Whatever is wrong with it, it is not missing.
+  for (const char* wrong : {"{from=5, to=20, points=100001}", "{from=5, to=\"1 N\", points=2}", "{from=5, to=20}"}) {
+    const std::string said = refusal({"equilibrium.loads=[[50, 0]]", std::string("equilibrium.speeds=") + wrong});
+    EXPECT_NE(said.find("equilibrium.speeds"), std::string::npos) << said;
+    EXPECT_EQ(said.find("no speed"), std::string::npos) << said;
+  }
   expect_refused("{from=5, to=20, step=1e-9}", ".step = 1e-09: makes 1.5e+10 values");
   expect_refused("{from=5, to=20, step=0}", ".step = 0: does not lead");
   expect_refused("{from=5, to=20, step=-5}", ".step = -5: does not lead to the last value");

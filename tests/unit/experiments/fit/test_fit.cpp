@@ -183,6 +183,12 @@ TEST(Fit, TellsParametersAtABound) {
   EXPECT_FALSE(result.parameters[0].standard_error);
   EXPECT_TRUE(result.parameters[1].standard_error);
   EXPECT_TRUE(warns(result, "friction.coefficient lies at a bound"));
+  EXPECT_EQ(result.degrees_of_freedom, std::ssize(result.data[0].points) - 1);
+  const FittedValue lower =
+      run_fit(fit_of(few_bumps(0.1, 28e-6), data, {fitted("friction.coefficient", 0.3, 0.2, 0.4)})).parameters[0];
+  EXPECT_TRUE(lower.at_bound);
+  EXPECT_EQ(lower.value, 0.2);
+  EXPECT_FALSE(lower.standard_error);
 }
 
 TEST(Fit, LetsAPriorDecideWhereDataDoNot) {
@@ -193,6 +199,28 @@ TEST(Fit, LetsAPriorDecideWhereDataDoNot) {
   const FitResult result = run_fit(fit_of(few_bumps(0.1, 28e-6), data, {any_friction, known}));
   EXPECT_NEAR(result.parameters[1].value, 3.15, 5e-4);
   EXPECT_LT(*result.parameters[1].standard_error, 2e-4);
+}
+
+/// A prior is a residual like those of the data.
+TEST(Fit, CountsPriorsInChiSquare) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 7);
+  FitParameter wrong = any_friction;
+  wrong.mean = 0.12;
+  wrong.std = 0.002;
+  const FitResult result = run_fit(fit_of(few_bumps(0.1, 28e-6), data, {wrong}));
+  const double prior = std::pow((result.parameters[0].value - 0.12) / 0.002, 2);
+  EXPECT_GT(prior, 10.0);
+  double all = prior;
+  double squares = 0.0;
+  const std::vector<FittedPoint>& points = result.data[0].points;
+  for (const FittedPoint& point : points) {
+    all += std::pow((point.fitted - point.measured) / point.std, 2);
+    squares += std::pow(point.fitted - point.measured, 2);
+  }
+  EXPECT_NEAR(result.chi_square, all, 1e-9 * all);
+  EXPECT_EQ(result.degrees_of_freedom, std::ssize(points));  // and one for the prior, less one for the parameter
+  EXPECT_NEAR(result.data[0].quantities[0].residual, std::sqrt(squares / static_cast<double>(points.size())), 1e-9);
+  EXPECT_GT(result.runs, 3U);
 }
 
 TEST(Fit, IsNotMisledByOutliersWithHubersLoss) {
@@ -219,6 +247,50 @@ TEST(Fit, FitsStripsAndReversedCycles) {
   FitData swing = rig_loop(run_cycles(preloaded), {}, 0.2, 10);
   for (double& s : swing.displacements) s -= std::hypot(30e-6, 30e-6);  // rigs count from the preload
   expect_found(run_fit(fit_of(preloaded, swing, {any_friction})).parameters[0], 0.12);
+}
+
+/// Strips have neither radius nor clearance; those that `bumpfoil strip` computed are read as they are.
+TEST(Fit, FitsStripsWithoutABearing) {
+  const std::string strip = case_template("larsen-strip");
+  const Case truth = parse_case(strip, "", {.overrides = {}, .commands = {"strip"}});
+  ASSERT_TRUE(truth.bearing.is_flat());
+  const test_support::TemporaryFolder folder;
+  std::string csv = "cycle,displacement_um,force_direct_N\n";
+  const CycleResult computed = run_strip(truth);
+  for (const Increment& increment : computed.cycles.back().increments) {
+    csv += "2," + std::to_string(increment.displacement * 1e6) + ',' + std::to_string(increment.force_direct) + '\n';
+  }
+  folder.write("strip.csv", csv);
+  const auto read = [&](const std::string& experiment) {
+    return parse_case(strip + "\n[[fit.data]]\nfile = \"strip.csv\"\nexperiment = \"" + experiment +
+                          "\"\n\n[[fit.parameter]]\nkey = \"friction.coefficient\"\nstart = 0.3\nlower = 0.0\n"
+                          "upper = 0.5\n",
+                      folder.path() / "case.toml", {.overrides = {"fit.starts=1"}, .commands = {"fit"}});
+  };
+  const FitResult result = run_fit(read("strip"));
+  EXPECT_EQ(result.status, Status::converged);
+  EXPECT_NEAR(result.parameters[0].value, truth.friction.top_bump, 1e-3);
+  EXPECT_EQ(parse_case(fitted_case_text(result), "case.toml", {.overrides = {}, .commands = {"strip"}}), result.fitted);
+  try {
+    read("cycle");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("fit.data[1].experiment = cycle: needs a bearing"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Fit, SaysWhichColumnsToNameInTheCase) {
+  const test_support::TemporaryFolder folder;
+  folder.write("loop.csv", "s (um),Channel 4\n0,0\n");
+  try {
+    parse_case(case_template("gen1") + "\n[[fit.data]]\ncolumns = \"displacement=s\"\nfile = \"loop.csv\"\n",
+               folder.path() / "case.toml", {.overrides = {}, .commands = {"fit"}});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("for another name use columns = \"force=NAME [N]\""), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(Fit, IsReadFromCaseFiles) {

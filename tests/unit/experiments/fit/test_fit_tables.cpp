@@ -187,6 +187,19 @@ TEST(FitTables, AreReadByNamesAndUnits) {
   EXPECT_NE(fault.find("\"um\" is not a unit for a stiffness"), std::string::npos) << fault;
   EXPECT_NE(refused_table(folder, "amplitude_um,load_x,stiffness_N/m\n1,2,3\n", vibrations).find("say its unit"),
             std::string::npos);
+  EXPECT_NE(refused_table(folder, "amplitude_um,stiffness_N/m\n", vibrations).find("contains no row"),
+            std::string::npos);
+  // Of what is missing in the header, once: not again for every row.
+  const auto without = refused_table(folder, "stiffness_N/m\n1\n2\n", vibrations);
+  EXPECT_NE(without.find("has no amplitude_um"), std::string::npos) << without;
+  EXPECT_EQ(without.find("table.csv:2"), std::string::npos) << without;
+  FitData by_other_names = vibrations;
+  EXPECT_EQ(refused_table(folder, "Amp (um);K (MN/m)\n1;2\n", by_other_names), "");
+  FitData running;
+  running.experiment = FittedExperiment::equilibrium;
+  running.column(FitColumn::torque).std = 1e-4;
+  EXPECT_EQ(refused_table(folder, "Drehzahl (rpm);Reibmoment (N mm)\n1;2\n", running), "");
+  EXPECT_NE(refused_table(folder, "Reibmoment (N mm)\n2\n", running).find("has no speed_rpm"), std::string::npos);
   const auto gap = refused_table(folder, "amplitude_um,stiffness_N/m\n1,2\n2,\n", vibrations);
   EXPECT_NE(gap.find("table.csv:3"), std::string::npos) << gap;
 }

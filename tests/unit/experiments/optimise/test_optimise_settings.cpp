@@ -111,6 +111,38 @@ TEST(OptimiseSettings, TellWhatIsWrongAndWhere) {
   EXPECT_NE(both.find("\"max_force\"?"), std::string::npos);
 }
 
+/// Where the case has other errors, names are still compared with those that results of the command may have.
+TEST(OptimiseSettings, TellUnknownQuantitiesBesideErrorsElsewhere) {
+  const std::string elsewhere = "\n[nonsense]\nx = 1\n";
+  const auto expect_all = [](const std::string& found, const std::vector<std::string>& words) {
+    for (const std::string& word : words) EXPECT_NE(found.find(word), std::string::npos) << word << '\n' << found;
+  };
+  const std::string wrong = "maximise = \"los_factor\"\nlimits = [\"loop_energy < 1\", \"max_forc > 1 N\"]\n";
+  const std::string text = elsewhere + "\n[optimise]\ncommand = \"cycle\"\nstarts = 0\n" + wrong + clearance;
+  const std::string all = faults_in(text);
+  expect_all(all, {"nonsense", "optimise.starts", "\"loss_factor\"?", "\"max_force\"?"});
+  EXPECT_EQ(all.find("loop_energy"), std::string::npos) << all;
+  // `check`, which runs no command, says the same.
+  try {
+    check_case(case_template("gen1") + text, "case.toml", {}, faults_of_run);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), all);
+  }
+  // Names that only some results have, such as those of limits; of ensembles those of limits of bearings, too.
+  EXPECT_EQ(faults_in(elsewhere + "[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[50, 0]]\n" +
+                      "\n[optimise]\ncommand = \"equilibrium\"\nmaximise = \"pad_force_x\"\n" + clearance)
+                .find("pad_force_x"),
+            std::string::npos);
+  expect_all(
+      faults_in(elsewhere + "[montecarlo]\nsamples = 2\nbump_height.std = \"1 um\"\n\n[optimise]\n" +
+                "command = \"montecarlo\"\nmaximise = \"yeld\"\nbearing_limits = [\"max_forc > 1 N\"]\n" + clearance),
+      {"nonsense", "\"yield\"", "\"max_force\"?"});
+  // Of a command that nobody knows, nothing is known.
+  EXPECT_EQ(faults_in(elsewhere + "\n[optimise]\ncommand = \"cicle\"\n" + wrong + clearance).find("loss_factor"),
+            std::string::npos);
+}
+
 TEST(OptimiseSettings, NeedTheTablesOfTheirCommand) {
   const std::string lines = "\n[optimise]\ncommand = \"vibration\"\nmaximise = \"loss_factor\"\n";
   expect_fault(lines + clearance, "vibration", "this table is missing");

@@ -271,6 +271,14 @@ TEST(Transient, SaysWhatIsWrongWithItsTable) {
             (Keys{"transient.pulse[1].force", "transient.pulse[1].begin"}));
   settings_of(input).pulses = {{.force = {1.0, 0.0}, .begin = 0.0, .duration = 1.0, .at = "moon"}};
   EXPECT_THROW(transient_not_begun(input), Error);
+  // Only the rotor tells its places: the check of a case that is sound but for them.
+  settings_of(input).pulses.push_back(settings_of(input).pulses.front());
+  settings_of(input).pulses.front().at = "bearing 1";
+  const std::vector<Fault> found = faults_of_run("transient", input);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].key, "transient.pulse[2].at");
+  input.bearing.axial_length = 0.0;
+  EXPECT_TRUE(faults_of_run("transient", input).empty());
 }
 
 }  // namespace
