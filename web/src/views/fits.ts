@@ -26,7 +26,7 @@ function sectionsOf(fit: Fit, id: string, title: (text: string) => string, caseK
 
 /** Fits of cases to measured data, one after the other. */
 export function fitView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
-  const all = results.map((data) => new Fit(data as GridData));
+  const all = results.map((data) => new Fit(data as GridData, caseKeys));
   const several = all.length > 1 || !alone;
   return {
     sections: all.flatMap((fit, i) => sectionsOf(fit, `fit-${i + 1}`, (text) => (several ? `${text}, ${fit.label}` : text), caseKeys)),

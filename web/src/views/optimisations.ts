@@ -49,7 +49,7 @@ function sectionsOf(result: Optimisation, id: string, title: (text: string) => s
 
 /** Optimisations of cases, one after the other. */
 export function optimiseView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
-  const all = results.map((data) => new Optimisation(data as GridData));
+  const all = results.map((data) => new Optimisation(data as GridData, caseKeys));
   const several = all.length > 1 || !alone;
   return {
     sections: all.flatMap((one, i) => sectionsOf(one, `optimised-${i + 1}`, (text) => (several ? `${text}, ${one.label}` : text), caseKeys)),
