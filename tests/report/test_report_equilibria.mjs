@@ -97,7 +97,7 @@ test('film, bumps and journal are those of the state looked at', () =>
       near(Math.max(...sizes), state.highest_bump_load_N, 1e-6, 'highest load');
       assert.equal(sizes.indexOf(Math.max(...sizes)) + 1, state.highest_loaded_bump);
       assert.equal(sizes.filter((size) => size > 0).length, state.loaded_bumps);
-      assert.match(await panelOf(page, 'Bump loads').locator('.subject').textContent(), new RegExp(`detached from ${26 - state.loaded_bumps} of 26 bumps, ${state.lifted_bumps_at_entry} of them at the inlet`));
+      assert.match(await panelOf(page, 'Bump loads').locator('.subject').textContent(), new RegExp(`detached from ${26 - state.loaded_bumps} of 26 bumps${state.lifted_bumps_at_entry > 0 ? `, the first ${state.lifted_bumps_at_entry} at the inlet` : ' · '}`));
       const journal = (await panelOf(page, 'Bearing in operation').locator('.subject').textContent()).match(/journal at \((\S+ \S+), (\S+ \S+)\)/);
       near(quantity(journal[1], 'm'), state.x_m, 1e-2, 'x');
       near(quantity(journal[2], 'm'), state.y_m, 1e-2, 'y');
@@ -108,11 +108,11 @@ test('film, bumps and journal are those of the state looked at', () =>
       const polar = await panelOf(page, 'Film around the journal').locator('svg.round').innerHTML();
       assert.doesNotMatch(polar + drawn, /NaN|undefined/);
     }
-    // In space it is turned by keys and by dragging, and goes back.
-    const space = panelOf(page, 'Bearing in space').locator('canvas');
+    // In three dimensions it is turned by keys and by dragging, and goes back.
+    const space = panelOf(page, 'Bearing in 3D').locator('canvas');
     const label = await space.getAttribute('aria-label');
     near(quantity(label.match(/minimum film thickness (\S+ .?m)/)[1], 'm'), states[states.length - 1].h_min_m, 1e-3, 'said of it');
-    assert.match(label, /pressure on the top foil [\d.]+ to [\d.]+ kPa, ambient 101\.3 kPa; film and displacements ×\d+, heights of bumps ×\d/);
+    assert.match(label, /pressure on the top foil [\d.]+ to [\d.]+ kPa, ambient pressure 101\.3 kPa; film and displacements ×\d+, heights of bumps ×\d/);
     // Small, since browsers paint the same now with these roundings, now with those.
     const painted = () =>
       space.evaluate((canvas) => {
@@ -139,6 +139,12 @@ test('film, bumps and journal are those of the state looked at', () =>
       await page.keyboard.press('Home');
       await until(first, false);
     }
+    await panelOf(page, 'Bearing in 3D').getByRole('combobox').selectOption('Film thickness');
+    await until(first, true);
+    const thicknesses = /film thickness on the top foil ([\d.]+) to [\d.]+ µm/.exec(await space.getAttribute('aria-label'));
+    near(Number(thicknesses[1]), 1e6 * states[states.length - 1].h_min_m, 0.1, 'of facets');
+    await panelOf(page, 'Bearing in 3D').getByRole('combobox').selectOption('Pressure');
+    await until(first, false);
     const { x, y, width, height } = await space.boundingBox();
     await page.mouse.move(x + 0.5 * width, y + 0.5 * height);
     await page.mouse.down();
