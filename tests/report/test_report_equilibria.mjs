@@ -142,7 +142,7 @@ test('film, bumps and journal are those of the state looked at', () =>
     await panelOf(page, 'Bearing in 3D').getByRole('combobox').selectOption('Film thickness');
     await until(first, true);
     const thicknesses = /film thickness on the top foil ([\d.]+) to [\d.]+ µm/.exec(await space.getAttribute('aria-label'));
-    near(Number(thicknesses[1]), 1e6 * states[states.length - 1].h_min_m, 0.1, 'of facets');
+    near(Number(thicknesses[1]), 1e6 * states[states.length - 1].h_min_m, 0.2, 'the mean of its thinnest facet');
     await panelOf(page, 'Bearing in 3D').getByRole('combobox').selectOption('Pressure');
     await until(first, false);
     const { x, y, width, height } = await space.boundingBox();

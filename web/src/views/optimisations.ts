@@ -31,7 +31,7 @@ function sectionsOf(result: Optimisation, id: string, title: (text: string) => s
   const front = frontOf(result);
   const histories = result.points.length > 0 ? result.summary.aims.map((_, i) => aimHistory(result, i)) : [];
   return [
-    part(`${id}-best`, title('Best point'), bestTable(result), ...(result.summary.limits.length > 0 ? [limitTable(result)] : [])),
+    part(`${id}-best`, title('Best point'), el('div', { class: 'multiples of-tables' }, bestTable(result), ...(result.summary.limits.length > 0 ? [limitTable(result)] : []))),
     ...(front.length > 0 ? [part(`${id}-front`, title('Front'), ...front)] : []),
     ...(histories.length > 0
       ? [
