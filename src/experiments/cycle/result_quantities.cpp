@@ -187,7 +187,7 @@ constexpr auto cycle_list = std::to_array<CycleQuantity>({
     {"max_force", "N", "force {along} at full displacement", at_turn<&TurningPoint::max_force>,
      loops | headline | sampled | measured, "maximum force", shown::newtons},
     {"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>,
-     of_cycles | sampled, "cross force there", shown::newtons},
+     of_cycles | sampled, "cross force", shown::newtons},
     {"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>, of_cycles},
     {"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>, of_cycles},
     {"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, of_strips,
