@@ -21,7 +21,8 @@ before(() => {
   equilibrium('limits', ['top_foil.formed_radius="19.05 mm"', 'film.h_lift_off="5 um"', 'equilibrium.loads=[["50 N", "0 N"], ["20 N", "0 N"]]'], ['--limits']);
   run(['film', runningFile, '-o', join(folder, 'rigid'), ...[...mesh, 'film.closed=true', 'equilibrium.path=position_ray', 'equilibrium.loads=[]', 'equilibrium.positions=[["10 um", "0 um"], ["15 um", "0 um"]]'].flatMap((pair) => ['--set', pair])]);
   equilibrium('frequencies', ['equilibrium.loads=[["20 N", "0 N"], ["50 N", "0 N"]]', 'equilibrium.frequencies=["200 Hz", "375 Hz", "750 Hz"]']);
-  for (const name of ['limits', 'rigid', 'grid', 'back', 'paths', 'failed', 'frequencies']) report(`${name}.html`, name);
+  equilibrium('tilted', ['equilibrium.loads=[["20 N", "0 N"]]', 'width.modes=3', 'width.tilt=["0.3 mrad", "-0.4 mrad"]']);
+  for (const name of ['tilted', 'limits', 'rigid', 'grid', 'back', 'paths', 'failed', 'frequencies']) report(`${name}.html`, name);
 });
 
 const csvOf = (name) => rowsOf(readFileSync(join(folder, name, 'equilibrium.csv'), 'utf8'));
@@ -253,6 +254,14 @@ test('a film between walls has no foils to show', () =>
     near(Math.min(...film.map((row) => Number(row.film_thickness_m))), state.h_min_m, 1e-6, 'minimum thickness');
     for (const name of ['Bump loads', 'Bearing in operation']) assert.equal(await panelOf(page, name).count(), 0);
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+  }));
+
+test('a tilted journal is seen over the whole width, and its tilt is said', () =>
+  withReport('tilted.html', async (page) => {
+    assert.match(await panelOf(page, 'Bearing in 3D').locator('canvas').getAttribute('aria-label'), /; journal tilted by 500 µrad; minimum/);
+    const sides = (await shownIn(page, 'Bearing in 3D')).map((row) => Math.sign(Number(row.z_m)));
+    assert.equal(sides.reduce((sum, side) => sum + side, 0), 0);
+    assert.ok(sides.includes(-1));
   }));
 
 test('what was not found is told', () =>
