@@ -23,11 +23,11 @@ do for [axis in "X Y"] {
     set xlabel "displacement of the journal along " . axis . " (µm)"
     set ylabel "direct force (N)"
     plot for [i = 1:2] loops using (displacement(direction[i])):(force(present, direction[i], "loading")) \
-           with lines lw 2 dt 1 lc rgb blue title i == 1 ? "present model, loading" : "", \
+           with lines lw 2 dt 1 lc rgb blue title i == 1 ? "this model, loading" : "", \
          for [i = 1:2] loops using (displacement(direction[i])):(force(present, direction[i], "unloading")) \
-           with lines lw 2 dt (8, 4) lc rgb blue title i == 1 ? "present model, unloading" : "", \
+           with lines lw 2 dt (8, 4) lc rgb blue title i == 1 ? "this model, unloading" : "", \
          for [i = 1:2] loops using (displacement(direction[i])):(force(former, direction[i], "loading")) \
-           every 4 with points pt 7 ps 0.4 lc rgb red title i == 1 ? "former model, loading" : ""
+           every 4 with points pt 7 ps 0.4 lc rgb red title i == 1 ? "Le Lez (2007), loading" : ""
     unset key
   }
 }

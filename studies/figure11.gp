@@ -12,9 +12,9 @@ do for [i = 1:4] {
   do for [friction in "friction frictionless"] {
     set title panel(direction_names[i] . (friction eq "friction" ? ", friction 0.1" : ", no friction"))
     plot loads using "bump":(load("present-" . friction, direction_degrees[i])) with linespoints pt 7 ps 0.55 lw 1.5 dt 1 lc rgb blue \
-           title "present model", \
+           title "this model", \
          loads using "bump":(load("former-" . friction, direction_degrees[i])) with linespoints pt 6 ps 0.9 lw 1.5 dt (3, 3) lc rgb red \
-           title "former model"
+           title "Le Lez (2007)"
     unset key
   }
 }

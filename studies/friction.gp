@@ -5,7 +5,7 @@ set xtics 0.1
 set xlabel "friction coefficient"
 at(degrees, scale, name) = is_direction(degrees) ? scale * column(name) : NaN
 array columns[4] = ["max_force_N", "loop_energy_J", "loss_factor", "cross_force_at_max_N"]
-array labels[4] = ["force at full displacement (N)", "loop energy (mJ)", "loss factor", "cross force there (N)"]
+array labels[4] = ["force at full displacement (N)", "loop energy (mJ)", "loss factor", "cross force (N)"]
 array scales[4] = [1, 1000, 1, 1]
 
 do for [j = 1:4] {

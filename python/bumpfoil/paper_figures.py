@@ -96,9 +96,9 @@ def _figure10(folder: Path, width: str) -> Figure:
         titles.append(f"{axis}, {'friction 0.1' if panel % 2 == 0 else 'no friction'}")
         ax.axhline(0, color="black", linewidth=0.4)
         for sign, direction in ((1, 90 * (panel // 2)), (-1, 90 * (panel // 2) + 180)):
-            _loop(ax, _of(table, f"present-{friction}", direction), "present model", _BLUE, sign=sign)
+            _loop(ax, _of(table, f"present-{friction}", direction), "this model", _BLUE, sign=sign)
             former = _of(table, f"former-{friction}", direction)
-            _marks(ax, former[former.branch == "loading"], "former model, loading", _RED, "o", sign=sign)
+            _marks(ax, former[former.branch == "loading"], "Le Lez (2007), loading", _RED, "o", sign=sign)
         ax.set(xlim=(-82, 82), ylim=(-900, 900))
         ax.set_xlabel(f"displacement along {axis} (µm)")
         ax.set_ylabel("direct force (N)")

@@ -102,7 +102,7 @@ void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
 void judge_combination(Judge& judge, const Case& input) {
   judge.require(input.solver.chosen() == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
                 "solver.name", std::string(name_of(input.solver.chosen())),
-                "the former model has no increments of contact to solve", "leave it out");
+                "the Le Lez (2007) model has no increments of contact to solve", "leave it out");
   judge.require(input.bearing.is_round() || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)), "supports round sleeves and journals only",
                 "set model = \"truss\" or \"frame\", or remove waves, profiles and taper of [bearing]");

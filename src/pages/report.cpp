@@ -100,6 +100,24 @@ Json quantities_json(const Json& result) {
   return json;
 }
 
+/// Those that an optimisation has aims or limits of; of an ensemble, without the statistic.
+Json optimised_quantities_json(const Json& summary) {
+  Json json = Json::array();
+  for (const char* list : {"aims", "limits"}) {
+    for (const Json& one : summary[list]) {
+      const auto name = one["quantity"].get<std::string>();
+      VariableMeaning shown{name.substr(0, name.find('.')), one["unit"].get<std::string>(), ""};
+      for (const ExperimentInfo& experiment : experiments()) {
+        for (const VariableMeaning& meaning : meanings_in_tables(experiment)) {
+          if (meaning.name == shown.name && shown.label.empty()) shown = meaning;
+        }
+      }
+      json.push_back(shown_quantity(labelled(shown)));
+    }
+  }
+  return json;
+}
+
 /// Of what a report may hold, the part that the bearings of an ensemble take: their page is to stay small.
 constexpr std::size_t part_of_samples = 4;
 
@@ -200,7 +218,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   if (has_distributions(kind)) {
     run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
   } else {
-    run["quantities"] = quantities_json(result);
+    run["quantities"] = has_points(kind) ? optimised_quantities_json(summary.json) : quantities_json(result);
   }
   return run;
 }

@@ -211,6 +211,7 @@ class SummaryChecker {
     }
     for (const Json& one : summary["limits"]) {
       check_values(one, "limit", {"value", "margin"});
+      static_cast<void>(text(one, "quantity"));
       if (!at(one, "active").is_null() && !one["active"].is_boolean()) refuse("active", "is neither true nor false");
     }
   }

@@ -133,7 +133,7 @@ test('a case of a running bearing opens with it, and needs no cycle', () =>
     await page.waitForFunction(() => document.querySelector('.running').dataset.answered);
     assert.equal(await page.locator('.tile[data-key="stable"] strong:visible').textContent(), 'stable');
     assert.equal(await field(page, 'width.tilt[1]').inputValue(), '0.131');
-    assert.match(await page.getByRole('region', { name: 'Bearing in space' }).locator('.subject').textContent(), /film and displacements ×\d+/);
+    assert.match(await page.getByRole('region', { name: 'Bearing in 3D' }).locator('.subject').textContent(), /film and displacements ×\d+/);
     await page.getByRole('tab', { name: 'Loops' }).click();
     assert.equal(await page.locator('.numbers [role="group"] button').first().textContent(), '+X');
   }));

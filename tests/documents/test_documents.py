@@ -187,7 +187,7 @@ class English(unittest.TestCase):
         rotor of one's own | way of the journal | keep the limits | what was drawn makes | bearing at work
         where the journal is | whirl coefficients | bed stiffness | pressing body | what is asked | nobody asked
         of which some | the begin of | its begin | from the begin | is told by | are told by | what it comes to
-        what the bearings stand on | all that is recorded | unless told | a step is vain
+        what the bearings stand on | all that is recorded | unless told | a step is vain | former model
     """.replace("\n", "|").split("|")
 
     def texts(self):

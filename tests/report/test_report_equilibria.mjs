@@ -21,7 +21,8 @@ before(() => {
   equilibrium('limits', ['top_foil.formed_radius="19.05 mm"', 'film.h_lift_off="5 um"', 'equilibrium.loads=[["50 N", "0 N"], ["20 N", "0 N"]]'], ['--limits']);
   run(['film', runningFile, '-o', join(folder, 'rigid'), ...[...mesh, 'film.closed=true', 'equilibrium.path=position_ray', 'equilibrium.loads=[]', 'equilibrium.positions=[["10 um", "0 um"], ["15 um", "0 um"]]'].flatMap((pair) => ['--set', pair])]);
   equilibrium('frequencies', ['equilibrium.loads=[["20 N", "0 N"], ["50 N", "0 N"]]', 'equilibrium.frequencies=["200 Hz", "375 Hz", "750 Hz"]']);
-  for (const name of ['limits', 'rigid', 'grid', 'back', 'paths', 'failed', 'frequencies']) report(`${name}.html`, name);
+  equilibrium('tilted', ['equilibrium.loads=[["20 N", "0 N"]]', 'width.modes=3', 'width.tilt=["0.3 mrad", "-0.4 mrad"]']);
+  for (const name of ['tilted', 'limits', 'rigid', 'grid', 'back', 'paths', 'failed', 'frequencies']) report(`${name}.html`, name);
 });
 
 const csvOf = (name) => rowsOf(readFileSync(join(folder, name, 'equilibrium.csv'), 'utf8'));
@@ -97,7 +98,7 @@ test('film, bumps and journal are those of the state looked at', () =>
       near(Math.max(...sizes), state.highest_bump_load_N, 1e-6, 'highest load');
       assert.equal(sizes.indexOf(Math.max(...sizes)) + 1, state.highest_loaded_bump);
       assert.equal(sizes.filter((size) => size > 0).length, state.loaded_bumps);
-      assert.match(await panelOf(page, 'Bump loads').locator('.subject').textContent(), new RegExp(`detached from ${26 - state.loaded_bumps} of 26 bumps, ${state.lifted_bumps_at_entry} of them at the inlet`));
+      assert.match(await panelOf(page, 'Bump loads').locator('.subject').textContent(), new RegExp(`detached from ${26 - state.loaded_bumps} of 26 bumps${state.lifted_bumps_at_entry > 0 ? `, the first ${state.lifted_bumps_at_entry} at the inlet` : ' · '}`));
       const journal = (await panelOf(page, 'Bearing in operation').locator('.subject').textContent()).match(/journal at \((\S+ \S+), (\S+ \S+)\)/);
       near(quantity(journal[1], 'm'), state.x_m, 1e-2, 'x');
       near(quantity(journal[2], 'm'), state.y_m, 1e-2, 'y');
@@ -108,11 +109,11 @@ test('film, bumps and journal are those of the state looked at', () =>
       const polar = await panelOf(page, 'Film around the journal').locator('svg.round').innerHTML();
       assert.doesNotMatch(polar + drawn, /NaN|undefined/);
     }
-    // In space it is turned by keys and by dragging, and goes back.
-    const space = panelOf(page, 'Bearing in space').locator('canvas');
+    // In three dimensions it is turned by keys and by dragging, and goes back.
+    const space = panelOf(page, 'Bearing in 3D').locator('canvas');
     const label = await space.getAttribute('aria-label');
     near(quantity(label.match(/minimum film thickness (\S+ .?m)/)[1], 'm'), states[states.length - 1].h_min_m, 1e-3, 'said of it');
-    assert.match(label, /pressure on the top foil [\d.]+ to [\d.]+ kPa, ambient 101\.3 kPa; film and displacements ×\d+, heights of bumps ×\d/);
+    assert.match(label, /pressure on the top foil [\d.]+ to [\d.]+ kPa, ambient pressure 101\.3 kPa; film and displacements ×\d+, heights of bumps ×\d/);
     // Small, since browsers paint the same now with these roundings, now with those.
     const painted = () =>
       space.evaluate((canvas) => {
@@ -139,6 +140,12 @@ test('film, bumps and journal are those of the state looked at', () =>
       await page.keyboard.press('Home');
       await until(first, false);
     }
+    await panelOf(page, 'Bearing in 3D').getByRole('combobox').selectOption('Film thickness');
+    await until(first, true);
+    const thicknesses = /film thickness on the top foil ([\d.]+) to [\d.]+ µm/.exec(await space.getAttribute('aria-label'));
+    near(Number(thicknesses[1]), 1e6 * states[states.length - 1].h_min_m, 0.2, 'the mean of its thinnest facet');
+    await panelOf(page, 'Bearing in 3D').getByRole('combobox').selectOption('Pressure');
+    await until(first, false);
     const { x, y, width, height } = await space.boundingBox();
     await page.mouse.move(x + 0.5 * width, y + 0.5 * height);
     await page.mouse.down();
@@ -247,6 +254,14 @@ test('a film between walls has no foils to show', () =>
     near(Math.min(...film.map((row) => Number(row.film_thickness_m))), state.h_min_m, 1e-6, 'minimum thickness');
     for (const name of ['Bump loads', 'Bearing in operation']) assert.equal(await panelOf(page, name).count(), 0);
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+  }));
+
+test('a tilted journal is seen over the whole width, and its tilt is said', () =>
+  withReport('tilted.html', async (page) => {
+    assert.match(await panelOf(page, 'Bearing in 3D').locator('canvas').getAttribute('aria-label'), /; journal tilted by 500 µrad; minimum/);
+    const sides = (await shownIn(page, 'Bearing in 3D')).map((row) => Math.sign(Number(row.z_m)));
+    assert.equal(sides.reduce((sum, side) => sum + side, 0), 0);
+    assert.ok(sides.includes(-1));
   }));
 
 test('what was not found is told', () =>

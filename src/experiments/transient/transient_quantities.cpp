@@ -55,12 +55,12 @@ double turn_end(const TurnView& view) {
 constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
     {"amplitude_x", "m", "amplitude along X at the rotation frequency", turn_amplitude<0>, csv, "amplitude, X",
      shown::micrometres},
-    {"phase_x", "degree", "phase of X in x = Re(X exp(i a)), a the size of the angle of the rotor", turn_phase<0>, csv,
-     "phase, X"},
+    {"phase_x", "degree", "phase of X in x = Re(X exp(i a)), a the magnitude of the angle of the rotor", turn_phase<0>,
+     csv, "phase, X"},
     {"amplitude_y", "m", "amplitude along Y at the rotation frequency", turn_amplitude<1>, csv, "amplitude, Y",
      shown::micrometres},
-    {"phase_y", "degree", "phase of Y in y = Re(Y exp(i a)), a the size of the angle of the rotor", turn_phase<1>, csv,
-     "phase, Y"},
+    {"phase_y", "degree", "phase of Y in y = Re(Y exp(i a)), a the magnitude of the angle of the rotor", turn_phase<1>,
+     csv, "phase, Y"},
     {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", turn_way<0>, csv | leading,
      "half peak-to-peak, X", shown::micrometres},
     {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", turn_way<1>, csv,
@@ -184,7 +184,7 @@ constexpr auto run_quantity_table = std::to_array<RunQuantity>({
      [](const TransientReading& reading) { return reading.energy.sum.friction; }, headline | csv | sampled,
      "friction loss", shown::millijoules},
     {"energy_defect_of_run", "1",
-     "sum of the sizes of the defects of energy over what drives, is taken or is stored, whichever is larger",
+     "sum of the magnitudes of the energy defects over the energy supplied, dissipated or stored, whichever is largest",
      [](const TransientReading& reading) { return reading.energy.relative(); }, of_solver | sampled},
 });
 

@@ -100,14 +100,15 @@ constexpr auto unbalance_quantity_table = std::to_array<UnbalanceQuantity>({
      search_status},
     {"largest_amplitude", "m", "largest semi-major axis of the orbits of the journals at all speeds, small, full stick",
      largest_over_speeds<stuck_amplitude>, headline | leading | sampled, "largest amplitude", shown::micrometres},
-    {"largest_amplitude_speed", "rad/s", "magnitude of the speed at which it is",
+    {"largest_amplitude_speed", "rad/s", "magnitude of the speed of the largest amplitude",
      [](const UnbalanceResult& result) {
        const UnbalancePoint* const found = largest_at(result, stuck_amplitude);
        return found == nullptr ? absent : std::abs(found->speed);
      },
-     headline | sampled, "speed of it", shown::revolutions},
+     headline | sampled, "speed of the largest amplitude", shown::revolutions},
     {"largest_amplitude_ratio", "1",
-     "largest ratio of such a semi-major axis to the minimum film thickness of its bearing in equilibrium",
+     "largest ratio at all speeds of the semi-major axis of a journal, full stick, to the minimum film thickness of "
+     "its bearing",
      largest_over_speeds<stuck_part_of_film>, headline | sampled, "amplitude / film", shown::unitless},
     {"least_h_min", "m", "minimum film thickness of all bearings in the periodic orbits at all speeds",
      least_film_in_orbits, headline | sampled | of_orbits, "minimum film, orbits", shown::micrometres},
@@ -155,11 +156,11 @@ double phase_twice(const StationResponse& response) {
 constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
     {"amplitude_x", "m", "amplitude along X at the rotation frequency", amplitude<0>, csv, "amplitude, X",
      shown::micrometres},
-    {"phase_x", "degree", "phase of X in x = Re(X exp(i nu t)), nu the size of Omega", phase<0>, csv, "phase, X",
+    {"phase_x", "degree", "phase of X in x = Re(X exp(i nu t)), nu the magnitude of Omega", phase<0>, csv, "phase, X",
      shown::degrees},
     {"amplitude_y", "m", "amplitude along Y at the rotation frequency", amplitude<1>, csv, "amplitude, Y",
      shown::micrometres},
-    {"phase_y", "degree", "phase of Y in y = Re(Y exp(i nu t)), nu the size of Omega", phase<1>, csv, "phase, Y",
+    {"phase_y", "degree", "phase of Y in y = Re(Y exp(i nu t)), nu the magnitude of Omega", phase<1>, csv, "phase, Y",
      shown::degrees},
     {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", half_way<0>, csv,
      "half peak-to-peak, X", shown::micrometres},
@@ -182,7 +183,7 @@ constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
     {"phase_y_2x", "degree", "phase of Y2 in y = ... + Re(Y2 exp(2 i nu t)), of an orbit", phase_twice<1>, csv},
     {"semi_major", "m", "larger semi-axis of the orbit", orbit_axis<&EllipticOrbit::major>, csv | shown_first | leading,
      "semi-major axis", shown::micrometres},
-    {"semi_minor", "m", "smaller semi-axis of the orbit, negative where it is gone round against the rotation",
+    {"semi_minor", "m", "smaller semi-axis of the orbit, negative where the orbit goes backward, against the rotation",
      orbit_axis<&EllipticOrbit::minor>, csv, "semi-minor axis", shown::micrometres},
 });
 
@@ -206,7 +207,7 @@ constexpr auto point_quantity_table = std::to_array<PointQuantity>({
      "largest semi-major axis of the orbits of the journals, small, sliding contacts keep sliding",
      journal_amplitude<ResponseKind::linear_sliding>, none, "amplitude of the journals, sliding", shown::micrometres},
     {"journal_amplitude_ratio", "1",
-     "largest ratio of such a semi-major axis, full stick, to the minimum film thickness of its bearing in equilibrium",
+     "largest ratio of the semi-major axis of a journal, full stick, to the minimum film thickness of its bearing",
      stuck_part_of_film, none, "amplitude / film", shown::unitless},
     {"journal_amplitude_orbit", "m", "largest semi-major axis of the journals in the periodic orbit, first harmonic",
      journal_amplitude<ResponseKind::orbit>, of_orbits, "amplitude of the journals, orbit", shown::micrometres},

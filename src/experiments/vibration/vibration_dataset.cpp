@@ -44,9 +44,10 @@ class VibrationDataset {
       const auto entry = [i = row, j = column](const std::optional<Eigen::Matrix2d>& K) {
         return K ? (*K)(i, j) : absent;
       };
-      add_load({fmt::format("k{}_stuck", axes), "N/m", "tangent stiffness there, full stick"},
+      add_load({fmt::format("k{}_stuck", axes), "N/m", "tangent stiffness under the static load, full stick"},
                [&](const StaticLoad& load) { return entry(load.tangents.unloading); });
-      add_load({fmt::format("k{}_further", axes), "N/m", "tangent stiffness there, sliding contacts keep sliding"},
+      add_load({fmt::format("k{}_further", axes), "N/m",
+                "tangent stiffness under the static load, sliding contacts keep sliding"},
                [&](const StaticLoad& load) { return entry(load.tangents.loading); });
     }
   }

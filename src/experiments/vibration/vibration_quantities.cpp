@@ -44,13 +44,13 @@ constexpr auto vibration_list = std::to_array<VibrationQuantity>({
      "first harmonic of the force along the direction in phase with the displacement, over the amplitude; for an orbit "
      "the mean radial force over the radius",
      direct<Part::outward>, headline, "stiffness", shown::stiffness},
-    {"stiffness_cross", "N/m", "the same of the force across the direction, turned by +90 degrees",
+    {"stiffness_cross", "N/m", "stiffness of the force across the direction, turned by +90 degrees",
      cross<Part::outward>},
     {"loss_stiffness_direct", "N/m",
      "first harmonic of the force along the direction 90 degrees ahead of the displacement, over the amplitude: "
      "frequency times damping; for an orbit the mean tangential force over the radius",
      direct<Part::ahead>, headline, "loss", shown::stiffness},
-    {"loss_stiffness_cross", "N/m", "the same of the force across the direction", cross<Part::ahead>},
+    {"loss_stiffness_cross", "N/m", "loss stiffness of the force across the direction", cross<Part::ahead>},
     {"harmonic_residual", "1", "norm of the higher harmonics of the force over that of the first",
      [](const Vibration& v) { return v.harmonic ? v.harmonic->residual : absent; }, headline, "residual",
      shown::unitless},

@@ -71,7 +71,7 @@ function drawnOnce(states: States): () => Drawn | undefined {
   return () => (drawn?.data === states.data ? drawn : (drawn = drawnOf(states)));
 }
 
-/** The bearing in space. */
+/** The bearing in three dimensions. */
 export function bearingInSpace(states: States, selection: GridSelection): HTMLElement[] {
   return spaceView(states, selection, drawnOnce(states));
 }

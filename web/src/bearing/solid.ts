@@ -1,4 +1,4 @@
-/** Surfaces of a running bearing in space, its film exaggerated. Nothing is drawn here. */
+/** Surfaces of a running bearing in three dimensions, its film exaggerated. Nothing is drawn here. */
 import { numbersOf } from '../data/grid';
 import { at, type Cycle } from '../data/run';
 import type { States } from '../data/states';
@@ -9,13 +9,17 @@ import { magnifications, shapeAt } from './shape';
 /** X and Y across the axis, Z along it; m as drawn. */
 export type Point3 = [number, number, number];
 
+/** What the top foil is coloured by. */
+export const coloured = ['pressure', 'film_thickness'] as const;
+export type Coloured = (typeof coloured)[number];
+
 export interface Facet {
   corners: Point3[];
   /** Away from the axis, across it. */
   outward: [number, number];
   of: 'top foil' | 'bump foil' | 'film';
-  /** Pa, of the top foil. */
-  pressure: number;
+  /** At a facet of the top foil, SI; NaN of the others. */
+  values: Record<Coloured, number>;
 }
 
 export interface Solid {
@@ -34,6 +38,7 @@ export interface Solid {
 /** Of the radius: how far the journal is drawn from the top foil at most, and how high bumps are drawn. */
 const [filmPart, bumpPart] = [0.2, 0.09];
 const [mostColumns, mostRows] = [180, 16];
+const none: Facet['values'] = { pressure: NaN, film_thickness: NaN };
 
 function niceFactor(most: number): number {
   return magnifications.filter((factor) => factor <= most).pop() ?? 1;
@@ -111,10 +116,10 @@ export function solidAt(states: States, place: Place, bearing: { geometry: Beari
       nodes.rows.slice(1).forEach((row, j) => {
         const lower = at(nodes.rows, j);
         const corners = [onFoil(lower, before, pad), onFoil(lower, column, pad), onFoil(row, column, pad), onFoil(row, before, pad)];
-        const pressure = 0.25 * (nodes.at('pressure', lower.row, before) + nodes.at('pressure', lower.row, column) + nodes.at('pressure', row.row, column) + nodes.at('pressure', row.row, before));
-        facets.push({ corners, outward, of: 'top foil', pressure });
+        const mean = (name: Coloured): number => 0.25 * [lower.row, row.row].reduce((sum, one) => sum + nodes.at(name, one, before) + nodes.at(name, one, column), 0);
+        facets.push({ corners, outward, of: 'top foil', values: { pressure: mean('pressure'), film_thickness: mean('film_thickness') } });
       });
-      for (const end of [head, tail]) facets.push({ corners: [onFoil(end, before, pad), onFoil(end, column, pad), onJournal(end, column, pad), onJournal(end, before, pad)], outward, of: 'film', pressure: NaN });
+      for (const end of [head, tail]) facets.push({ corners: [onFoil(end, before, pad), onFoil(end, column, pad), onJournal(end, column, pad), onJournal(end, before, pad)], outward, of: 'film', values: none });
     });
     for (const end of [head, tail]) lines.push({ points: columns.map((column) => onJournal(end, column, pad)), of: 'journal' });
     columns.filter((_, i) => i % Math.ceil(columns.length / (24 / states.pads)) === 0).forEach((column) => lines.push({ points: nodes.rows.map((row) => onJournal(row, column, pad)), of: 'journal' }));
@@ -127,7 +132,7 @@ export function solidAt(states: States, place: Place, bearing: { geometry: Beari
       bumpFoil.slice(1).forEach((end, i) => {
         const begin = at(bumpFoil, i);
         const phi = geometry.polarAngle(end.pad, 0.5 * (begin.along + end.along));
-        facets.push({ corners: [point(begin, -nodes.halfLength), point(end, -nodes.halfLength), point(end, nodes.halfLength), point(begin, nodes.halfLength)], outward: [Math.cos(phi), Math.sin(phi)], of: 'bump foil', pressure: NaN });
+        facets.push({ corners: [point(begin, -nodes.halfLength), point(end, -nodes.halfLength), point(end, nodes.halfLength), point(begin, nodes.halfLength)], outward: [Math.cos(phi), Math.sin(phi)], of: 'bump foil', values: none });
       });
     }
     for (const z of [-nodes.halfLength, nodes.halfLength]) {

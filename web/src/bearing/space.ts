@@ -1,18 +1,18 @@
-/** The running bearing in space: pressure as colour on the top foil, turned by pointer and keys. */
+/** The running bearing in three dimensions: pressure or film thickness as colour on the top foil, turned by pointer and keys. */
 import { numbersOf, type Place } from '../data/grid';
-import { at } from '../data/run';
+import { at, capital } from '../data/run';
 import { toCsv } from '../data/csv';
 import type { States } from '../data/states';
 import { formatQuantity } from '../data/units';
 import { colourBar, rangeText } from '../charts/colour_bar';
-import { el, svg } from '../ui/dom';
+import { dropDown, el, svg } from '../ui/dom';
 import type { GridSelection } from '../ui/grid_selection';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { fontFamily, isPrinting, look, onLookChange, rampColour, type Look } from '../ui/theme';
 import type { BearingGeometry } from './geometry';
 import type { Cycle } from '../data/run';
-import { solidAt, type Facet, type Point3, type Solid } from './solid';
+import { coloured, solidAt, type Coloured, type Facet, type Point3, type Solid } from './solid';
 
 const degree = Math.PI / 180;
 /** Turned so far at first, towards where the inside is seen that carries; of keys, rad. */
@@ -51,11 +51,15 @@ class View {
   }
 }
 
-/** Where the pressure is highest, and the film thinnest. */
+const colours: Record<Coloured, { text: string; unit: string }> = { pressure: { text: 'pressure', unit: 'Pa' }, film_thickness: { text: 'film thickness', unit: 'm' } };
+
+/** By how much it is exaggerated, and where the film is thinnest. */
 function wordsOf(states: States, place: Place, solid: Solid | undefined): string {
   if (!solid) return 'no state found';
   const bumps = solid.bumps > 1 ? `, heights of bumps ×${solid.bumps}` : '';
-  return `film and displacements ×${solid.film}${bumps} against the radius; minimum film thickness ${formatQuantity(states.numberAt('h_min', place), 'm')}`;
+  const tilt = Math.hypot(states.numberAt('tilt_x', place), states.numberAt('tilt_y', place));
+  const tilted = tilt > 0 ? `; journal tilted by ${formatQuantity(tilt, 'rad', 3)}` : '';
+  return `film and displacements ×${solid.film}${bumps} against the radius${tilted}; minimum film thickness ${formatQuantity(states.numberAt('h_min', place), 'm')}`;
 }
 
 /** Follows the state that the reader looks at. @param bearing  foils of the states, where there are any */
@@ -63,27 +67,34 @@ export function spaceView(states: States, selection: GridSelection, bearing: () 
   if (!states.variable('pressure') || states.data.left_out.includes('pressure')) return [];
   const canvas = el('canvas', { class: 'space', role: 'img', tabindex: 0 });
   let solid = solidAt(states, selection.place, bearing());
-  const peak = (solid?.facets ?? []).filter(({ of }) => of === 'top foil').reduce<Facet | undefined>((most, one) => (one.pressure > (most?.pressure ?? -Infinity) ? one : most), undefined);
+  const peak = (solid?.facets ?? []).filter(({ of }) => of === 'top foil').reduce<Facet | undefined>((most, one) => (one.values.pressure > (most?.values.pressure ?? -Infinity) ? one : most), undefined);
   const view = new View(peak ? Math.atan2(peak.outward[1], peak.outward[0]) : 0);
   const where = (): string => selection.textAt(selection.place);
   const ambient = (): number => states.variable('ambient_pressure')?.at({}) ?? NaN;
+  let by: Coloured = 'pressure';
   const range = (): [number, number] => {
-    const all = (solid?.facets ?? []).map(({ pressure }) => pressure).filter(Number.isFinite);
+    const all = (solid?.facets ?? []).map(({ values }) => values[by]).filter(Number.isFinite);
     return [Math.min(...all), Math.max(...all)];
   };
   const panel = new Panel(
     {
-      title: 'Bearing in space',
+      title: 'Bearing in 3D',
+      controls: [
+        dropDown('Colour of the top foil', coloured.map((value) => ({ value, text: capital(colours[value].text) })), (chosen) => {
+          by = chosen;
+          follow();
+        }),
+      ],
       note: 'Drag to turn it, or focus it and use the arrow keys; + and − come closer and go away, Home goes back.',
-      subject: () => [wordsOf(states, selection.place, solid), where(), states.label].filter((words) => words !== '').join(' · '),
+      subject: () => [`top foil coloured by ${colours[by].text}`, wordsOf(states, selection.place, solid), where(), states.label].filter((words) => words !== '').join(' · '),
       legend: () => [
-        ...(solid ? [colourBar(range(), 'Pa', { value: ambient(), text: 'ambient' })] : []),
+        ...(solid ? [colourBar(range(), colours[by].unit, by === 'pressure' ? { value: ambient(), text: 'ambient' } : undefined)] : []),
         { width: 14, draw: (current) => [svg('rect', { x: 1, y: 1, width: 12, height: 10, fill: filmColour(current), 'fill-opacity': 0.5 })], text: 'film at the ends' },
         { width: 26, draw: (current) => [svg('path', { d: 'M1 6H25', stroke: current.muted, 'stroke-width': 1.2 })], text: 'journal' },
         ...(bearing() ? [{ width: 14, draw: (current: Look) => [svg('rect', { x: 1, y: 1, width: 12, height: 10, fill: current.bumpFoil, 'fill-opacity': 0.45 })], text: 'bump foil' }] : []),
       ],
       canvas: () => canvas,
-      file: () => fileName('bearing-in-space', states.label, where()),
+      file: () => fileName('bearing-in-3d', states.label, where()),
       csv: () => csvOf(states, selection.place),
     },
     canvas,
@@ -91,7 +102,7 @@ export function spaceView(states: States, selection: GridSelection, bearing: () 
   let due = 0;
   const draw = (): void => {
     due = 0;
-    paint(canvas, solid, view, look(), range());
+    paint(canvas, solid, view, look(), { by, range: range() });
   };
   const later = (): void => {
     if (due === 0) due = requestAnimationFrame(draw);
@@ -99,7 +110,7 @@ export function spaceView(states: States, selection: GridSelection, bearing: () 
   const follow = (): void => {
     solid = solidAt(states, selection.place, bearing());
     panel.refresh();
-    canvas.setAttribute('aria-label', `Bearing in space: ${solid ? `pressure on the top foil ${rangeText(range(), 'Pa')}, ambient ${formatQuantity(ambient(), 'Pa')}; ` : ''}${wordsOf(states, selection.place, solid)}; ${where()}. Arrow keys turn it.`);
+    canvas.setAttribute('aria-label', `Bearing in 3D: ${solid ? `${colours[by].text} on the top foil ${rangeText(range(), colours[by].unit)}, ambient pressure ${formatQuantity(ambient(), 'Pa')}; ` : ''}${wordsOf(states, selection.place, solid)}; ${where()}. Arrow keys turn it.`);
     later();
   };
   selection.onChange(follow);
@@ -154,11 +165,11 @@ const layers: Record<Facet['of'], number> = { 'bump foil': 0, 'top foil': 1, fil
 const [journalLayer, sleeveLayer, nearest] = [3, -1, 7];
 
 /** The farthest first. What faces the reader from outside is pale: the inside is to be seen. */
-function paint(canvas: HTMLCanvasElement, solid: Solid | undefined, view: View, current: Look, [least, most]: [number, number]): void {
+function paint(canvas: HTMLCanvasElement, solid: Solid | undefined, view: View, current: Look, { by, range: [least, most] }: { by: Coloured; range: [number, number] }): void {
   const width = canvas.clientWidth;
   const context = canvas.getContext('2d');
   if (!context || width === 0) return;
-  const height = Math.min(0.9 * width, isPrinting() ? 330 : 580);
+  const height = Math.min(width, isPrinting() ? 330 : 640);
   const ratio = isPrinting() ? 3 : Math.max(1, window.devicePixelRatio);
   canvas.style.height = `${height}px`;
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
@@ -183,7 +194,7 @@ function paint(canvas: HTMLCanvasElement, solid: Solid | undefined, view: View, 
   const facet = (one: Facet): Drawn => {
     const points = one.corners.map(placed);
     const near = view.seen([...one.outward, 0])[2] > 0;
-    const fill = one.of === 'top foil' ? rampColour(current, most > least ? (one.pressure - least) / (most - least) : 0) : one.of === 'film' ? filmColour(current) : current.bumpFoil;
+    const fill = one.of === 'top foil' ? rampColour(current, most > least ? (one.values[by] - least) / (most - least) : 0) : one.of === 'film' ? filmColour(current) : current.bumpFoil;
     const alpha = one.of === 'film' ? 0.5 : one.of === 'bump foil' ? (near ? 0.1 : 0.55) : near ? 0.12 : 1;
     return {
       layer: near ? nearest - layers[one.of] : layers[one.of],

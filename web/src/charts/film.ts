@@ -282,12 +282,16 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
   const loads = (): number[] => states.along('normal_force_top_bump', 'bump', selection.place);
   const scale = (): Scale => scaleFor(largest(loads()), 'N');
   const lifted = (): number => loads().filter((load) => load <= 0).length;
+  const atInlet = (): string => {
+    const count = states.numberAt('lifted_bumps_at_entry', selection.place);
+    return count > 0 ? `, the first ${count} at the inlet` : '';
+  };
   return statePanel(states, selection, {
     title: 'Bump loads',
     what: 'bump-loads',
     told: () =>
       states.isFound(selection.place)
-        ? `maximum ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; detached from ${lifted()} of ${loads().length} bumps, ${states.numberAt('lifted_bumps_at_entry', selection.place)} of them at the inlet`
+        ? `maximum ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; detached from ${lifted()} of ${loads().length} bumps${atInlet()}`
         : unknown,
     legend: () => [
       { width: 12, draw: (current) => [svg('rect', { x: 2, y: 1, width: 8, height: 11, fill: current.accent })], text: 'pressed' },

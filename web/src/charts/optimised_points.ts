@@ -1,6 +1,6 @@
 import { toCsv } from '../data/csv';
 import type { Optimisation, OptimisedPoint } from '../data/optimisation';
-import { largest } from '../data/run';
+import { capital, largest } from '../data/run';
 import { axisTitle, formatNumber, formatQuantity, scaleFor } from '../data/units';
 import { svg } from '../ui/dom';
 import type { LegendEntry } from '../ui/legend';
@@ -12,6 +12,8 @@ import { ChartPanel } from './chart_panel';
 /** A number of a point along an axis. */
 interface PointAxis {
   name: string;
+  /** What files call it. */
+  column: string;
   unit: string;
   of: (point: OptimisedPoint) => number;
 }
@@ -28,15 +30,15 @@ interface PointChart {
 
 export function keyAxis(result: Optimisation, i: number): PointAxis {
   const key = result.summary.keys[i];
-  return { name: key?.key ?? '', unit: key ? result.unitOf(key) : '', of: (point) => point.values[i] ?? NaN };
+  return { name: key ? result.titleOf(key.key) : '', column: key?.key ?? '', unit: key ? result.unitOf(key) : '', of: (point) => point.values[i] ?? NaN };
 }
 
 export function aimAxis(result: Optimisation, i: number): PointAxis {
   const aim = result.summary.aims[i];
-  return { name: aim?.quantity ?? '', unit: aim ? result.unitOf(aim) : '', of: (point) => point.aims[i] ?? NaN };
+  return { name: aim ? capital(result.nameOf(aim.quantity)) : '', column: aim?.quantity ?? '', unit: aim ? result.unitOf(aim) : '', of: (point) => point.aims[i] ?? NaN };
 }
 
-const evaluation: PointAxis = { name: 'Evaluation', unit: '', of: (point) => point.number + 1 };
+const evaluation: PointAxis = { name: 'Evaluation', column: 'Evaluation', unit: '', of: (point) => point.number + 1 };
 
 function circle(fill: (current: Look) => string, stroke: (current: Look) => string): (current: Look) => SVGElement[] {
   return (current) => [svg('circle', { cx: 13, cy: 6, r: 3.5, fill: fill(current), stroke: stroke(current), 'stroke-width': 1.5 })];
@@ -68,8 +70,8 @@ export function pointChart(result: Optimisation, { title, subject, across, upwar
         if (!point) return '';
         const { keys, aims } = result.summary;
         return tooltipBox(`Point ${point.number}${point.feasible ? '' : ', misses a limit'}`, [
-          ...aims.map((aim, i): [string, string] => [aim.quantity, formatQuantity(point.aims[i], result.unitOf(aim), 5)]),
-          ...keys.map((key, i): [string, string] => [key.key, formatQuantity(point.values[i], result.unitOf(key), 5)]),
+          ...aims.map((aim, i): [string, string] => [result.nameOf(aim.quantity), formatQuantity(point.aims[i], result.unitOf(aim), 5)]),
+          ...keys.map((key, i): [string, string] => [result.titleOf(key.key), formatQuantity(point.values[i], result.unitOf(key), 5)]),
         ]);
       },
     }),
@@ -94,7 +96,7 @@ export function pointChart(result: Optimisation, { title, subject, across, upwar
     description: () => `${title}: ${shown.length} points${best ? `, the best at ${formatNumber(place(best)[0])} ${x.unit}, ${formatNumber(place(best)[1])} ${y.unit}` : ''}`,
     csv: () =>
       toCsv(
-        ['point', across.name, upwards.name, 'feasible'],
+        ['point', across.column, upwards.column, 'feasible'],
         shown.map((point) => [point.number, across.of(point), upwards.of(point), point.feasible]),
       ),
     option,

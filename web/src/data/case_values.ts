@@ -40,6 +40,12 @@ export function labelOf(keys: CaseKeys, path: string): CaseKeys[string] | undefi
   return keys[first] ?? keys[first.replace(/^rotor\.bearing\[1\]\./, '').replace(/^pad\[1\]\./, '')];
 }
 
+/** A key by its table and its title, as sweeps call it: "Bearing: Radial clearance". */
+export function keyTitle(keys: CaseKeys, path: string): string {
+  const title = labelOf(keys, path)?.title;
+  return title === undefined ? path : [titleOf(keys, groupOf(path)), title].filter((words) => words !== undefined).join(': ');
+}
+
 /** Of keys of angular frequency, as they are written or with underscores in place of dots: whether it is that of a rotation. */
 export function isSpeed(path: string): boolean {
   return path.includes('speed');
@@ -48,6 +54,9 @@ export function isSpeed(path: string): boolean {
 /** Unit that the numbers of a key, SI, are shown in; of one that takes lengths or forces, which of both the keys beside it are. */
 export function unitOf(keys: CaseKeys, path: string, entries: Map<string, CaseValue>): string {
   const table = groupOf(path);
+  // Bounds of a key that is fitted or chosen are in the unit of that key.
+  const chosen = entries.get(`${table}.key`);
+  if (typeof chosen === 'string' && ['start', 'lower', 'upper', 'mean', 'std'].some((name) => path === `${table}.${name}`)) return unitOf(keys, chosen, entries);
   // A centre or a point that is a load is written as a text, with its unit.
   if (path === 'path.centre' || path === 'path.points') return 'm';
   if (path === 'path.semi_axes') return [entries.get('path.centre')].flat().some((one) => typeof one === 'string') ? 'N' : 'm';

@@ -1,4 +1,5 @@
-import type { FitSummary, FittedDataInfo, GridData } from './format';
+import { keyTitle } from './case_values';
+import type { CaseKeys, FitSummary, FittedDataInfo, GridData } from './format';
 import { Grid } from './grid';
 import { at } from './run';
 
@@ -17,6 +18,8 @@ export interface FittedPoint {
 
 export interface FittedParameter {
   key: string;
+  /** As the case calls it. */
+  title: string;
   /** Empty of a number. */
   unit: string;
   start: number;
@@ -34,10 +37,11 @@ export interface FittedParameter {
 export class Fit extends Grid {
   readonly parameters: FittedParameter[];
 
-  constructor(data: GridData) {
+  constructor(data: GridData, keys: CaseKeys) {
     super(data);
     this.parameters = this.summary.parameters.map((one) => ({
       key: one.key,
+      title: keyTitle(keys, one.key),
       unit: one.unit === '1' ? '' : one.unit,
       start: one.start,
       value: one.fitted_value,

@@ -1,5 +1,8 @@
-import type { GridData, OptimiseSummary } from './format';
+import { keyTitle } from './case_values';
+import type { CaseKeys, GridData, OptimiseSummary } from './format';
 import { Grid } from './grid';
+
+const statistics: Record<string, string> = { mean: 'mean', std: 'standard deviation', p50: 'median' };
 
 /** A point that was evaluated; numbers that it has not are NaN. */
 export interface OptimisedPoint {
@@ -16,7 +19,10 @@ export interface OptimisedPoint {
 export class Optimisation extends Grid {
   readonly points: OptimisedPoint[];
 
-  constructor(data: GridData) {
+  constructor(
+    data: GridData,
+    private readonly keys: CaseKeys,
+  ) {
     super(data);
     const row = (name: string, dimension: string, point: number): number[] =>
       [...Array(this.size(dimension)).keys()].map((i) => this.variable(name)?.at({ point, [dimension]: i }) ?? NaN);
@@ -42,6 +48,18 @@ export class Optimisation extends Grid {
 
   get front(): OptimisedPoint[] {
     return this.summary.front.flatMap((number) => this.points[number] ?? []);
+  }
+
+  /** Of a key. */
+  titleOf(key: string): string {
+    return keyTitle(this.keys, key);
+  }
+
+  /** A quantity in words; of an ensemble with its statistic: "minimum film thickness, 5th percentile". */
+  nameOf(quantity: string): string {
+    const [name = '', statistic] = quantity.split('.');
+    const words = this.data.quantities.find((one) => one.name === name)?.label ?? name;
+    return statistic === undefined ? words : `${words}, ${statistics[statistic] ?? `${statistic.slice(1)}th percentile`}`;
   }
 
   /** Of a key, or of the quantity of an aim: empty of a number. */

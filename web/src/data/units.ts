@@ -24,6 +24,7 @@ const written: Record<string, Scale> = {
   'rad/s': { factor: 0.5 / Math.PI, unit: 'Hz' },
   rpm: { factor: 30 / Math.PI, unit: 'rpm' },
   'm3/s': { factor: 1e6, unit: 'cm³/s' },
+  'kg m': { factor: 1e6, unit: 'g mm' },
   kg: { factor: 1, unit: 'kg' },
   'kg m2': { factor: 1, unit: 'kg m²' },
   'm/s2': { factor: 1, unit: 'm/s²' },

@@ -1,5 +1,5 @@
 import { deviationChart } from '../charts/deviations';
-import { flatten, groupOf, labelOf, titleOf, unitOf, valueText } from '../data/case_values';
+import { flatten, groupOf, keyTitle, labelOf, titleOf, unitOf, valueText } from '../data/case_values';
 import type { CaseKeys, CaseValue } from '../data/format';
 import type { Result } from '../data/result';
 import { toCsv } from '../data/csv';
@@ -45,7 +45,9 @@ function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): H
     }
     const text = (run: Result): string => {
       const entries = cases.get(run) ?? new Map<string, CaseValue>();
-      return valueText(entries.get(key), unitOf(caseKeys, key, entries));
+      const value = entries.get(key);
+      if (typeof value === 'string' && key.endsWith('].key')) return keyTitle(caseKeys, value);
+      return valueText(value, unitOf(caseKeys, key, entries));
     };
     const differs = new Set(shown.map(text)).size > 1;
     tables[tables.length - 1]?.append(

@@ -26,7 +26,7 @@ export function valueTable(fit: Fit): HTMLElement {
   const { parameters, summary } = fit;
   const profiled = parameters.some(({ profile }) => profile.length > 0);
   const heads = ['Parameter', 'Value', 'Standard error', '95 % interval', ...(profiled ? ['95 % by profile'] : []), 'Start', 'Unit', 'Remark'];
-  const rows = parameters.map((parameter) => el('tr', {}, el('th', { scope: 'row' }, parameter.key), ...cells(parameter, profiled).map((cell) => el('td', {}, cell))));
+  const rows = parameters.map((parameter) => el('tr', {}, el('th', { scope: 'row' }, parameter.title), ...cells(parameter, profiled).map((cell) => el('td', {}, cell))));
   const quality = [
     `chi-square per degree of freedom ${formatNumber(fit.reducedChiSquare, 3)}, 1 where noise explains all (${summary.degrees_of_freedom ?? 0} degrees of freedom)`,
     `collinearity ${formatNumber(summary.collinearity, 3)}; parameters are hardly separable above 10`,
@@ -54,8 +54,8 @@ export function correlationTable(fit: Fit): HTMLElement {
     const colour = correlation < 0 ? '0 103 168' : '207 82 0';
     return `background: rgb(${colour} / ${Math.round(70 * Math.min(1, Math.abs(correlation)) ** 2)}%)`;
   };
-  const rows = parameters.map(({ key, correlations }, i) =>
-    el('tr', {}, el('th', { scope: 'row' }, `${i + 1}  ${key}`), ...correlations.map((one, k) => el('td', { style: shade(one, i === k) }, formatNumber(one, 3)))),
+  const rows = parameters.map(({ title, correlations }, i) =>
+    el('tr', {}, el('th', { scope: 'row' }, `${i + 1}  ${title}`), ...correlations.map((one, k) => el('td', { style: shade(one, i === k) }, formatNumber(one, 3)))),
   );
   return new Panel(
     {

@@ -42,13 +42,18 @@ function sentence(meaning: string): string {
   return `${capital(words.replaceAll('_', ' ')).replaceAll('`', '').replace(/\bpi\b/g, 'π').replaceAll('^2', '²')}.`;
 }
 
+/** Whether a meaning says more than the name. */
+function tells(label: string, meaning: string): boolean {
+  return meaning !== '' && sentence(meaning) !== `${capital(label)}.`;
+}
+
 function anchorOf(name: string): string {
   return `word-${name}`;
 }
 
 /** A name with its definition: under the pointer, and by a link to the glossary. */
 export function term(name: string, label: string, meaning: string): HTMLElement {
-  if (meaning === '') return el('span', {}, capital(label));
+  if (!tells(label, meaning)) return el('span', {}, capital(label));
   return el('a', { class: 'term', href: `#${anchorOf(name)}`, title: sentence(meaning) }, capital(label));
 }
 
@@ -67,12 +72,17 @@ export function entriesOf(runs: Run[]): Entry[] {
   ]);
 }
 
+/** With all variables that it is of. */
+type Definition = Omit<Entry, 'name'> & { names: Set<string> };
+
 /** Each once, in the order of their labels. */
-function sorted(entries: Entry[]): Entry[] {
-  const each = new Map<string, Entry>();
+function sorted(entries: Entry[]): Definition[] {
+  const each = new Map<string, Definition>();
   for (const entry of entries) {
-    const key = `${entry.name} ${entry.label}`;
-    if (entry.text !== '' && !each.has(key)) each.set(key, entry);
+    // Several variables may be one quantity, as of the rotor and of its modes.
+    const key = [entry.label, entry.unit, entry.text].join('\n');
+    const names = each.get(key)?.names ?? new Set();
+    if (tells(entry.label, entry.text)) each.set(key, { ...entry, names: names.add(entry.name) });
   }
   return [...each.values()].sort((a, b) => a.label.localeCompare(b.label));
 }
@@ -80,14 +90,13 @@ function sorted(entries: Entry[]): Entry[] {
 /** Every quantity of the report with its definition, as the results carry it. */
 export function glossary(entries: Entry[]): HTMLElement {
   const ids = new Set<string>();
-  const list = sorted(entries).map(({ name, label, unit, text }) => {
-    const id = anchorOf(name);
-    const first = !ids.has(id);
-    ids.add(id);
+  const list = sorted(entries).map(({ names, label, unit, text }) => {
+    const [own, ...others] = [...names].map(anchorOf).filter((id) => !ids.has(id));
+    for (const id of own === undefined ? [] : [own, ...others]) ids.add(id);
     return el(
       'div',
-      first ? { id } : {},
-      el('dt', {}, capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit.replace('m3', 'm³').replace('degree', '°')}`)])),
+      own === undefined ? {} : { id: own },
+      el('dt', {}, ...others.map((id) => el('span', { id })), capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit.replace('m3', 'm³').replace('degree', '°')}`)])),
       el('dd', {}, sentence(text)),
     );
   });

@@ -20,9 +20,9 @@ export function bestTable(result: Optimisation): HTMLElement {
   const rows = keys.map((key) => {
     const scale = scaleFor(Math.max(Math.abs(key.lower_bound), Math.abs(key.upper_bound)), result.unitOf(key));
     const text = (number: number | null): string => formatNumber(number === null ? null : number * scale.factor, 5);
-    return [key.key, text(key.best_value), text(key.start), text(key.lower_bound), text(key.upper_bound), scale.unit, key.active_bound === null ? '' : `at its ${key.active_bound} bound`];
+    return [result.titleOf(key.key), text(key.best_value), text(key.start), text(key.lower_bound), text(key.upper_bound), scale.unit, key.active_bound === null ? '' : `at its ${key.active_bound} bound`];
   });
-  const reached = aims.map((aim) => `${aim.maximise ? 'maximise' : 'minimise'} ${aim.quantity}: ${formatQuantity(aim.best_value, result.unitOf(aim), 5)}`);
+  const reached = aims.map((aim) => `${aim.maximise ? 'maximise' : 'minimise'} ${result.nameOf(aim.quantity)}: ${formatQuantity(aim.best_value, result.unitOf(aim), 5)}`);
   return new Panel(
     {
       title: 'Best values',
@@ -42,7 +42,7 @@ export function bestTable(result: Optimisation): HTMLElement {
 export function limitTable(result: Optimisation): HTMLElement {
   const { limits } = result.summary;
   const rows = limits.map((limit) => [
-    limit.limit,
+    limit.limit.replace(limit.quantity, result.nameOf(limit.quantity)),
     formatQuantity(limit.value, result.unitOf(limit), 5),
     formatQuantity(limit.margin, result.unitOf(limit), 3),
     limit.active === true ? 'active' : '',

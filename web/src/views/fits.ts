@@ -13,7 +13,7 @@ function sectionsOf(fit: Fit, id: string, title: (text: string) => string, caseK
   const charts = [...Array(fit.count).keys()].flatMap((data) => fittedData(fit, data));
   const compared = { several: false, focus: [fit], shown: [fit], names: fit.label, onChange: () => undefined };
   return [
-    part(`${id}-values`, title('Fitted parameters'), valueTable(fit), ...(fit.parameters.length > 1 ? [correlationTable(fit)] : [])),
+    part(`${id}-values`, title('Fitted parameters'), el('div', { class: 'multiples of-tables' }, valueTable(fit), ...(fit.parameters.length > 1 ? [correlationTable(fit)] : []))),
     part(`${id}-data`, title('Measured and fitted'), el('div', { class: 'multiples' }, ...charts)),
     ...(profiles.length > 0 ? [part(`${id}-profiles`, title('Profiles'), el('div', { class: 'multiples' }, ...profiles))] : []),
     part(
@@ -26,7 +26,7 @@ function sectionsOf(fit: Fit, id: string, title: (text: string) => string, caseK
 
 /** Fits of cases to measured data, one after the other. */
 export function fitView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
-  const all = results.map((data) => new Fit(data as GridData));
+  const all = results.map((data) => new Fit(data as GridData, caseKeys));
   const several = all.length > 1 || !alone;
   return {
     sections: all.flatMap((fit, i) => sectionsOf(fit, `fit-${i + 1}`, (text) => (several ? `${text}, ${fit.label}` : text), caseKeys)),

@@ -31,7 +31,7 @@ function sectionsOf(result: Optimisation, id: string, title: (text: string) => s
   const front = frontOf(result);
   const histories = result.points.length > 0 ? result.summary.aims.map((_, i) => aimHistory(result, i)) : [];
   return [
-    part(`${id}-best`, title('Best point'), bestTable(result), ...(result.summary.limits.length > 0 ? [limitTable(result)] : [])),
+    part(`${id}-best`, title('Best point'), el('div', { class: 'multiples of-tables' }, bestTable(result), ...(result.summary.limits.length > 0 ? [limitTable(result)] : []))),
     ...(front.length > 0 ? [part(`${id}-front`, title('Front'), ...front)] : []),
     ...(histories.length > 0
       ? [
@@ -49,7 +49,7 @@ function sectionsOf(result: Optimisation, id: string, title: (text: string) => s
 
 /** Optimisations of cases, one after the other. */
 export function optimiseView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
-  const all = results.map((data) => new Optimisation(data as GridData));
+  const all = results.map((data) => new Optimisation(data as GridData, caseKeys));
   const several = all.length > 1 || !alone;
   return {
     sections: all.flatMap((one, i) => sectionsOf(one, `optimised-${i + 1}`, (text) => (several ? `${text}, ${one.label}` : text), caseKeys)),
