@@ -17,7 +17,7 @@ namespace bumpfoil {
 namespace {
 
 /// As the film's by default. With eight times as many w_2 on crests that are held differs by 0.003 um of 2.8.
-constexpr int columns_per_pitch = 6;
+constexpr int columns_of_pitch = 6;
 
 /// The foil on its columns: equations of each in the unknowns of its own and, as they are symmetric, of the next one.
 /// What a column has no unknown for stands alone.
@@ -135,7 +135,7 @@ BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& li
   const double R = foils.radius.value();
   const double EI = make_top_foil_section(foils).bending_stiffness;
   const double stiffness = EI / (pitch * pitch * pitch);
-  const Vector intervals = top_foil_intervals(foils, columns_per_pitch, pitch) / columns_per_pitch;
+  const Vector intervals = top_foil_intervals(foils, columns_of_pitch, pitch) / columns_of_pitch;
   TopFoilBeam beam{.radius = R, .bending_stiffness = EI, .theta = intervals * pitch / R};
   std::partial_sum(beam.theta.begin(), beam.theta.end(), beam.theta.begin());
   const Membrane membrane = make_membrane(lines.stretching_orders(), 0.5 * foils.axial_length / pitch, R / pitch,
@@ -152,8 +152,8 @@ BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& li
   BlockTridiagonal K(bumps, static_cast<int>(size));
   for (int b = 0; b < bumps; ++b) {
     const bool last = b + 1 == bumps;
-    const int crest = columns_per_pitch / 2 + columns_per_pitch * b;
-    const int first = b > 0 ? crest - columns_per_pitch : 0;
+    const int crest = columns_of_pitch / 2 + columns_of_pitch * b;
+    const int first = b > 0 ? crest - columns_of_pitch : 0;
     std::vector<Eigen::Index> kept;
     if (b > 0) {
       kept.resize(static_cast<std::size_t>(size));
