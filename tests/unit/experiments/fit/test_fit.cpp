@@ -201,6 +201,23 @@ TEST(Fit, LetsAPriorDecideWhereDataDoNot) {
   EXPECT_LT(*result.parameters[1].standard_error, 2e-4);
 }
 
+/// What is known of a rig is given: it counts as if it had been found.
+TEST(Fit, TakesWhatIsGivenOfARig) {
+  const Rig rig{.force_origin = 5.0, .machine_stiffness = 20e6};
+  FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), rig, 0.2, 16);
+  data.rig.force_origin = 5.0;
+  Case input = fit_of(few_bumps(0.1, 28e-6), data, {any_friction, any_clearance});
+  input.settings.find<FitSettings>()->machine_stiffness = 20e6;
+  const FitResult of_all = run_fit(input);
+  expect_found(of_all.parameters[0], 0.15);
+  expect_found(of_all.parameters[1], 28e-6);
+  EXPECT_FALSE(warns(of_all, "does not explain"));
+  // That of the data comes before that of all.
+  input.settings.find<FitSettings>()->machine_stiffness = 5e6;
+  input.settings.find<FitSettings>()->data[0].rig.machine_stiffness = 20e6;
+  EXPECT_EQ(run_fit(input).parameters[0].value, of_all.parameters[0].value);
+}
+
 /// A prior is a residual like those of the data.
 TEST(Fit, CountsPriorsInChiSquare) {
   const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 7);
@@ -229,8 +246,13 @@ TEST(Fit, IsNotMisledByOutliersWithHubersLoss) {
   Case input = fit_of(few_bumps(0.1, 28e-6), data, {any_friction});
   const double misled = run_fit(input).parameters[0].value;
   input.settings.find<FitSettings>()->huber = 1.345;
-  const double robust = run_fit(input).parameters[0].value;
-  EXPECT_LT(std::abs(robust - 0.1), 0.3 * std::abs(misled - 0.1));
+  const FitResult robust = run_fit(input);
+  EXPECT_LT(std::abs(robust.parameters[0].value - 0.1), 0.3 * std::abs(misled - 0.1));
+  // Outliers count by less in chi-square, and so in the standard errors.
+  double plain = 0.0;
+  for (const FittedPoint& point : robust.data[0].points)
+    plain += std::pow((point.fitted - point.measured) / point.std, 2);
+  EXPECT_LT(robust.chi_square, 0.2 * plain);
 }
 
 TEST(Fit, FitsStripsAndReversedCycles) {

@@ -94,6 +94,33 @@ TEST(FitTables, FindFrictionAndMachineFromVibrationsBesideALoop) {
   EXPECT_LT(*both.parameters[0].standard_error, *alone.parameters[0].standard_error);
 }
 
+/// Foils that slide a little lose as much as foils that nearly stick: one loss factor has two frictions. Further starts
+/// find the one that a prior prefers, and both are listed.
+TEST(FitTables, FindTheDeeperOfTwoMinimaFromFurtherStarts) {
+  FitData data = rig_vibrations(few_bumps(0.1, 28e-6), std::numeric_limits<double>::infinity());
+  data.column(FitColumn::stiffness) = {};
+  data.column(FitColumn::amplitude).values.resize(1);
+  data.column(FitColumn::loss_factor).values.resize(1);
+  FitParameter friction = fitted("friction.coefficient", 0.6, 0.02, 0.65);
+  friction.mean = 0.1;
+  Case input = few_bumps(0.1, 28e-6);
+  const auto fit_from = [&](int starts, double loss_std, double prior_std) {
+    data.column(FitColumn::loss_factor).std = loss_std;
+    friction.std = prior_std;
+    input.settings.set(FitSettings{.data = {data}, .parameters = {friction}, .starts = starts});
+    return run_fit(input);
+  };
+  EXPECT_GT(fit_from(1, 0.004, 0.3).parameters[0].value, 0.5);
+  const FitResult near = fit_from(5, 0.004, 0.3);
+  EXPECT_NEAR(near.parameters[0].value, 0.1, 0.02);
+  ASSERT_EQ(near.minima.size(), 2U);
+  EXPECT_EQ(near.minima[0].values[0], near.parameters[0].value);
+  EXPECT_GT(near.minima[1].values[0], 0.5);
+  EXPECT_GT(near.minima[1].cost, near.minima[0].cost + 1.0);
+  const FitResult far = fit_from(5, 0.002, 0.2);  // too much higher to be listed
+  EXPECT_EQ(far.minima.size(), 1U);
+}
+
 /// Of a rig that reads positions from elsewhere, with noise of the standard deviations.
 FitData rig_equilibria(Case truth, double x_origin) {
   const double speed = speed_of_rpm(45000.0);
