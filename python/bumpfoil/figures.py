@@ -268,7 +268,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     """Distributions of maximum force, structural stiffness, loss factor and estimated clearance, by direction, and their means.
 
     For running bearings: minimum film thickness, eccentricity, power loss and maximum stress, by state. For rotors: the
-    speed up to which they are stable, that at which whirl begins, contacts sliding and stuck, and the whirl ratio there; or
+    speed up to which they are stable, that at which whirl begins, contacts sliding and stuck, and the whirl ratio at the onset; or
     the largest amplitude under unbalance, its speed, and the film thickness.
 
     Parameters

@@ -85,7 +85,7 @@ Pushed pushed(bool stuck, int modes, double tilt) {
   return found;
 }
 
-struct Reference {
+struct TiltReference {
   bool stuck{};
   int modes{};
   double tilt{}, x{}, moment{}, of_shell{};   ///< um, um, N mm, N mm
@@ -93,7 +93,7 @@ struct Reference {
 };
 constexpr std::array<double, 11> loads_free{0, 0, 8.0491, 18.742, 24.142, 24.61, 20.045, 10.466, 0, 0, 0};
 constexpr std::array<double, 11> moments_free{0, 0, 27.724, 29.117, 31.431, 31.599, 29.585, 28.592, 0, 0, 0};
-constexpr Reference references[]{
+constexpr TiltReference tilt_references[]{
     {false, 2, 0.0, 44.21150185789828, 0.0, 0.0, loads_free, {}},
     {false, 3, 0.0, 44.211501857895776, 0.0, 0.0, loads_free, {}},
     {false, 2, 5.0, 44.21150185789828, 163.97068391876797, 165.00947437869084, loads_free, moments_free},
@@ -117,7 +117,7 @@ constexpr Reference references[]{
      {0, 0, 0, 121.05, 342.94, 361.13, 176.02, 0, 0, 0, 0}}};
 
 TEST(DryTilt, IsWhatTheIndependentProgramFinds) {
-  for (const Reference& reference : references) {
+  for (const TiltReference& reference : tilt_references) {
     const Pushed found = pushed(reference.stuck, reference.modes, 1e-6 * reference.tilt);
     SCOPED_TRACE(testing::Message() << "stuck " << reference.stuck << ", modes " << reference.modes << ", tilt "
                                     << reference.tilt);

@@ -42,7 +42,8 @@ TEST(CaseWarnings, SayWhatFoilsAreNotOverTheWidth) {
 TEST(CaseWarnings, SayWhereFrictionWedges) {
   Case input = reference_case();
   input.bump_foil.height = 1.7e-3;
-  input.bump_foil.truss = {.k1 = 1e6, .k2 = 1e3, .k3 = 1e3, .k4 = 1e3};
+  input.bump_foil.truss.k1 = 1e6;
+  input.bump_foil.truss.k2 = input.bump_foil.truss.k3 = input.bump_foil.truss.k4 = 1e3;
   input.friction = {.top_bump = 0.87, .bump_sleeve = 0.87};
   EXPECT_TRUE(case_warnings(input).empty());
   input.friction.bump_sleeve = 0.88;

@@ -10,9 +10,10 @@ CycleResult harmless() {
   Cycle cycle;
   cycle.amplitude = 50e-6;
   cycle.start.emplace();
-  cycle.turning_point.emplace();
-  cycle.turning_point->max_force = 10.0;
-  cycle.turning_point->bump_loads = Vector::Ones(3);
+  TurningPoint turn;
+  turn.max_force = 10.0;
+  turn.bump_loads = Vector::Ones(3);
+  cycle.turning_point = turn;
   cycle.first_contact = 30e-6;
   return {.solver = SolverName::newton, .cycles = {cycle}};
 }
