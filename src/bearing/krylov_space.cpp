@@ -3,12 +3,6 @@
 #include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
-namespace {
-
-/// Part of a direction that is left by those before it. Their products with it are then ten roundings.
-constexpr double little_left = 0.1;
-
-}  // namespace
 
 KrylovSpace::KrylovSpace(const Vector& start, Eigen::Index most)
     : basis_(start.size(), most + 1), H_(Matrix::Zero(most, most)) {
@@ -18,16 +12,13 @@ KrylovSpace::KrylovSpace(const Vector& start, Eigen::Index most)
 void KrylovSpace::add(Vector image) {
   BUMPFOIL_ASSERT(can_grow());
   const Eigen::Index m = ++size_;
-  // Again where so little is left that the roundings of the last time count.
-  next_ = image.norm();
-  double before{};
-  do {
-    before = next_;
+  // Twice: once leaves what roundings of the first time make.
+  for (int pass = 0; pass < 2; ++pass) {
     const Vector parts = basis_.leftCols(m).transpose() * image;
     image.noalias() -= basis_.leftCols(m) * parts;
     H_.col(m - 1).head(m) += parts;
-    next_ = image.norm();
-  } while (next_ < little_left * before);
+  }
+  next_ = image.norm();
   if (m == H_.cols() || !(next_ > 0.0)) return;
   H_(m, m - 1) = next_;
   basis_.col(m) = image / next_;
