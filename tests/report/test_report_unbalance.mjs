@@ -265,7 +265,7 @@ test('a sweep shows the largest amplitude over its key, and amplitudes over key 
     points.forEach((point, i) => near(Number(shown[i].largest_amplitude_m), point.largest_amplitude_m, 1e-6, 'amplitude'));
     await unfold(page, 'Points');
     const heads = await page.getByRole('group', { name: 'Table: Results by point', exact: true }).locator('thead th').allTextContents();
-    assert.deepEqual(heads.slice(0, 4), ['Rotor: Mass', 'Largest amplitude µm', 'Speed of it rpm', 'Amplitude / film']);
+    assert.deepEqual(heads.slice(0, 4), ['Rotor: Mass', 'Largest amplitude µm', 'Speed of the largest amplitude rpm', 'Amplitude / film']);
     await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Speed');
     await page.getByRole('combobox', { name: 'Quantity: Result vs. parameter' }).selectOption('Amplitude of the journals');
     assert.equal((await shownIn(page, 'Result vs. parameter')).length, 2 * 37);

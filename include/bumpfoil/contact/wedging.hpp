@@ -15,11 +15,12 @@ struct Wedge {
 /// The contact that friction wedges most, if it does.
 ///
 /// With all other contacts closed and stuck, let a contact slide by w. The stiffness of its block resists with T w, and
-/// its normal force changes by a w. In the direction in which it decreases, equilibrium reads (T - f |a|) w = rest: from
+/// its normal force changes by a w. In the direction in which it decreases, friction takes f |a| w from the resistance:
+/// from
 ///
 ///     f = T / |a|
 ///
-/// on, friction falls faster than resistance grows. Increments may then have several answers or none [Klarbring1990].
+/// on it falls faster than resistance grows. Increments may then have several answers or none [Klarbring1990].
 /// Bumps that rest on fewer contacts wedge no less: T is smaller then.
 ///
 /// @param problem  with linear elastic forces, or the tangent of others
