@@ -93,10 +93,10 @@ Json quantities_json(const Json& result) {
   const bool of_cycles = has_cycles(experiment.name) || experiment.name == name_of(Experiment::path);
   Json json = Json::array();
   for (const VariableMeaning& meaning : meanings_in_tables(experiment)) {
-    // All that the result has. Cycles have all that is not of tilted journals alone, and show what has a label.
-    const bool has_it = of_cycles && (meaning.tags & tag::under_tilt) == 0;
-    if (!has_it && !result.at("variables").contains(meaning.name)) continue;
-    if (of_cycles && meaning.label.empty()) continue;
+    // Of cycles those are shown that have a label, of others all that the result has.
+    if (of_cycles ? meaning.label.empty() : !result.at("variables").contains(meaning.name)) continue;
+    // What tilted journals alone have is explained where there is one.
+    if (of_cycles && (meaning.tags & tag::under_tilt) != 0 && meaning_of(result, meaning.name).empty()) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
   return json;

@@ -270,7 +270,8 @@ void judge_dry_tilt(Judge& judge, const Case& input, const char* command) {
   judge.require_for(command, input.bump_foil.geometry == Geometry::linear, "width.tilt", "",
                     "is not supported with large displacements", "set bump_foil.geometry = \"linear\"");
   judge.require_for(command, input.bump_foil.model != BumpFoilModel::former, "width.tilt", "",
-                    "needs a top foil, of which the Le Lez (2007) model has none", "set model = \"truss\" or \"frame\"");
+                    "needs a top foil, of which the Le Lez (2007) model has none",
+                    "set model = \"truss\" or \"frame\"");
 }
 
 /// What makes both halves of the width differ, so that the whole width is computed.
