@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "core/collect_faults.hpp"
 #include "core/number_text.hpp"
 
 namespace bumpfoil {
@@ -207,11 +208,7 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
 std::vector<Fault> apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
   std::vector<Fault> faults;
   for (const std::string& argument : overrides) {
-    try {
-      apply_override(root, argument);
-    } catch (const Error& error) {
-      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
-    }
+    collect_faults(faults, [&] { apply_override(root, argument); });
   }
   return faults;
 }

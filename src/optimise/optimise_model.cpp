@@ -12,21 +12,12 @@
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "case/key_list.hpp"
+#include "core/collect_faults.hpp"
 #include "experiments/fit/fit_keys.hpp"
 #include "optimise/point_runner.hpp"
 
 namespace bumpfoil {
 namespace {
-
-/// Does what may find faults of a key, and keeps them.
-template <typename Reading>
-void collect_faults(std::vector<Fault>& faults, const Reading& reading) {
-  try {
-    reading();
-  } catch (const Error& error) {
-    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
-  }
-}
 
 OptimisedQuantity quantity_of(const PointRunner& runner, std::size_t number, bool largest) {
   const LimitedQuantity named = runner.quantities()[number];

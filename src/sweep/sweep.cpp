@@ -14,6 +14,7 @@
 #include "case/case_json.hpp"
 #include "case/key_list.hpp"
 #include "case/toml_document.hpp"
+#include "core/collect_faults.hpp"
 #include "core/number_text.hpp"
 
 namespace bumpfoil {
@@ -42,11 +43,7 @@ class OptionReader {
 
   std::vector<SweepAxis> read() {
     for (const std::string& argument : request_.over) {
-      try {
-        add(parse_swept_key(argument));
-      } catch (const Error& error) {
-        faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
-      }
+      collect_faults(faults_, [&] { add(parse_swept_key(argument)); });
     }
     double points = 1.0;
     for (const SweepAxis& axis : axes_) points *= static_cast<double>(axis.swept.values.size());

@@ -6,6 +6,7 @@
 #include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "case/case_json.hpp"
+#include "core/collect_faults.hpp"
 #include "experiments/transient/transient_checkpoint.hpp"
 #include "experiments/transient/transient_quantities.hpp"
 #include "results/result_files.hpp"
@@ -107,12 +108,9 @@ Outcome stage_transient(const Case& input, const StagedRun& staged, const Progre
 /// Places of pulses that only the rotor tells.
 std::vector<Fault> transient_faults(const Case& input) {
   if (!find_faults(input).empty()) return {};  // without its bearings there is no rotor
-  try {
-    static_cast<void>(transient_not_begun(input));
-  } catch (const Error& error) {
-    return error.faults();
-  }
-  return {};
+  std::vector<Fault> faults;
+  collect_faults(faults, [&] { static_cast<void>(transient_not_begun(input)); });
+  return faults;
 }
 
 }  // namespace
