@@ -284,7 +284,8 @@ void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& cont
 
 namespace {
 
-JournalVector pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure) {
+/// Force against a pressure at all nodes where it exceeds `outside`.
+JournalVector pad_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure, double outside) {
   const FilmMesh& mesh = pad.foil.mesh;
   JournalVector force = JournalVector::Zero(bearing.motions());
   for (int k = 0; k < mesh.nodes(); ++k) {
@@ -292,7 +293,7 @@ JournalVector pad_film_force(const FilmBearing& bearing, const FilmPad& pad, con
     double excess = 0.0;
     double lever = 0.0;
     for (int j = 0; j <= mesh.rows; ++j) {
-      const double part = mesh.row_weight(j) * (pressure(j, column) - 1.0);
+      const double part = mesh.row_weight(j) * (pressure(j, column) - outside);
       excess += part;
       lever += part * mesh.zeta(j);
     }
@@ -306,38 +307,45 @@ JournalVector pad_film_force(const FilmBearing& bearing, const FilmPad& pad, con
 
 JournalVector film_force(const FilmBearing& bearing, const Matrix& pressure) {
   JournalVector force = JournalVector::Zero(bearing.motions());
-  for (const FilmPad& pad : bearing.pads) force += pad_film_force(bearing, pad, pressure);
+  for (const FilmPad& pad : bearing.pads) force += pad_force(bearing, pad, pressure, 1.0);
   return force;
 }
 
-Vector asperity_pressures(const FilmBearing& bearing, const Matrix& thickness) {
-  Vector pressures(bearing.columns());
+Matrix asperity_pressures(const FilmBearing& bearing, const Matrix& thickness) {
+  Matrix pressures(thickness.rows(), bearing.columns());
   for (const FilmPad& pad : bearing.pads) {
-    pressures(pad.columns()) = asperity_pressures(pad.foil, part_of(pad, thickness));
+    pressures(Eigen::all, pad.columns()) = asperity_pressures(pad.foil, part_of(pad, thickness));
   }
   return pressures;
 }
 
 namespace {
 
-/// Forces of pressures at the columns of a pad that are the same over the width, N.
-Vector column_forces(const FilmBearing& bearing, const FilmPad& pad, const Vector& pressures) {
+/// Integral of p_c over a pad, N.
+double pressed(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressures) {
   const FilmMesh& mesh = pad.foil.mesh;
-  return mesh.copies() * bearing.scales.force() * mesh.dtheta * mesh.dzeta * mesh.rows *
-         mesh.weights.cwiseProduct(pressures(pad.columns()));
+  double sum = 0.0;
+  for (int k = 0; k < mesh.nodes(); ++k) {
+    for (int j = 0; j <= mesh.rows; ++j) {
+      sum += mesh.column_weight(k) * mesh.row_weight(j) * pressures(j, pad.first_column + k);
+    }
+  }
+  return mesh.copies() * bearing.scales.force() * mesh.dtheta * mesh.dzeta * sum;
 }
 
-Eigen::Vector2d pad_asperity_force(const FilmBearing& bearing, const FilmPad& pad, const Vector& pressures,
-                                   double friction) {
-  const Eigen::Vector2d normal =
-      bearing.column_normals(Eigen::all, pad.columns()) * column_forces(bearing, pad, pressures);
-  return normal + friction * Eigen::Vector2d(-normal.y(), normal.x());
+JournalVector pad_asperity_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressures,
+                                 double friction) {
+  JournalVector force = pad_force(bearing, pad, pressures, 0.0);
+  for (Eigen::Index i = 0; i < force.size(); i += 2) {
+    force.segment<2>(i) += friction * Eigen::Vector2d(-force[i + 1], force[i]);
+  }
+  return force;
 }
 
 }  // namespace
 
-Eigen::Vector2d asperity_force(const FilmBearing& bearing, const Vector& pressures, double friction) {
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+JournalVector asperity_force(const FilmBearing& bearing, const Matrix& pressures, double friction) {
+  JournalVector force = JournalVector::Zero(bearing.motions());
   for (const FilmPad& pad : bearing.pads) force += pad_asperity_force(bearing, pad, pressures, friction);
   return force;
 }
@@ -350,8 +358,7 @@ double sliding_friction(const FilmBearing& bearing, double speed) {
 JournalVector journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed) {
   JournalVector force = film_force(bearing, film.pressure);
   if (bearing.surroundings.asperities) {
-    force.head<2>() +=
-        asperity_force(bearing, asperity_pressures(bearing, film.thickness), sliding_friction(bearing, speed));
+    force += asperity_force(bearing, asperity_pressures(bearing, film.thickness), sliding_friction(bearing, speed));
   }
   return force;
 }
@@ -390,13 +397,15 @@ double wrapped(double angle) {
 }
 
 /// What the film and asperities carry, and how much asperities resist.
-void find_forces(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
-  const Vector pressures = asperity_pressures(bearing, state.film.thickness);
+/// @return the part of the film
+JournalVector find_forces(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
+  const Matrix pressures = asperity_pressures(bearing, state.film.thickness);
   const double friction = sliding_friction(bearing, state.speed);
-  outcome.asperity_force = asperity_force(bearing, pressures, friction);
+  const JournalVector of_asperities = asperity_force(bearing, pressures, friction);
   const JournalVector of_film = film_force(bearing, state.film.pressure);
+  outcome.asperity_force = of_asperities.head<2>();
   outcome.force = of_film.head<2>() + outcome.asperity_force;
-  if (bearing.tilts()) outcome.moment = bearing.half_width() * of_film.tail<2>();
+  if (bearing.tilts()) outcome.moment = bearing.half_width() * (of_film + of_asperities).tail<2>();
   outcome.max_asperity_pressure = pressures.maxCoeff();
   const bool several = bearing.pads.size() > 1;
   if (several) outcome.pad_forces.resize(2, std::ssize(bearing.pads));
@@ -404,15 +413,17 @@ void find_forces(const FilmBearing& bearing, const BearingState& state, FilmBear
     const FilmPad& pad = bearing.pads[k];
     if (several) {
       outcome.pad_forces.col(static_cast<Eigen::Index>(k)) =
-          pad_film_force(bearing, pad, state.film.pressure).head<2>() +
-          pad_asperity_force(bearing, pad, pressures, friction);
+          (pad_force(bearing, pad, state.film.pressure, 1.0) + pad_asperity_force(bearing, pad, pressures, friction))
+              .head<2>();
     }
-    outcome.asperity_torque += friction * bearing.scales.radius * column_forces(bearing, pad, pressures).sum();
+    outcome.asperity_torque += friction * bearing.scales.radius * pressed(bearing, pad, pressures);
   }
+  return of_film;
 }
 
-/// What all pads make of drag, flow and dissipation.
-void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
+/// What all pads make of drag, flow and dissipation. @param of_film  force of the film on the journal
+void find_drag(const FilmBearing& bearing, const BearingState& state, const JournalVector& of_film,
+               FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
   // What the sleeve is wider, too.
   Matrix wall = state.film.thickness - bearing.undeformed_thickness(bearing.journal_of(state), state.opening);
@@ -444,10 +455,11 @@ void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearin
   outcome.couette_dissipation = outcome.couette_torque * state.speed;
   outcome.dissipation = outcome.couette_dissipation + pressure_dissipation + outcome.asperity_torque * state.speed;
   // Asperities press towards the centre of the journal and rub at its surface: they have no part in the rest.
-  const Eigen::Vector2d of_film = outcome.force - outcome.asperity_force;
-  const Eigen::Vector2d at_side = outcome.moment / bearing.half_width();
-  const double lever = state.position.x() * of_film.y() - state.position.y() * of_film.x() +
-                       state.tilt.x() * at_side.y() - state.tilt.y() * at_side.x();
+  const JournalVector journal = bearing.journal_of(state);
+  double lever = 0.0;
+  for (Eigen::Index i = 0; i < journal.size(); i += 2) {
+    lever += journal[i] * of_film[i + 1] - journal[i + 1] * of_film[i];
+  }
   outcome.torque_of_moments = outcome.couette_torque + outcome.asperity_torque - 0.5 * (lever + slope);
 }
 
@@ -480,12 +492,12 @@ void find_loaded_bumps(const FilmBearing& bearing, const BearingState& state, Fi
 
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const BearingState& state) {
   FilmBearingOutcome outcome;
-  find_forces(bearing, state, outcome);
+  const JournalVector of_film = find_forces(bearing, state, outcome);
   outcome.eccentricity = state.position.norm() / std::abs(bearing.clearance);
   const double turned =
       std::atan2(state.position.y(), state.position.x()) - std::atan2(outcome.force.y(), outcome.force.x());
   outcome.attitude_angle = wrapped(state.speed < 0.0 ? -turned : turned);
-  find_drag(bearing, state, outcome);
+  find_drag(bearing, state, of_film, outcome);
   find_thinnest(bearing, state.film.thickness, outcome);
   outcome.max_pressure = state.film.pressure.maxCoeff();
   outcome.min_pressure = state.film.pressure.minCoeff();

@@ -32,11 +32,17 @@ double membrane_energy(const FilmBearing& bearing, const FoilFilm& foil, const F
 double asperity_energy(const FilmPad& pad, const Matrix& thickness) {
   const FoilFilm& foil = pad.foil;
   if (!foil.asperities) return 0.0;
+  const FilmMesh& mesh = foil.mesh;
   double energy = 0.0;
-  for (int k = 0; k < foil.mesh.nodes(); ++k) {
-    energy += foil.mesh.column_weight(k) * foil.asperities->energy(thickness(0, pad.first_column + k));
+  for (int k = 0; k < mesh.nodes(); ++k) {
+    const auto H = thickness.col(pad.first_column + k);
+    double of_place = 0.0;
+    for (int j = 0; j <= mesh.rows; ++j) {
+      if (j == 0 || H[j] != H[j - 1]) of_place = foil.asperities->energy(H[j]);  // one for all rows of the same H
+      energy += mesh.column_weight(k) * mesh.row_weight(j) * of_place;
+    }
   }
-  return foil.mesh.copies() * foil.mesh.dtheta * foil.mesh.dzeta * foil.mesh.rows * energy;
+  return mesh.copies() * mesh.dtheta * mesh.dzeta * energy;
 }
 
 }  // namespace

@@ -207,17 +207,16 @@ void FilmNewton::answer(Step& change) {
 /// Change of the force on the journal with pressure and asperities, where the system was linearised last.
 JournalVector FilmNewton::force_of(const FoilFilmState& change) const {
   JournalVector force = film_force(bearing_, bearing_.field(1.0) + change.pressure);
-  force.head<2>() += asperity_force_of(change);
+  if (bearing_.surroundings.asperities) force += asperity_force_of(change);
   return force;
 }
 
 /// The part of asperities.
-Eigen::Vector2d FilmNewton::asperity_force_of(const FoilFilmState& change) const {
-  if (!bearing_.surroundings.asperities) return Eigen::Vector2d::Zero();
-  Vector pressures(bearing_.columns());
+JournalVector FilmNewton::asperity_force_of(const FoilFilmState& change) const {
+  Matrix pressures(change.thickness.rows(), bearing_.columns());
   for (const Part& part : parts_) {
-    pressures(part.pad.columns()) =
-        part.system.asperity_slopes().cwiseProduct(part_of(part.pad, change.thickness).row(0).transpose());
+    pressures(Eigen::all, part.pad.columns()) =
+        part.system.asperity_slopes().cwiseProduct(part_of(part.pad, change.thickness));
   }
   return asperity_force(bearing_, pressures, friction_);
 }
@@ -230,7 +229,7 @@ JournalVector FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
     const Matrix change = part_of(part.pad, rigid);
     part.residual.film = stencil_product(foil.mesh, part.system.film_jacobian().by_thickness, change);
     set_zero(foil, part.residual);
-    part.residual.balance.row(0) = asperity_change(part, change).transpose();
+    part.residual.balance = asperity_change(part, change);
   }
   answer(rate);
   rate.film.thickness += rigid;
@@ -311,8 +310,8 @@ Vector FilmNewton::content_of(const FoilFilmState& change, const FilmState& stat
 
 /// Change of the balances of a foil with the pressures of asperities where H changes and the system was linearised
 /// last.
-Vector FilmNewton::asperity_change(const Part& part, const Matrix& thickness) {
-  return asperity_balance(part.pad.foil, part.system.asperity_slopes().cwiseProduct(thickness.row(0).transpose()));
+Matrix FilmNewton::asperity_change(const Part& part, const Matrix& thickness) {
+  return asperity_balance(part.pad.foil, part.system.asperity_slopes().cwiseProduct(thickness));
 }
 
 /// Makes the rates at which the volumes of the nodes store something the residuals of the films.
@@ -382,7 +381,7 @@ double FilmNewton::equation_square(const Step& change) {
                           stencil_product(mesh, jacobian.by_thickness, part.change.thickness);
     part.change.pressure.array() += 1.0;  // foils are loaded by P - 1
     foil_residual(part.pad.foil, part.change, part.residual);
-    part.residual.balance.row(0) += asperity_change(part, part.change.thickness).transpose();
+    part.residual.balance += asperity_change(part, part.change.thickness);
     add_supports(part.pad, forces, part.residual.balance);
     const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
     square += film_square(mesh, part.residual.film) + part.residual.balance.squaredNorm() +
@@ -466,8 +465,8 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
 JournalVector FilmNewton::stepped_force() const {
   JournalVector force = film_force(bearing_, iterate_.film.pressure + step_.film.pressure);
   if (bearing_.surroundings.asperities) {
-    force.head<2>() += asperity_force(bearing_, asperity_pressures(bearing_, iterate_.film.thickness), friction_) +
-                       asperity_force_of(step_.film);
+    force += asperity_force(bearing_, asperity_pressures(bearing_, iterate_.film.thickness), friction_) +
+             asperity_force_of(step_.film);
   }
   return force;
 }

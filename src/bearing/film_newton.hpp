@@ -108,8 +108,8 @@ class FilmNewton {
   [[nodiscard]] double contact_square(const ContactState& change) const;
   double equation_square(const Step& change);
   [[nodiscard]] JournalVector force_of(const FoilFilmState& change) const;
-  [[nodiscard]] Eigen::Vector2d asperity_force_of(const FoilFilmState& change) const;
-  static Vector asperity_change(const Part& part, const Matrix& thickness);
+  [[nodiscard]] JournalVector asperity_force_of(const FoilFilmState& change) const;
+  static Matrix asperity_change(const Part& part, const Matrix& thickness);
   JournalVector find_rate(const Matrix& rigid, Step& rate);
   void move_foils();
   void add_to_step(double way, const Step& rate);

@@ -36,26 +36,38 @@ FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double b
 
 namespace {
 
-/// Values of asperities at all columns. @param value  (asperities, H) -> number
+/// Values of asperities at all nodes. @param value  (asperities, H) -> number
 template <typename Value>
-Vector over_columns(const FoilFilm& foil, const Matrix& thickness, Value&& value) {
-  Vector values = Vector::Zero(foil.mesh.nodes());
+Matrix over_nodes(const FoilFilm& foil, const Matrix& thickness, Value&& value) {
+  Matrix values = foil.mesh.field(0.0);
   if (!foil.asperities) return values;
-  for (int k = 0; k < foil.mesh.nodes(); ++k) values[k] = value(*foil.asperities, thickness(0, k));
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    for (Eigen::Index j = 0; j < values.rows(); ++j) {
+      // Where nothing varies over the width, one value serves all rows.
+      const bool known = j > 0 && thickness(j, k) == thickness(j - 1, k);
+      values(j, k) = known ? values(j - 1, k) : value(*foil.asperities, thickness(j, k));
+    }
+  }
   return values;
 }
 
 }  // namespace
 
-Vector asperity_pressures(const FoilFilm& foil, const Matrix& thickness) {
-  return over_columns(foil, thickness, [](const Asperities& rough, double H) { return rough.pressure(H); });
+Matrix asperity_pressures(const FoilFilm& foil, const Matrix& thickness) {
+  return over_nodes(foil, thickness, [](const Asperities& rough, double H) { return rough.pressure(H); });
 }
 
-Vector asperity_balance(const FoilFilm& foil, Vector pressures) {
-  const double of_rows = -foil.load_scale * foil.mesh.rows;  // all weights of rows together
-  for (int k = 0; k < foil.mesh.nodes(); ++k) pressures[k] *= of_rows * foil.mesh.column_weight(k);
-  pressures[0] = 0.0;  // the weld carries it
-  return pressures;
+Matrix asperity_balance(const FoilFilm& foil, const Matrix& pressures) {
+  const FilmMesh& mesh = foil.mesh;
+  Matrix balance = Matrix::Zero(foil.lines.count(), mesh.nodes());
+  if (!foil.asperities) return balance;
+  for (int k = 1; k < mesh.nodes(); ++k) {  // the weld carries its own
+    for (int j = 0; j <= mesh.rows; ++j) {
+      balance.col(k) -= foil.load_scale * mesh.column_weight(k) * mesh.row_weight(j) * pressures(j, k) *
+                        foil.shapes.row(j).transpose();
+    }
+  }
+  return balance;
 }
 
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness) {
@@ -126,7 +138,7 @@ void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, 
   foil_residual(foil, state, residual);
   residual.compatibility.leftCols(foil.mesh.columns).rowwise() -= foil.forming.transpose();
   if (foil.asperities) {
-    residual.balance.row(0) += asperity_balance(foil, asperity_pressures(foil, state.thickness)).transpose();
+    residual.balance += asperity_balance(foil, asperity_pressures(foil, state.thickness));
   }
 }
 
@@ -139,6 +151,8 @@ struct FoilFilmSystem::Workspace {
   void assemble_film(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
   template <typename Own>
   void assemble_line(int k, int line, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
+  template <typename Own>
+  void assemble_asperities(int k, Own&& own) const;
   template <typename Own>
   void assemble_membrane(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
   void read_column(int k, const FoilFilmResidual& residual, Eigen::Ref<Vector> values) const;
@@ -161,7 +175,7 @@ struct FoilFilmSystem::Workspace {
   std::vector<Block> lower, diagonal, upper;  ///< condensed
   ColumnCoupling nothing;                     ///< beyond the free end
   FilmJacobian jacobian;
-  Vector asperity_slopes, asperity_stiffness;
+  Matrix asperity_slopes;
   Matrix film_residual;
   Matrix condensed;
 };
@@ -207,6 +221,7 @@ void FoilFilmSystem::Workspace::assemble(int k, ColumnCoupling& before, Own&& ow
     assemble_film(k, before, own, after);
   }
   for (int line = 0; line < lines; ++line) assemble_line(k, line, before, own, after);
+  if (foil.asperities && k > 0) assemble_asperities(k, own);
   if (k < std::ssize(foil.membrane)) assemble_membrane(k, before, own, after);
 }
 
@@ -255,7 +270,6 @@ void FoilFilmSystem::Workspace::assemble_line(int k, int line, ColumnCoupling& b
   const bool free_end = k == mesh.columns;
   if (!weld) {
     before.by(by_M)[u] = column.kink_before;
-    own(u, u) = asperity_stiffness[k];
     if (!free_end) {
       for (int i = 0; i < n; ++i) {
         const int j = mesh.first_unknown_row() + i;
@@ -273,6 +287,18 @@ void FoilFilmSystem::Workspace::assemble_line(int k, int line, ColumnCoupling& b
     own(m, m) = -flexibility * column.bend;
     after.by(by_U)[m] = column.kink_after;
     after.by(by_M)[m] = -flexibility * column.bend_after;
+  }
+}
+
+/// What asperities add to the balances where the foil gives way: the derivative of asperity_balance().
+template <typename Own>
+void FoilFilmSystem::Workspace::assemble_asperities(int k, Own&& own) const {
+  const FilmMesh& mesh = foil.mesh;
+  const Eigen::Index lines = foil.lines.count();
+  auto by_lift = own.block(mesh.unknown_rows(), mesh.unknown_rows(), lines, lines);
+  for (int j = 0; j <= mesh.rows; ++j) {
+    const double slope = foil.load_scale * mesh.column_weight(k) * mesh.row_weight(j) * asperity_slopes(j, k);
+    by_lift -= slope * foil.shapes.row(j).transpose() * foil.shapes.row(j);
   }
 }
 
@@ -303,7 +329,7 @@ FoilFilmSystem::~FoilFilmSystem() = default;
 const FilmJacobian& FoilFilmSystem::film_jacobian() const {
   return workspace_->jacobian;
 }
-const Vector& FoilFilmSystem::asperity_slopes() const {
+const Matrix& FoilFilmSystem::asperity_slopes() const {
   return workspace_->asperity_slopes;
 }
 int FoilFilmSystem::blocks() const {
@@ -326,8 +352,7 @@ bool FoilFilmSystem::linearise(const ReynoldsEquation& equation, const FoilFilmS
   Workspace& w = *workspace_;
   linearise_reynolds(equation, state, w.film_residual, w.jacobian);
   w.asperity_slopes =
-      over_columns(w.foil, state.thickness, [](const Asperities& rough, double H) { return rough.slope(H); });
-  w.asperity_stiffness = asperity_balance(w.foil, w.asperity_slopes);
+      over_nodes(w.foil, state.thickness, [](const Asperities& rough, double H) { return rough.slope(H); });
   const std::size_t blocks = w.columns.size();
   for (std::size_t i = 0; i < blocks; ++i) {
     w.assemble(w.columns[i], w.spans[i].columns->of_after(), w.diagonal[i],

@@ -49,9 +49,10 @@ struct EnergyMeter::Instant {
                                                    .contacts = now.contacts,
                                                    .energy = bearing_energy(bearing, now).total()});
       if (!bearing.surroundings.asperities) continue;
-      const Vector pressures = asperity_pressures(bearing, now.film.thickness);
-      one.rubbing = asperity_force(bearing, pressures, 0.0) -
-                    asperity_force(bearing, pressures, sliding_friction(bearing, now.speed));
+      const Matrix pressures = asperity_pressures(bearing, now.film.thickness);
+      one.rubbing = (asperity_force(bearing, pressures, 0.0) -
+                     asperity_force(bearing, pressures, sliding_friction(bearing, now.speed)))
+                        .head<2>();
     }
   }
 

@@ -128,6 +128,76 @@ TEST(FilmAsperities, TurnsAndMirrors) {
   EXPECT_NEAR(image.outcome->torque, -here.outcome->torque, 1e-7 * here.outcome->torque);
 }
 
+/// A misaligned journal, whose peaks touch towards the side that it leans to: stiffness in all four motions against
+/// central differences, and power and torque as they leave.
+TEST(FilmAsperities, CarryATiltedJournal) {
+  Case input = rough_case(1000.0, {30.0, 0.0});
+  input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
+  const RunningState state = rough_state(input);
+  FilmStepper stepper(make_film_bearing(input));
+  const FilmBearing& bearing = stepper.bearing();
+  const Matrix pressures = asperity_pressures(bearing, state.last->film.thickness);
+  const Eigen::Index sides = pressures.rows() - 1;
+  EXPECT_GT(state.outcome->asperity_force.x(), 1.0);
+  EXPECT_GT(pressures.row(sides).maxCoeff(), 100.0 * pressures.row(0).maxCoeff());
+  EXPECT_GT(state.outcome->moment.x(), bearing.half_width() * 0.1 * state.outcome->asperity_force.x());
+
+  const auto force_at = [&](const JournalVector& journal) {
+    BearingState moved = *state.last;
+    OperatingPoint point = OperatingPoint::held_at(journal.head<2>(), moved.speed);
+    point.tilt.value = journal.tail<2>();
+    EXPECT_EQ(stepper.advance(point, moved).status, Status::converged);
+    return journal_force(bearing, moved.film, moved.speed);
+  };
+  ASSERT_TRUE(state.stiffness.has_value());
+  const JournalVector journal = bearing.journal_of(*state.last);
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    const JournalVector step = 2e-11 * JournalVector::Unit(4, i);
+    const JournalVector difference = (force_at(journal + step) - force_at(journal - step)) / 4e-11;
+    JournalMatrix expected = JournalMatrix::Zero(4, 4);
+    expected.col(i) = difference;
+    // Of those against displacements, or of those against slopes.
+    const double largest = state.stiffness->middleCols(i - i % 2, 2).norm();
+    EXPECT_LT((bearing.by_slopes(expected) - *state.stiffness).col(i).norm(), 1e-5 * largest) << i;
+  }
+  EXPECT_TRUE(state.held.sliding.has_value());
+  EXPECT_NEAR(state.outcome->dissipation, state.outcome->power, 0.05 * state.outcome->power);
+  EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 0.05 * state.outcome->torque);
+}
+
+/// A journal that may tilt, but does not, is that on half the width.
+TEST(FilmAsperities, AreTheSameOnTheWholeWidth) {
+  const Case half = rough_case(500.0, {30.0, 0.0}, 0.1);
+  Case whole = half;
+  whole.width.moment = {0.0, 0.0};
+  const RunningState here = rough_state(half);
+  const RunningState there = rough_state(whole);
+  EXPECT_GT(here.outcome->asperity_force.x(), 1.0);
+  EXPECT_LT((there.last->position - here.last->position).norm(), 1e-7 * half.bearing.radial_clearance);
+  EXPECT_NEAR(there.outcome->torque, here.outcome->torque, 1e-7 * here.outcome->torque);
+  EXPECT_NEAR(there.outcome->asperity_torque, here.outcome->asperity_torque, 1e-6 * here.outcome->torque);
+}
+
+/// At rest under a tilt peaks that hardly give way hold the journal as the dry bearing does, where it touches the foils
+/// on three lines over the width instead of at all rows.
+TEST(FilmAsperities, HoldATiltedJournalAtRestAsWithoutAFilm) {
+  const Eigen::Vector2d load(50.0, 0.0);
+  Case input = rough_case(0.0, load);
+  input.asperity->sigma = 0.01e-6;
+  input.width = {.modes = 3, .tilt = {5e-6 / input.bearing.axial_length, 0.0}};
+  const RunningState running = rough_state(input);
+
+  FoilStepper dry = make_stepper(make_bearing_foils(input));
+  Step step;
+  advance_to_load(dry, BearingState::unstressed(dry.foils()), load, 1e-6, 3.0 * input.bearing.radial_clearance, step);
+  ASSERT_TRUE(step.converged());
+  const double moment = holding_moment(dry.foils(), step.state.contacts.normal_force).x();
+  // Peaks hold the surfaces 0.03 um apart.
+  EXPECT_NEAR(running.last->position.x(), step.state.position.x(), 0.05e-6);
+  EXPECT_NEAR(running.outcome->moment.x(), moment, 2e-3 * moment);
+  EXPECT_GT(moment, 0.1);
+}
+
 /// From rest to speed: the load goes over from peaks to gas, and the torque has its least where they part.
 TEST(FilmAsperities, RunUpFromRestIsACurveOfStribeck) {
   Case input = rough_case(0.0, {50.0, 0.0}, 0.1);

@@ -200,14 +200,14 @@ struct FilmBearingOutcome {
 /// the journal may tilt of (p - pa) n zeta, N.
 JournalVector film_force(const FilmBearing& bearing, const Matrix& pressure);
 
-/// P_c at all columns of all pads, zero where surfaces are smooth: asperity_pressures().
-Vector asperity_pressures(const FilmBearing& bearing, const Matrix& thickness);
+/// P_c at all nodes of all pads, zero where surfaces are smooth: asperity_pressures().
+Matrix asperity_pressures(const FilmBearing& bearing, const Matrix& thickness);
 
 /// Force that must be applied to the journal under asperities that press on it and rub: the integral of p_c (n + f t),
-/// N, t towards increasing polar angle.
-/// @param pressures  P_c at all columns, or its changes
+/// and where the journal may tilt of p_c (n + f t) zeta, N; t towards increasing polar angle.
+/// @param pressures  P_c at all nodes, or its changes
 /// @param friction   f, with the sign of the speed: sliding_friction()
-Eigen::Vector2d asperity_force(const FilmBearing& bearing, const Vector& pressures, double friction);
+JournalVector asperity_force(const FilmBearing& bearing, const Matrix& pressures, double friction);
 
 /// Coefficient of friction of asperities at a speed Omega (rad/s), with its sign: f tanh(Omega R / U_0), U_0 = 1 mm/s.
 /// Below that a joint creeps: friction begins at rest with none.

@@ -20,7 +20,7 @@ namespace bumpfoil {
 /// Displacements are in units of c, moments in units of EI' c / p^2. With the excess of pressure integrated over the
 /// volumes, the balance and the compatibility of node k are, divided by EI' c / p^3 and by c / p,
 ///
-///     p (D M)_k - load_scale omega_k sum_j omega_j (P_jk - 1 + P_c(H_k)) = - forces of what supports the foil there
+///     p (D M)_k - load_scale omega_k sum_j omega_j (P_jk - 1 + P_c(H_jk)) = - forces of what supports the foil there
 ///     p (D' U)_k - EI'/p (T M)_k - p r_k / c = 0
 ///
 /// with D, T of TopFoilMoments, r of forming_rotations(), M = 0 at the free end and U = 0 at the weld; omega_k and
@@ -28,7 +28,7 @@ namespace bumpfoil {
 ///
 /// A foil whose displacement varies over the width has such U and M on each of the lines that give it (WidthLines), by
 /// shapes N_s(zeta): its beam there is `weight` times as stiff as the whole width, and is loaded by
-/// sum_j omega_j N_s(zeta_j) (P_jk - 1). What varies over the width stretches the foil, which the unknowns F and g of
+/// sum_j omega_j N_s(zeta_j) (P_jk - 1 + P_c(H_jk)). What varies over the width stretches the foil, which the unknowns F and g of
 /// its membrane (MembraneRows, F in units of EI' c / p^4, lengths in units of p) add to the balances:
 ///
 ///     + w_k sum_k F_k to_modes(k, s)
@@ -39,8 +39,7 @@ struct FoilFilm {
   double pitch{};                        ///< p, m
   double load_scale{};                   ///< pa R^2 dtheta dzeta / (c stiffness), times FilmMesh::copies()
   Vector forming;                        ///< p r / c of all columns but the last
-  std::optional<Asperities> asperities;  ///< of journal and foil, in units of pa and c; none: smooth surfaces. Only on
-                                         ///< foils that are uniform over the width
+  std::optional<Asperities> asperities;  ///< of journal and foil, in units of pa and c; none: smooth surfaces
   std::vector<int> supports;  ///< columns where something may support the foil: increasing, none at or next to the
                               ///< ends, no two neighbours
   WidthLines lines{make_width_lines(1, WidthPart::half)};
@@ -72,11 +71,11 @@ struct FoilFilmState : FilmState {
   Matrix membrane;  ///< F of all columns and of each mode that stretches the foil, then g
 };
 
-/// P_c at all columns; zero on smooth surfaces. H is that of row 0: such foils are the same over the width.
-Vector asperity_pressures(const FoilFilm& foil, const Matrix& thickness);
+/// P_c at all nodes; zero on smooth surfaces.
+Matrix asperity_pressures(const FoilFilm& foil, const Matrix& thickness);
 
-/// What such pressures, or their changes, add to the balances of all columns.
-Vector asperity_balance(const FoilFilm& foil, Vector pressures);
+/// What such pressures, or their changes, add to the balances of all lines and columns.
+Matrix asperity_balance(const FoilFilm& foil, const Matrix& pressures);
 
 /// A film at P = 1 on an undeformed foil.
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness);
@@ -112,8 +111,8 @@ class FoilFilmSystem {
 
   /// Derivatives of the film's residuals where it was linearised last.
   [[nodiscard]] const FilmJacobian& film_jacobian() const;
-  /// dP_c/dH of asperities at all columns there.
-  [[nodiscard]] const Vector& asperity_slopes() const;
+  /// dP_c/dH of asperities at all nodes there; zero on smooth surfaces.
+  [[nodiscard]] const Matrix& asperity_slopes() const;
 
   [[nodiscard]] int blocks() const;
   [[nodiscard]] int block_size() const;

@@ -453,9 +453,10 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
      }},
     {"asperity_pressure", "Pa", "pressure of asperities, mean over those around, the same over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       return bearing.scales.gas.ambient_pressure * asperity_pressures(bearing, state.film.thickness);
+       return bearing.scales.gas.ambient_pressure *
+              asperity_pressures(bearing, state.film.thickness).row(0).transpose();
      },
-     of_asperities},
+     of_asperities | of_uniform_film},
     {"film_top_displacement", "m", "deflection of the top foil in the mean over the width, positive outward",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        return bearing.scales.thickness * state.film.lift.transpose() * bearing.pads.front().foil.lines.weight;

@@ -159,6 +159,14 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
                return bearing.scales.thickness * state.last->film.thickness;
              })
         .compressed = true;
+    if (bearing.surroundings.asperities) {
+      states
+          .add({"asperity_pressure", "Pa", "pressure of asperities, mean over those around"}, {"row", "column"},
+               [&bearing](const RunningState& state) -> Matrix {
+                 return bearing.scales.gas.ambient_pressure * asperity_pressures(bearing, state.last->film.thickness);
+               })
+          .compressed = true;
+    }
   }
   if (!bearing.has_foils()) return;
   for (const ColumnQuantity& quantity : column_quantities()) {

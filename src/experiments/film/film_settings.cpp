@@ -301,8 +301,6 @@ void judge_halves(Judge& judge, const Case& input) {
                                     : "is supported by the commands equilibrium and film alone",
                       fmt::format("remove {}: the command computes what is the same on both halves of the width", key));
   }
-  judge.require_for("equilibrium", !input.asperity, key, "", "is not supported with mixed contact",
-                    fmt::format("remove {}, or [asperity]", key));
 }
 
 void judge_profile(Judge& judge, const Case& input) {
@@ -313,10 +311,6 @@ void judge_profile(Judge& judge, const Case& input) {
     judge.require_for(command, false, "width.crowning", quantity(input.width.crowning, "m"),
                       "is supported by commands with a film alone",
                       "remove width.crowning: the command presses the foils by a cylinder");
-  }
-  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
-    judge.require_for(command, !input.asperity, "width.crowning", quantity(input.width.crowning, "m"),
-                      "is not supported with mixed contact", "remove width.crowning, or [asperity]");
   }
 }
 
@@ -336,8 +330,6 @@ void judge_width(Judge& judge, const Case& input) {
     judge.require_for(command, false, "width.modes", std::to_string(modes),
                       "is supported by the command equilibrium alone", advice);
   }
-  judge.require_for("equilibrium", !input.asperity, "width.modes", std::to_string(modes),
-                    "is not supported with mixed contact", advice + ", or remove [asperity]");
 }
 
 /// What a bearing surface in place of the foils cannot have.

@@ -53,7 +53,8 @@ constexpr double no_asperity_load = 1e-9;
 double asperity_load(const BearingView& view) {
   const FilmBearing& bearing = view.bearing;
   if (!bearing.surroundings.asperities) return 0.0;
-  const double load = asperity_force(bearing, asperity_pressures(bearing, view.state.film.thickness), 0.0).norm();
+  const Matrix pressures = asperity_pressures(bearing, view.state.film.thickness);
+  const double load = asperity_force(bearing, pressures, 0.0).head<2>().norm();
   return load < no_asperity_load ? 0.0 : load;
 }
 

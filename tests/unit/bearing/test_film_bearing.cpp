@@ -89,7 +89,7 @@ TEST(FilmBearing, AsperitiesPushTheJournalBack) {
     return sum * bearing.scales.radius * pad.foil.mesh.dtheta * rough.bearing.axial_length;
   };
   const Eigen::Vector2d position(0.7 * bearing.clearance, 0.6 * bearing.clearance);
-  const Vector pressures = asperity_pressures(bearing, bearing.undeformed_thickness(position));
+  const Matrix pressures = asperity_pressures(bearing, bearing.undeformed_thickness(position));
   const Eigen::Vector2d force = asperity_force(bearing, pressures, 0.0);
   constexpr double d = 1e-10;
   for (const int axis : {0, 1}) {

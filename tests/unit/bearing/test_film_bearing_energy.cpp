@@ -45,19 +45,32 @@ TEST(BearingEnergy, OfFoilsIsHalfOfLoadTimesWay) {
   EXPECT_EQ(energy.asperities, 0.0);
 }
 
+/// In all motions of the journal: two on half the width, four where it tilts.
 TEST(BearingEnergy, AsperitiesHoldWhatTheirPressuresWouldDo) {
   Case input = film_reference_case({4, 3});
   input.asperity = AsperitySettings{.sigma = 0.5e-6, .pressure_factor = 2e8};
-  const FilmBearing bearing = make_film_bearing(input);
-  const auto energy_at = [&](double x) {
-    return bearing_energy(bearing, resting(bearing, Eigen::Vector2d(x, 0.0), 0.0)).asperities;
-  };
-  const double x = 30.5e-6;
-  const double dx = 1e-10;
-  const BearingState state = resting(bearing, Eigen::Vector2d(x, 0.0), 0.0);
-  const double force = asperity_force(bearing, asperity_pressures(bearing, state.film.thickness), 0.0).x();
-  EXPECT_GT(force, 1.0);
-  EXPECT_NEAR((energy_at(x + dx) - energy_at(x - dx)) / (2.0 * dx), force, 1e-6 * force);
+  Case tilted = input;
+  tilted.width.tilt = {1e-5, 2e-5};
+  tilted.width.crowning = 0.2e-6;
+  for (const Case& one : {input, tilted}) {
+    const FilmBearing bearing = make_film_bearing(one);
+    const auto energy_at = [&](const JournalVector& journal) {
+      return bearing_energy(bearing, resting(bearing, journal, 0.0)).asperities;
+    };
+    JournalVector journal = JournalVector::Zero(bearing.motions());
+    journal[0] = 30.5e-6;
+    if (bearing.tilts()) journal.tail<2>() << 0.3e-6, -0.1e-6;
+    const Matrix thickness = bearing.undeformed_thickness(journal);
+    const JournalVector force = asperity_force(bearing, asperity_pressures(bearing, thickness), 0.0);
+    EXPECT_GT(force[0], 1.0);
+    for (Eigen::Index i = 0; i < journal.size(); ++i) {
+      const JournalVector step = 1e-10 * JournalVector::Unit(journal.size(), i);
+      const double slope = (energy_at(journal + step) - energy_at(journal - step)) / 2e-10;
+      EXPECT_NEAR(slope, force[i], 1e-6 * force.norm()) << i;
+    }
+    if (!bearing.tilts()) continue;
+    EXPECT_GT(force[2], 0.01 * force[0]);  // the side that the journal leans to is pressed
+  }
 }
 
 }  // namespace

@@ -101,6 +101,13 @@ export function thicknessMap(states: States, selection: GridSelection): HTMLElem
   return [filmMap(states, selection, { name: 'film_thickness', unit: 'm', title: 'Film thickness', what: 'film-thickness-map', told, tips: () => [] })];
 }
 
+/** What the peaks of rough surfaces press with at every node, where it is not the same over the width. */
+export function asperityMap(states: States, selection: GridSelection): HTMLElement[] {
+  if (!states.variable('asperity_pressure')?.has('row')) return [];
+  const told = (range: [number, number]): string => rangeText(range, 'Pa');
+  return [filmMap(states, selection, { name: 'asperity_pressure', unit: 'Pa', title: 'Pressure of asperities', what: 'asperity-pressure-map', told, tips: () => [] })];
+}
+
 /** A field over the unwrapped foil and its whole width. */
 function filmMap(states: States, selection: GridSelection, field: Field): HTMLElement {
   const across = (): number[] => numbersOf(states, 'z');

@@ -1,5 +1,5 @@
 import { bearingInSpace, polarPlot, runningBearing } from '../bearing/running';
-import { pressureMap, runningLoads, thicknessChart, thicknessMap } from '../charts/film';
+import { asperityMap, pressureMap, runningLoads, thicknessChart, thicknessMap } from '../charts/film';
 import { OverPanel, type Measure, type Part } from '../charts/over';
 import type { CaseKeys, GridData, ResultData } from '../data/format';
 import { gridWarnings } from '../data/outcome';
@@ -96,7 +96,7 @@ function sectionsOf(states: States, id: string, title: (text: string) => string,
   const selection = new GridSelection(states.coordinates, [speed, journal]);
   const several = states.coordinates.some(({ texts }) => texts.length > 1);
   const curves = several ? chartsOf(states).map((one) => new OverPanel(one.title, one.measures, selection, label).root) : [];
-  const film = states.data.left_out.includes('pressure') ? [] : [pressureMap(states, selection), ...thicknessMap(states, selection), thicknessChart(states, selection)];
+  const film = states.data.left_out.includes('pressure') ? [] : [pressureMap(states, selection), ...thicknessMap(states, selection), ...asperityMap(states, selection), thicknessChart(states, selection)];
   const loads = states.variable('normal_force_top_bump') ? [runningLoads(states, selection)] : [];
   const compared = { several: false, focus: [states], shown: [states], names: label, onChange: () => undefined };
   return [
