@@ -77,15 +77,20 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   }
 
   const std::string place = printable(options.folder, longest_path);
+  std::vector<std::string> written = experiment.files;  // where they are staged as the run goes on
   if (outcome.files) {
-    for (const ResultFile& file : outcome.files(provenance)) folder.stage(file.name, file.contents);
+    written.clear();
+    for (const ResultFile& file : outcome.files(provenance)) {
+      folder.stage(file.name, file.contents);
+      written.push_back(file.name);
+    }
   }
   folder.publish();
   if (outcome.status != RunStatus::interrupted) remove_all(options.folder, experiment.checkpoints);
   if (!session.quiet) {
     print_output(outcome.table());
     print_output(fmt::format("\nsolver {}; results in {} ({})\n", name_of(input.solver.chosen()), place,
-                             fmt::join(experiment.files, ", ")));
+                             fmt::join(written, ", ")));
     for (const std::string& warning : outcome.warnings) print_message("warning: " + warning);
   }
   const std::string partial = fmt::format("the results in {} are partial and flagged as such", place);

@@ -40,25 +40,33 @@ std::vector<std::string> spellings_in(std::string_view list) {
   return words;
 }
 
+/// Whether a number with this unit is one of these dimensions.
+bool measures_one_of(std::string_view unit, const std::vector<Dimension>& dimensions) {
+  return std::any_of(dimensions.begin(), dimensions.end(), [unit](Dimension dimension) {
+    return std::holds_alternative<double>(parse_quantity(fmt::format("1 {}", unit), dimension));
+  });
+}
+
 /// A text of a number with a unit of one of these dimensions, or one of some words. Names of units are in small
 /// letters.
 std::string quantity_pattern(const std::vector<Dimension>& dimensions, std::string_view words) {
   std::vector<std::string> units;
+  std::string inverse;  // "1/min"
   for (const KnownUnit& unit : known_units()) {
     std::vector<std::string> spellings = spellings_in(unit.symbols);
     for (const std::string& name : spellings_in(unit.names)) spellings.push_back(name + "s?");
-    const bool right = std::any_of(dimensions.begin(), dimensions.end(), [&unit](Dimension dimension) {
-      const std::string_view one = unit.symbols.empty() ? unit.names : unit.symbols;
-      return std::holds_alternative<double>(
-          parse_quantity(fmt::format("1 {}", one.substr(0, one.find(' '))), dimension));
-    });
-    if (right) units.insert(units.end(), spellings.begin(), spellings.end());
+    const std::string_view any = unit.symbols.empty() ? unit.names : unit.symbols;
+    const std::string_view one = any.substr(0, any.find(' '));
+    if (measures_one_of(one, dimensions)) units.insert(units.end(), spellings.begin(), spellings.end());
+    if (measures_one_of(fmt::format("1/{}", one), dimensions)) {
+      inverse += fmt::format("1/(?:{})|", fmt::join(spellings, "|"));
+    }
   }
   std::vector<std::string_view> prefixes;
   for (const UnitPrefix& prefix : unit_prefixes()) prefixes.insert(prefixes.end(), {prefix.symbol, prefix.name});
   const std::string named =
       units.empty() ? "" : fmt::format("(?:{}|\u00b5|\u03bc)?(?:{})|", fmt::join(prefixes, "|"), fmt::join(units, "|"));
-  return fmt::format("^[ \\t]*(?:{}{}[ \\t]*(?:{}{}))[ \\t]*$", words, number_pattern, named, composed_unit);
+  return fmt::format("^[ \\t]*(?:{}{}[ \\t]*(?:{}{}{}))[ \\t]*$", words, number_pattern, named, inverse, composed_unit);
 }
 
 /// What the schema says of keys beside their description: ranges, defaults and examples. By paths without counts.

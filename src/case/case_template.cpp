@@ -81,7 +81,8 @@ std::string units_text() {
   for (const UnitPrefix& prefix : unit_prefixes()) prefixes.push_back(fmt::format("`{}`", prefix.symbol));
   return fmt::format(
       "\nUnits are {}, by symbol or name (`inch`, `degrees`), with one of the prefixes {} or none, and their products "
-      "(`Pa s`), quotients (`MN/m`) and powers (`m2`).\n",
+      "(`Pa s`), quotients (`MN/m`) and powers (`m2`). Speeds and frequencies in `rpm`, `1/min` and `Hz` count "
+      "revolutions; `1/s` is refused, as it may count radians.\n",
       fmt::join(units, ", "), fmt::join(prefixes, " "));
 }
 

@@ -82,9 +82,9 @@ bool has_stray_digits(std::string_view unit) {
   return false;
 }
 
-/// Turns, or parts of them, by their name: a hertz is 1/s.
-bool is_hertz(std::string_view unit) {
-  return unit.ends_with("Hz") || unit.ends_with("hertz");
+/// Turns, or parts of them, by their name: a hertz is 1/s, and what is counted per minute are revolutions.
+bool counts_turns(std::string_view unit) {
+  return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.find("min") != std::string_view::npos;
 }
 
 /// Dividing by 1e6 gives the double nearest to the decimal fraction where multiplying by 1e-6 may miss it.
@@ -145,7 +145,7 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
     return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
   double value = scaled(number, *unit->scale);
   if (due == Dimension::frequency && !counts_radians(*unit)) {
-    if (!is_hertz(unit_text)) {
+    if (!counts_turns(unit_text)) {
       return QuantityFault{fmt::format("has the unit \"{}\", which may count revolutions or radians", unit_text),
                            "write \"Hz\" or \"rpm\" for revolutions, \"rad/s\" for radians"};
     }

@@ -38,7 +38,7 @@ struct QuantityFault {
 /// Reads a number with a unit, such as "31.8 um", "214 GPa", "150 MN/m", "30 deg", "200 Hz", and converts it to SI (m,
 /// rad, N, N/m, Pa, rad/s, K, Pa s, Pa/m, 1/m2). Units are those of unit_table.hpp. A text without a unit, a unit of
 /// another dimension, a shifted or logarithmic one and a number that is not finite are faults. Frequencies: "Hz" counts
-/// 2 pi, "rpm" 2 pi / 60, and "1/s", which could be either that or rad/s, is a fault.
+/// 2 pi, "rpm" and "1/min" 2 pi / 60, and "1/s", which could be either a hertz or rad/s, is a fault.
 std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimension due);
 
 /// SI unit of a dimension, such as "m", "rad" or "N/m".

@@ -90,6 +90,7 @@ class CaseSchema(unittest.TestCase):
         cycle["preload"] = ["0 N", "-5.0e1 kilonewtons"]
         self.case["top_foil"]["formed_radius"] = "seated"
         self.case["gas"] = {"viscosity": "18.5 uPa s", "temperature": "293 K"}
+        self.case["equilibrium"] = {"speeds": ["45000 rpm", "45000 1/min", "45000 min-1", "300 rad/s"], "loads": [[5, 0]]}
         self.case["bump_foil"]["truss"] = {"k1": "150 MN/m", "k2": "1 kg m/(s2 m)"}
         self.case["asperity"] = {"density": "40000 1/mm2"}
         self.case["fit"] = {
@@ -136,6 +137,8 @@ class CaseSchema(unittest.TestCase):
             ("cycle", "directions", ["+Z"]),
             ("cycle", "directions", "+X"),
             ("cycle", "steps", 0),
+            ("equilibrium", "speeds", ["750 1/s"]),
+            ("equilibrium", "speeds", ["45000 min"]),
             ("cycle", "preload", ["0 N", "1 N", "2 N"]),
             ("title", None, 1),
             ("solver", None, "newton"),
@@ -151,7 +154,7 @@ class CaseSchema(unittest.TestCase):
                     if key is None:
                         case[table] = value
                     else:
-                        case[table][key] = value
+                        case.setdefault(table, {})[key] = value
                     self.assertEqual([fault.split(".")[0] for fault in self.faults(case)][:1], [table])
                     name = table if key is None else f"{table}.{key}"
                     checked = subprocess.run([PROGRAM, "check", file, "--set", f"{name}={json.dumps(value)}"], capture_output=True)

@@ -153,6 +153,10 @@ test('an optimisation is shown with its best point, limits, front and all points
     assert.equal(text, 'maximum force > 600 N');
     const clearances = page.getByRole('region', { name: 'Case', exact: true }).getByRole('table').filter({ hasText: 'Bearing: Radial clearance' });
     assert.match(await clearances.textContent(), /Lower bound25 µm/);
+    // Aims and limits of the case in the words of the tables.
+    const chosen = page.getByRole('region', { name: 'Case', exact: true }).getByRole('table').filter({ hasText: 'Evaluations' });
+    const lines = await chosen.getByRole('row').evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent).join(': ')));
+    for (const line of ['Maximise: loop energy', 'Minimise: maximum force', 'Limits: maximum force > 600 N']) assert.ok(lines.includes(line), lines.join('\n'));
     near(quantity(value, 'N'), limits[0].value, 1e-4, 'value');
     near(quantity(margin, 'N'), limits[0].margin, 1e-2, 'margin');
     const points = rowsOf(readFileSync(join(folder, 'optimised', 'points.csv'), 'utf8'));

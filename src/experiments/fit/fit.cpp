@@ -29,6 +29,11 @@ constexpr double apart = 0.02;
 /// A minimum whose chi-square is no more above the best (of chi-square per degree of freedom) is nearly as deep.
 constexpr double nearly_as_deep = 9.0;
 
+/// Differences of residuals up and down that are this far from each other are of a jump, as where the set of contacts
+/// that slide is another; and by how much residuals then change from bound to bound at least, in standard deviations.
+constexpr double jump = 0.5;
+constexpr double least_jump = 1.0;
+
 /// How far profiles go, in standard errors, and by how many steps to each side.
 constexpr double profile_reach = 3.0;
 constexpr int profile_steps = 6;
@@ -51,11 +56,10 @@ class Fit {
       result.units.emplace_back(dimension ? si_unit(*dimension) : "1");
     }
     const Eigen::VectorXd given = given_start();
-    require_start(given);
-    weigh(given);
+    weigh(require_start(given));
     std::vector<LeastSquaresMinimum> minima = minimise_from_all(given);
     if (!minima.empty() && settings_has_noisy_displacements()) {
-      weigh(minima.front().x);
+      weigh(*model_.answers(values_at(minima.front().x)));
       // Deviations follow the slope of the loop: with those of the solution, once more from there.
       if (auto again = minimise(problem_, minima.front().x, [] { return true; })) minima.front() = std::move(*again);
     }
@@ -100,22 +104,20 @@ class Fit {
                        [](const FitData& data) { return data.displacement_std > 0.0; });
   }
 
-  /// @throws Error (input) with what prevents the case from being run there
-  void require_start(const Eigen::VectorXd& x) const {
+  /// Answers there. @throws Error (input) with what prevents the case from being run
+  [[nodiscard]] std::vector<DataAnswer> require_start(const Eigen::VectorXd& x) const {
     const std::vector<double> values = values_at(x);
     for (std::size_t i = 0; i < settings_.data.size(); ++i) static_cast<void>(model_.case_of_data(i, values));
-    if (model_.answers(values)) return;
+    if (auto answers = model_.answers(values)) return std::move(*answers);
     const std::string_view command = name_of(settings_.data.front().experiment);
     throw Error(ErrorKind::input,
                 {{"", 0, "fit.parameter", "", "the model cannot be run at the starts",
                   fmt::format("start from values with which `bumpfoil {}` reaches all that was measured", command)}});
   }
 
-  /// Takes the standard deviations that residuals count by from the model there.
-  void weigh(const Eigen::VectorXd& x) {
-    const auto answers = model_.answers(values_at(x));
-    if (!answers) return;
-    weights_ = each(*answers, [](const DataAnswer& answer) { return answer.weights; });
+  /// Takes the standard deviations that residuals count by from the model.
+  void weigh(const std::vector<DataAnswer>& answers) {
+    weights_ = each(answers, [](const DataAnswer& answer) { return answer.weights; });
   }
 
   std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& x) {
@@ -169,7 +171,8 @@ class Fit {
     for (std::size_t k = 0; k < starts.size() && !stopped_; ++k) {
       int steps = 0;
       const auto go_on = [&] { return goes_on(k, steps++); };
-      if (auto minimum = minimise(problem_, starts[k], go_on)) minima.push_back(std::move(*minimum));
+      auto minimum = minimise(problem_, starts[k], go_on);
+      if (minimum && !stopped_) minima.push_back(std::move(*minimum));
     }
     std::stable_sort(minima.begin(), minima.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
     return minima;
@@ -178,7 +181,7 @@ class Fit {
   void describe_minimum(const LeastSquaresMinimum& minimum, FitResult& result) {
     const std::vector<double> values = values_at(minimum.x);
     const auto answers = model_.answers(values);
-    FitEstimate estimate{.sensitivities = minimum.jacobian,
+    FitEstimate estimate{.sensitivities = minimum.differences.jacobian,
                          .weights = Eigen::VectorXd::Ones(minimum.residuals.size()),
                          .variances = Eigen::VectorXd::Ones(minimum.residuals.size()),
                          .held = {}};
@@ -210,9 +213,14 @@ class Fit {
     int open = 0;
     for (Eigen::Index i = 0; i < count(); ++i) {
       const FitParameter& one = settings_.parameters[static_cast<std::size_t>(i)];
+      FittedValue& found = result.parameters.emplace_back();
+      found.value = values[static_cast<std::size_t>(i)];
+      found.at_bound = minimum.x[i] < at_bound || minimum.x[i] > 1.0 - at_bound;
+      found.at_jump =
+          minimum.differences.bends[i] > jump && estimate.sensitivities.col(i).norm() > least_jump && !found.at_bound;
       estimate.sensitivities.col(i) /= one.upper - one.lower;
-      estimate.held.push_back(minimum.x[i] < at_bound || minimum.x[i] > 1.0 - at_bound);
-      open += estimate.held.back() ? 0 : 1;
+      estimate.held.push_back(found.at_bound || found.at_jump);
+      open += found.at_bound ? 0 : 1;
     }
     result.degrees_of_freedom = std::max(1, static_cast<int>(minimum.residuals.size()) - open);
     const double excess = std::max(1.0, result.reduced_chi_square());
@@ -223,9 +231,7 @@ class Fit {
     const Eigen::MatrixXd as_counted = covariance_of(counted);
     const double factor = student_975(result.degrees_of_freedom);
     for (Eigen::Index i = 0; i < count(); ++i) {
-      FittedValue& found = result.parameters.emplace_back();
-      found.value = values[static_cast<std::size_t>(i)];
-      found.at_bound = estimate.held[static_cast<std::size_t>(i)];
+      FittedValue& found = result.parameters[static_cast<std::size_t>(i)];
       const double std = std::sqrt(covariance(i, i));
       if (!std::isfinite(std)) {
         profile_scales_.push_back(1.0 / excess);

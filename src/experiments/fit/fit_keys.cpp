@@ -14,13 +14,13 @@ constexpr std::string_view begin_of_data = "fit.data[";
 constexpr std::string_view common_friction = "friction.coefficient";
 constexpr std::string_view common_machine = "fit.machine_stiffness";
 
-constexpr std::array rig_numbers{std::pair{std::string_view("displacement_origin"), &Rig::displacement_origin},
-                                 std::pair{std::string_view("force_origin"), &Rig::force_origin},
-                                 std::pair{std::string_view("displacement_drift"), &Rig::displacement_drift},
-                                 std::pair{std::string_view("force_drift"), &Rig::force_drift},
-                                 std::pair{std::string_view("x_origin"), &Rig::x_origin},
-                                 std::pair{std::string_view("y_origin"), &Rig::y_origin},
-                                 std::pair{std::string_view("torque_origin"), &Rig::torque_origin}};
+constexpr std::array numbers_of_rigs{std::pair{std::string_view("displacement_origin"), &Rig::displacement_origin},
+                                     std::pair{std::string_view("force_origin"), &Rig::force_origin},
+                                     std::pair{std::string_view("displacement_drift"), &Rig::displacement_drift},
+                                     std::pair{std::string_view("force_drift"), &Rig::force_drift},
+                                     std::pair{std::string_view("x_origin"), &Rig::x_origin},
+                                     std::pair{std::string_view("y_origin"), &Rig::y_origin},
+                                     std::pair{std::string_view("torque_origin"), &Rig::torque_origin}};
 
 /// "force_origin" of "fit.data[1].force_origin".
 std::string_view name_in_data(std::string_view key) {
@@ -31,8 +31,8 @@ bool is_rig_key(std::string_view key) {
   if (key == common_machine) return true;
   const std::string_view name = name_in_data(key);
   return data_of_key(key) &&
-         (name == "machine_stiffness" ||
-          std::any_of(rig_numbers.begin(), rig_numbers.end(), [name](const auto& one) { return one.first == name; }));
+         (name == "machine_stiffness" || std::any_of(numbers_of_rigs.begin(), numbers_of_rigs.end(),
+                                                     [name](const auto& one) { return one.first == name; }));
 }
 
 /// Those of a case without a fit: what describes fits may look there.
@@ -86,6 +86,10 @@ std::vector<std::string> keys_set_by(const std::string& key) {
   return {table + "friction.top_bump", table + "friction.bump_sleeve"};
 }
 
+std::span<const std::pair<std::string_view, double Rig::*>> rig_numbers() {
+  return numbers_of_rigs;
+}
+
 void set_rig(FitSettings& fit, std::string_view key, double value) {
   if (key == common_machine) {
     fit.machine_stiffness = value;
@@ -93,7 +97,7 @@ void set_rig(FitSettings& fit, std::string_view key, double value) {
   }
   Rig& rig = fit.data[*data_of_key(key) - 1].rig;
   const std::string_view name = name_in_data(key);
-  for (const auto& [known, member] : rig_numbers) {
+  for (const auto& [known, member] : numbers_of_rigs) {
     if (known == name) rig.*member = value;
   }
   if (name == "machine_stiffness") rig.machine_stiffness = value;

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/experiments/fit/fit.hpp"
@@ -35,6 +37,9 @@ inline bool is_of_rig(std::string_view key) {
 
 /// The keys that a case written by case_to_toml() has for one that is fitted: it tells friction apart by interface.
 std::vector<std::string> keys_set_by(const std::string& key);
+
+/// Numbers of a rig by their keys; all but the stiffness of the machine, which may be absent.
+std::span<const std::pair<std::string_view, double Rig::*>> rig_numbers();
 
 /// Sets a key of the rig. @pre  is_of_rig(key)
 void set_rig(FitSettings& fit, std::string_view key, double value);

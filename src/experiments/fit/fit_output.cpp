@@ -60,6 +60,9 @@ constexpr std::array parameter_quantities{
     FitQuantity<FittedValue>{"at_bound", "1", "whether the best value lies at a bound",
                              [](const FittedValue& one) { return one.at_bound ? 1.0 : 0.0; }, tag::none, "",
                              shown::in_files, yes_or_no},
+    FitQuantity<FittedValue>{"at_jump", "1", "whether the model jumps beside the best value",
+                             [](const FittedValue& one) { return one.at_jump ? 1.0 : 0.0; }, tag::none, "",
+                             shown::in_files, yes_or_no},
     FitQuantity<FittedValue>{"profile_lower_95", "1",
                              "lower end of the 95 % interval by the profile, in the SI unit of the parameter",
                              [](const FittedValue& one) { return cell(one.profile_lower_95); }},
@@ -126,7 +129,10 @@ std::string parameter_line(const FitResult& result, std::size_t i, std::size_t w
   const auto text = [&](const std::optional<double>& number) { return number_text(number, unit.size); };
   return fmt::format("{:<{}}  {:>12}  {:>14}  {:>12}  {:>12}  {}{}\n", result.settings.parameters[i].key, width,
                      text(found.value), text(found.standard_error), text(found.lower_95), text(found.upper_95),
-                     unit.name, found.at_bound ? "  at a bound" : "");
+                     unit.name,
+                     found.at_bound  ? "  at a bound"
+                     : found.at_jump ? "  at a jump"
+                                     : "");
 }
 
 std::string values_text(const FitResult& result, const std::vector<double>& values) {
@@ -157,6 +163,13 @@ std::vector<std::string> fit_warnings(const FitResult& result) {
         fmt::format("{} lies at a bound: its standard error is not known, and those of the others hold for "
                     "this value",
                     result.settings.parameters[i].key));
+  }
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    if (!result.parameters[i].at_jump) continue;
+    lines.push_back(fmt::format(
+        "the model jumps beside the value of {}, as other contacts slide there: its standard error is not known, and "
+        "those of the others hold for this value; fit.profile = true shows what the data tell of it",
+        result.settings.parameters[i].key));
   }
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const std::vector<FitProfilePoint>& profile = result.parameters[i].profile;
@@ -394,7 +407,7 @@ std::string fitted_case_text(const FitResult& result) {
       out += fmt::format(", standard error {:.2g}{}, 95 %: {:.6g} to {:.6g}{}", *found.standard_error, unit,
                          *found.lower_95, *found.upper_95, unit);
     }
-    out += found.at_bound ? ", at a bound\n" : "\n";
+    out += found.at_bound ? ", at a bound\n" : found.at_jump ? ", at a jump\n" : "\n";
   }
   return out + fmt::format("# Chi-square per degree of freedom: {:.4g}.\n\n{}", result.reduced_chi_square(),
                            case_to_toml(result.fitted));

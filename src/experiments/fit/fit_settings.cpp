@@ -1,8 +1,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "bumpfoil/experiments/fit/fit.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -185,7 +188,18 @@ void describe_fit(CaseVisitor& keys, Case& input) {
       });
 }
 
+/// Of a list, the first that is not finite is told.
+bool judge_finite(Judge& judge, const std::vector<double>& values, const std::string& key, std::string_view unit) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!judge.finite(fmt::format("{}[{}]", key, i + 1), values[i], unit)) return false;
+  }
+  return true;
+}
+
 void judge_loop(Judge& judge, const FitData& data, const std::string& key) {
+  const bool finite = judge_finite(judge, data.displacements, key + ".displacements", "m") &&
+                      judge_finite(judge, data.forces, key + ".forces", "N");
+  if (!finite) return;
   judge.require_for("fit", data.displacements.size() == data.forces.size(), key + ".forces",
                     std::to_string(data.forces.size()),
                     fmt::format("are not as many as displacements, {}", data.displacements.size()),
@@ -198,6 +212,10 @@ void judge_loop(Judge& judge, const FitData& data, const std::string& key) {
                      (*top > 0.0 && top != data.displacements.begin() && top + 1 != data.displacements.end());
   judge.require_for("fit", turns, key + ".displacements", "", "do not go to a positive displacement and back",
                     "give one cycle in the order of measurement, positive towards the foils");
+  const bool same =
+      std::adjacent_find(data.forces.begin(), data.forces.end(), std::not_equal_to<>()) == data.forces.end();
+  judge.require_for("fit", data.forces.empty() || !same, key + ".forces", "", "are all the same",
+                    "give the forces that the rig measured");
 }
 
 /// Readings of one column, of which all are as many.
@@ -207,6 +225,7 @@ void judge_column(Judge& judge, const FitData& data, const FitColumnInfo& info, 
   const bool own = info.is_of(data.experiment);
   judge.require_for("fit", readings.values.empty() || own, place, "",
                     fmt::format("are not of data of the experiment \"{}\"", name_of(data.experiment)), "remove them");
+  judge_finite(judge, readings.values, place, info.unit());
   if (info.measured) {
     const std::string std_place = fmt::format("{}.{}", key, info.std_key);
     if (!judge.require_for("fit", !readings.std || own, std_place, quantity(readings.std.value_or(0.0), info.unit()),
@@ -258,6 +277,25 @@ void judge_table(Judge& judge, const Case& input, const FitData& data, const std
                     "give the static load along X, Y or both");
 }
 
+/// What a rig does to other kinds of data does nothing to these.
+void judge_rig(Judge& judge, const FitData& data, const std::string& key) {
+  const auto own = rig_keys_of(data.experiment);
+  const auto require_effect = [&](bool given, std::string_view name) {
+    const bool effect = std::find(own.begin(), own.end(), name) != own.end();
+    judge.require_for("fit", !given || effect, fmt::format("{}.{}", key, name), "",
+                      fmt::format("has no effect on data of the experiment \"{}\"", name_of(data.experiment)),
+                      fmt::format("remove it; these have: {}", fmt::join(own, ", ")));
+  };
+  for (const auto& [name, member] : rig_numbers()) {
+    judge.finite(fmt::format("{}.{}", key, name), data.rig.*member, "");
+    require_effect(data.rig.*member != 0.0, name);
+  }
+  require_effect(data.rig.machine_stiffness.has_value(), "machine_stiffness");
+  if (data.rig.machine_stiffness) {
+    judge.within(key + ".machine_stiffness", *data.rig.machine_stiffness, stiffness_range);
+  }
+}
+
 void judge_data(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
   judge.require_for("fit", is_of_strip(data) || !input.bearing.is_flat(), key + ".experiment",
                     std::string(name_of(data.experiment)), "needs a bearing with a radius",
@@ -267,9 +305,7 @@ void judge_data(Judge& judge, const Case& input, const FitData& data, const std:
   judge.count(key + ".points", data.points, "points", {fewest_readings, most_fit_points});
   if (data.force_std) judge.within(key + ".force_std", *data.force_std, load_range);
   judge.within(key + ".displacement_std", data.displacement_std, {0.0, length_range.most, "m"});
-  if (data.rig.machine_stiffness) {
-    judge.within(key + ".machine_stiffness", *data.rig.machine_stiffness, stiffness_range);
-  }
+  judge_rig(judge, data, key);
 }
 
 void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSettings& fit, const std::string& key) {
@@ -290,6 +326,16 @@ void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSetti
   }
   const std::optional<Dimension> dimension = dimension_of(parameter.key);
   const std::string_view unit = dimension ? si_unit(*dimension) : "";
+  bool finite = true;
+  const std::array<std::pair<std::string_view, std::optional<double>>, 5> numbers{{{"start", parameter.start},
+                                                                                   {"lower", parameter.lower},
+                                                                                   {"upper", parameter.upper},
+                                                                                   {"mean", parameter.mean},
+                                                                                   {"std", parameter.std}}};
+  for (const auto& [name, number] : numbers) {
+    finite = judge.finite(fmt::format("{}.{}", key, name), number.value_or(0.0), unit) && finite;
+  }
+  if (!finite) return;
   const bool bounds = judge.require(parameter.lower < parameter.upper, key + ".upper", quantity(parameter.upper, unit),
                                     fmt::format("is not above lower, {}", quantity(parameter.lower, unit)),
                                     "give bounds that leave room between them");
@@ -301,6 +347,17 @@ void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSetti
                 "is missing", "give mean and std, or neither");
   judge.require(!parameter.std || *parameter.std > 0.0, key + ".std", quantity(parameter.std.value_or(0.0), unit),
                 "must be positive", "leave out mean and std where nothing is known before");
+}
+
+/// Numbers that are compared with the model.
+std::size_t numbers_of(const FitSettings& fit) {
+  std::size_t count = 0;
+  for (const FitData& data : fit.data) {
+    count += data.is_loop() ? std::min(data.displacements.size(), static_cast<std::size_t>(std::max(data.points, 0)))
+                            : rows_of(data) * fitted_columns(data).size();
+  }
+  for (const FitParameter& parameter : fit.parameters) count += parameter.mean ? 1 : 0;
+  return count;
 }
 
 void judge_fit(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
@@ -315,6 +372,10 @@ void judge_fit(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) 
   judge.count("fit.starts", fit.starts, "minimisations", {1, most_starts});
   judge.require(!fit.huber || *fit.huber > 0.0, "fit.huber", quantity(fit.huber.value_or(0.0), ""), "must be positive",
                 "give about 1.345");
+  const std::size_t numbers = numbers_of(fit);
+  judge.require_for("fit", fit.data.empty() || numbers == 0 || numbers >= fit.parameters.size(), "fit.parameter",
+                    std::to_string(fit.parameters.size()), fmt::format("are more than what was measured, {}", numbers),
+                    "fit fewer of them, add data, or say by mean and std what is known before");
   for (std::size_t i = 0; i < fit.data.size(); ++i) {
     judge_data(judge, input, fit.data[i], fmt::format("fit.data[{}]", i + 1));
   }

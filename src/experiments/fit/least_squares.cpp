@@ -16,34 +16,54 @@ constexpr double least_decrease = 1e-6;
 constexpr double least_move = 1e-7;
 constexpr double least_gradient = 1e-12;
 
-/// Evaluates all residuals at once, so that each can be robust by itself.
+/// What is known of a place.
+struct Evaluated {
+  Eigen::VectorXd x;
+  std::optional<Eigen::VectorXd> residuals{};
+  std::optional<Differences> differences{};
+};
+
+/// Evaluates all residuals at once, so that each can be robust by itself. What is known is not evaluated again: of the
+/// last place, and of the last with derivatives, to which steps that are refused lead back.
 class AllResiduals final : public ceres::EvaluationCallback {
  public:
   AllResiduals(const LeastSquares& problem, const Eigen::VectorXd& x) : problem_(problem), x_(x) {}
 
-  void PrepareForEvaluation(bool needs_jacobian, bool is_new) override {
-    if (is_new) {
-      residuals_ = problem_.residuals(x_);
-      jacobian_.reset();
+  void PrepareForEvaluation(bool needs_jacobian, bool /*is_new*/) override {
+    needs_jacobian ? differentiate() : evaluate();
+  }
+
+  const Evaluated& evaluate() {
+    if (here_.x.size() == 0 || here_.x != x_) {
+      here_ = differentiated_.x.size() > 0 && differentiated_.x == x_ ? differentiated_
+                                                                      : Evaluated{x_, problem_.residuals(x_)};
     }
-    if (needs_jacobian && residuals_ && !jacobian_) jacobian_ = difference_jacobian(problem_, x_, *residuals_);
+    return here_;
+  }
+
+  const Evaluated& differentiate() {
+    if (evaluate().residuals && !here_.differences) {
+      here_.differences = differences_at(problem_, x_, *here_.residuals);
+      differentiated_ = here_;
+    }
+    return here_;
   }
 
   /// One of them, as Ceres takes it.
   bool write(Eigen::Index row, double* residual, double** jacobians) const {
-    if (!residuals_) return false;
-    *residual = (*residuals_)[row];
+    if (!here_.residuals) return false;
+    *residual = (*here_.residuals)[row];
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    if (!jacobian_) return false;
-    Eigen::Map<Eigen::RowVectorXd>(jacobians[0], jacobian_->cols()) = jacobian_->row(row);
+    if (!here_.differences) return false;
+    const Eigen::MatrixXd& jacobian = here_.differences->jacobian;
+    Eigen::Map<Eigen::RowVectorXd>(jacobians[0], jacobian.cols()) = jacobian.row(row);
     return true;
   }
 
  private:
   const LeastSquares& problem_;
   const Eigen::VectorXd& x_;  ///< Ceres writes to it
-  std::optional<Eigen::VectorXd> residuals_;
-  std::optional<Eigen::MatrixXd> jacobian_;
+  Evaluated here_, differentiated_;
 };
 
 class OneResidual final : public ceres::CostFunction {
@@ -86,10 +106,10 @@ double cost_of(const LeastSquares& problem, const Eigen::VectorXd& residuals) {
   return cost;
 }
 
-std::optional<Eigen::MatrixXd> difference_jacobian(const LeastSquares& problem, const Eigen::VectorXd& x,
-                                                   const Eigen::VectorXd& residuals) {
+std::optional<Differences> differences_at(const LeastSquares& problem, const Eigen::VectorXd& x,
+                                          const Eigen::VectorXd& residuals) {
   const Eigen::Index count = x.size();
-  Eigen::MatrixXd jacobian(residuals.size(), count);
+  Differences found{Eigen::MatrixXd(residuals.size(), count), Eigen::VectorXd::Zero(count)};
   std::vector<std::optional<Eigen::VectorXd>> ends(2 * static_cast<std::size_t>(count));
   const auto end_of = [&x](Eigen::Index i, bool up) {
     return std::clamp(x[i] + (up ? difference_step : -difference_step), 0.0, 1.0);
@@ -106,17 +126,21 @@ std::optional<Eigen::MatrixXd> difference_jacobian(const LeastSquares& problem, 
     if (!low && !high) return std::nullopt;
     const double from = low ? end_of(i, false) : x[i];
     const double to = high ? end_of(i, true) : x[i];
-    jacobian.col(i) = ((high ? *high : residuals) - (low ? *low : residuals)) / (to - from);
+    const Eigen::VectorXd change = (high ? *high : residuals) - (low ? *low : residuals);
+    found.jacobian.col(i) = change / (to - from);
+    const double size = change.norm();
+    if (low && high && size > 0.0) found.bends[i] = (*high - 2.0 * residuals + *low).norm() / size;
   }
-  return jacobian;
+  return found;
 }
 
 std::optional<LeastSquaresMinimum> minimise(const LeastSquares& problem, const Eigen::VectorXd& start,
                                             const std::function<bool()>& go_on) {
-  const std::optional<Eigen::VectorXd> first = problem.residuals(start);
-  if (!first) return std::nullopt;
-  LeastSquaresMinimum minimum{.x = start, .residuals = *first, .jacobian = {}};
+  LeastSquaresMinimum minimum{.x = start, .residuals = {}, .differences = {}};
   AllResiduals all(problem, minimum.x);
+  const Evaluated& first = all.differentiate();
+  if (!first.differences) return std::nullopt;
+  const Eigen::Index count = first.residuals->size();
 
   std::unique_ptr<ceres::HuberLoss> loss;
   if (problem.huber) loss = std::make_unique<ceres::HuberLoss>(*problem.huber);
@@ -124,7 +148,7 @@ std::optional<LeastSquaresMinimum> minimise(const LeastSquares& problem, const E
   ownership.evaluation_callback = &all;
   ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem box(ownership);
-  for (Eigen::Index row = 0; row < first->size(); ++row) {
+  for (Eigen::Index row = 0; row < count; ++row) {
     box.AddResidualBlock(new OneResidual(all, row, start.size()), row < problem.robust ? loss.get() : nullptr,
                          minimum.x.data());
   }
@@ -145,14 +169,12 @@ std::optional<LeastSquaresMinimum> minimise(const LeastSquares& problem, const E
   ceres::Solver::Summary summary;
   ceres::Solve(options, &box, &summary);
 
-  const std::optional<Eigen::VectorXd> last = problem.residuals(minimum.x);
-  if (!last) return std::nullopt;
-  minimum.residuals = *last;
+  const Evaluated& end = all.differentiate();
+  if (!end.differences) return std::nullopt;
+  minimum.residuals = *end.residuals;
+  minimum.differences = *end.differences;
   minimum.cost = cost_of(problem, minimum.residuals);
   minimum.converged = summary.termination_type == ceres::CONVERGENCE;
-  const std::optional<Eigen::MatrixXd> jacobian = difference_jacobian(problem, minimum.x, minimum.residuals);
-  if (!jacobian) return std::nullopt;
-  minimum.jacobian = *jacobian;
   return minimum;
 }
 

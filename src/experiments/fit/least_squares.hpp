@@ -14,11 +14,19 @@ struct LeastSquares {
   std::optional<double> huber{};
 };
 
+/// How residuals change with x.
+struct Differences {
+  Eigen::MatrixXd jacobian;  ///< of the residuals by x
+  /// Of each of x: how far differences up and down are from each other, in parts of their sum. Next to nothing where
+  /// the residuals are smooth; 1 where they jump, and change by nothing else. Zero where there are not both.
+  Eigen::VectorXd bends;
+};
+
 struct LeastSquaresMinimum {
   Eigen::VectorXd x;
   Eigen::VectorXd residuals;
-  Eigen::MatrixXd jacobian;  ///< of the residuals by x
-  double cost{};             ///< sum of their squares, or what counts of them
+  Differences differences;
+  double cost{};  ///< sum of their squares, or what counts of them
   bool converged{};
 };
 
@@ -29,13 +37,13 @@ double cost_of(const LeastSquares& problem, const Eigen::VectorXd& residuals);
 /// is. The response of foils is smooth in pieces: contacts that change along a loop are elsewhere for other parameters.
 /// The step is wide enough to go over many of these kinks, and narrow beside what noise leaves open of a parameter.
 inline constexpr double difference_step = 1e-3;
-std::optional<Eigen::MatrixXd> difference_jacobian(const LeastSquares& problem, const Eigen::VectorXd& x,
-                                                   const Eigen::VectorXd& residuals);
+std::optional<Differences> differences_at(const LeastSquares& problem, const Eigen::VectorXd& x,
+                                          const Eigen::VectorXd& residuals);
 
 /// Minimises by the method of Levenberg and Marquardt in a box (Ceres). It ends when a step lowers the sum by less than
 /// 1e-6 of it, or moves no parameter by more than 1e-7 of its bounds: below, kinks decide.
 /// @param go_on  asked after every step; false ends it
-/// @return absent where there are no residuals at the start
+/// @return absent where there are no residuals at the start, or no derivatives
 std::optional<LeastSquaresMinimum> minimise(const LeastSquares& problem, const Eigen::VectorXd& start,
                                             const std::function<bool()>& go_on);
 

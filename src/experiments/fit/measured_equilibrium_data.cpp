@@ -126,7 +126,8 @@ class MeasuredEquilibriumData final : public MeasuredData {
     whirl.frequency = frequencies_of(settings, state.asked.speed).front();
     const bool stuck = contacts_ == FittedContacts::stuck;
     const auto found = FilmStepper(bearing).impedances(*state.last, {{0.0, whirl.frequency}}, stuck);
-    if (found) (stuck ? whirl.stuck_impedance : whirl.impedance) = bearing->by_slopes(found->front());
+    // Of a journal that tilts, what is not between forces and displacements has other units here, and is not measured.
+    if (found) (stuck ? whirl.stuck_impedance : whirl.impedance) = found->front();
   }
 
   /// Over what differs most from row to row.

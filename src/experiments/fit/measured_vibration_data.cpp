@@ -5,15 +5,17 @@
 #include <cmath>
 
 #include "bumpfoil/core/angle.hpp"
-#include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "bumpfoil/results/dataset.hpp"
 #include "experiments/fit/fit_columns.hpp"
 #include "experiments/fit/measured_data.hpp"
+#include "experiments/vibration/loaded_foils.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// The rig reads amplitudes to this part of them.
-constexpr double vibration_tolerance = 1e-6;
+/// What a rig reads between two trials is interpolated where the product of the distances from both, in amplitudes, is
+/// at most this: so small a part is lost of a curve that bends by its own size over an amplitude.
+constexpr double vibration_tolerance = 1e-5;
 constexpr int most_vibration_trials = 50;
 constexpr int fewest_steps = 2;
 
@@ -22,30 +24,28 @@ struct ReadVibration {
   double stiffness{}, loss_factor{};
 };
 
-/// Rows about one load along one direction: all their amplitudes are run at once.
+/// A vibration of the foils, and the amplitude that the rig would read.
+struct VibrationTrial {
+  double amplitude{}, read{}, stiffness{}, loss_factor{};
+
+  /// On the straight line through another.
+  [[nodiscard]] ReadVibration at(double place, const VibrationTrial& other) const {
+    const double part = place == amplitude ? 0.0 : (place - amplitude) / (other.amplitude - amplitude);
+    return {stiffness + part * (other.stiffness - stiffness), loss_factor + part * (other.loss_factor - loss_factor)};
+  }
+};
+
+/// Rows about one load along one direction.
 struct VibrationGroup {
   Eigen::Vector2d load{0.0, 0.0};
   double direction{};
   std::vector<std::size_t> rows{};
 };
 
-std::optional<std::vector<ReadVibration>> vibrate(Case input, const VibrationGroup& group,
-                                                  std::vector<double> amplitudes) {
-  input.vibration->loads = {group.load};
-  input.vibration->directions = {group.direction};
-  input.vibration->amplitudes = std::move(amplitudes);
-  std::vector<ReadVibration> all;
-  for (const Vibration& one : run_vibration(input).vibrations) {
-    if (!one.harmonic || !one.cycle.loaded_stiffness || !one.cycle.loss_factor) return std::nullopt;
-    all.push_back({*one.cycle.loaded_stiffness, *one.cycle.loss_factor});
-  }
-  return all;
-}
-
 class MeasuredVibrationData final : public MeasuredData {
  public:
   MeasuredVibrationData(const FitData& data, const Case& input)
-      : amplitudes_(data.column(FitColumn::amplitude).values) {
+      : amplitudes_(data.column(FitColumn::amplitude).values), stiffnesses_(data.column(FitColumn::stiffness).values) {
     const std::vector<double>& directions = data.column(FitColumn::direction).values;
     std::vector<std::string> series;
     for (std::size_t row = 0; row < amplitudes_.size(); ++row) {
@@ -84,67 +84,59 @@ class MeasuredVibrationData final : public MeasuredData {
   }
 
   [[nodiscard]] std::optional<DataAnswer> answer(const Case& input, const Rig& rig) const override {
-    std::vector<ReadVibration> read(amplitudes_.size());
-    std::vector<char> found(groups_.size(), 0);
+    std::vector<std::optional<ReadVibration>> read(amplitudes_.size());
     tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t i) {
-      const auto of_group = read_group(input, groups_[i], rig);
-      if (!of_group) return;
-      for (std::size_t k = 0; k < of_group->size(); ++k) read[groups_[i].rows[k]] = (*of_group)[k];
-      found[i] = 1;
-    });
-    if (std::find(found.begin(), found.end(), 0) != found.end()) return std::nullopt;
-    return table_answer(measured_, [&read](FitColumn column) {
-      std::vector<double> values;
-      values.reserve(read.size());
-      for (const ReadVibration& one : read) {
-        values.push_back(column == FitColumn::stiffness ? one.stiffness : one.loss_factor);
+      LoadedFoils foils(input);
+      if (foils.go_to(groups_[i].load).status != Status::converged) return;
+      for (const std::size_t row : groups_[i].rows) {
+        read[row] = read_row(foils, groups_[i].direction, row, rig);
+        if (!read[row]) return;
       }
-      return values;
+    });
+    if (std::find(read.begin(), read.end(), std::nullopt) != read.end()) return std::nullopt;
+    return table_answer(measured_, [&read](FitColumn column) {
+      return each(read, [column](const std::optional<ReadVibration>& one) {
+        return column == FitColumn::stiffness ? one->stiffness : one->loss_factor;
+      });
     });
   }
 
  private:
   /// Of foils and machine in series, whose displacements add up to the amplitude that was read. The machine stores no
   /// energy in a loop.
-  [[nodiscard]] std::optional<std::vector<ReadVibration>> read_group(const Case& input, const VibrationGroup& group,
-                                                                     const Rig& rig) const {
+  [[nodiscard]] std::optional<ReadVibration> read_row(LoadedFoils& foils, double direction, std::size_t row,
+                                                      const Rig& rig) const {
     const double compliance = rig.machine_stiffness ? 1.0 / *rig.machine_stiffness : 0.0;
-    std::vector<double> read;
-    for (const std::size_t row : group.rows) read.push_back(amplitudes_[row]);
-    std::vector<double> amplitudes = read;
-    std::vector<double> last_amplitudes(read.size(), 0.0);
-    std::vector<double> last_read(read.size(), 0.0);
+    const double read = amplitudes_[row];
+    double amplitude = first_amplitude(row, compliance);
+    VibrationTrial last;  // at rest
     for (int trial = 0; trial < most_vibration_trials; ++trial) {
-      auto all = vibrate(input, group, amplitudes);
-      if (!all) return std::nullopt;
-      bool settled = true;
-      std::vector<double> next;
-      for (std::size_t k = 0; k < read.size(); ++k) {
-        const double here = amplitudes[k] * (1.0 + compliance * (*all)[k].stiffness);
-        settled = settled && std::abs(here - read[k]) <= vibration_tolerance * read[k];
-        // The secant; at first from rest. What has arrived stays.
-        const double slope = here == last_read[k] ? 1.0 : (here - last_read[k]) / (amplitudes[k] - last_amplitudes[k]);
-        next.push_back(std::max(amplitudes[k] + (read[k] - here) / slope, 0.1 * amplitudes[k]));
-        last_read[k] = here;
-        last_amplitudes[k] = amplitudes[k];
+      const Cycle cycle = foils.vibrate(direction, amplitude);
+      if (!cycle.loaded_stiffness || !cycle.loss_factor) return std::nullopt;  // as no whole loop has
+      const VibrationTrial here{amplitude, amplitude * (1.0 + compliance * *cycle.loaded_stiffness),
+                                *cycle.loaded_stiffness, *cycle.loss_factor};
+      const double slope = (here.read - last.read) / (amplitude - last.amplitude);
+      const double next = amplitude + (read - here.read) / slope;
+      if (std::abs((next - amplitude) * (next - last.amplitude)) <= vibration_tolerance * read * read) {
+        ReadVibration found = here.at(next, last);
+        const double softer = 1.0 + compliance * found.stiffness;
+        const double ratio = next / read;
+        return ReadVibration{found.stiffness / softer, found.loss_factor * softer * ratio * ratio};
       }
-      if (!settled) {
-        amplitudes = std::move(next);
-        continue;
-      }
-      for (std::size_t k = 0; k < read.size(); ++k) {
-        ReadVibration& one = (*all)[k];
-        const double stiffness = one.stiffness / (1.0 + compliance * one.stiffness);
-        const double ratio = amplitudes[k] / read[k];
-        one.loss_factor *= one.stiffness / stiffness * ratio * ratio;
-        one.stiffness = stiffness;
-      }
-      return all;
+      last = here;
+      amplitude = std::max(next, 0.1 * amplitude);
     }
     return std::nullopt;
   }
 
-  std::vector<double> amplitudes_;  ///< as they were read, of each row, m
+  /// That of the foils, if they are as stiff as was measured.
+  [[nodiscard]] double first_amplitude(std::size_t row, double compliance) const {
+    const double pressed = stiffnesses_.empty() ? 0.0 : compliance * stiffnesses_[row];
+    return std::max(1.0 - pressed, 0.1) * amplitudes_[row];
+  }
+
+  std::vector<double> amplitudes_;   ///< as they were read, of each row, m
+  std::vector<double> stiffnesses_;  ///< the same, N/m; none if they were not measured
   std::vector<VibrationGroup> groups_;
 };
 

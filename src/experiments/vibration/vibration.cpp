@@ -9,11 +9,10 @@
 
 #include "bearing/settling.hpp"
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/motion/march.hpp"
-#include "experiments/cycle/cycle_series.hpp"
 #include "experiments/cycle/orbit_energy.hpp"
+#include "experiments/vibration/loaded_foils.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -41,8 +40,7 @@ class VibrationRunner {
   VibrationRunner(const Case& input, const ProgressCallback& progress)
       : vibration_(*input.vibration),
         progress_(progress),
-        stepper_(make_stepper(make_bearing_foils(input, {"vibration"}), input.solver)),
-        reach_(stepper_.foils().clearance + stepper_.foils().rise),
+        foils_(input),
         all_(vibration_.loads.size() * vibration_.motions() * vibration_.amplitudes.size()) {}
 
   VibrationResult run() {
@@ -61,40 +59,23 @@ class VibrationRunner {
  private:
   /// Takes the foils to a load.
   StaticLoad go_to(const Eigen::Vector2d& load) {
+    if (!stopped_) return foils_.go_to(load);
     StaticLoad out;
     out.load = load;
     out.status = Status::interrupted;
-    if (stopped_) return out;
-    approach(stepper_, {.preload = PlaneTarget{Control::load, load}, .steps = vibration_.steps, .reach = reach_},
-             loaded_);
-    out.status = loaded_.status;
-    if (!loaded_.converged()) return out;
-    out.position = loaded_.state.position;
-    out.tangents = stepper_.tangents(loaded_.state);
-    out.pad_forces = pad_forces(stepper_.foils(), loaded_.state.contacts.normal_force);
     return out;
   }
 
   /// Vibrates about the last load.
   Vibration vibrate(double direction, double amplitude) {
-    const StaticLoad& about = result_.loads.back();
     Vibration out;
-    out.cycle.status = stopped_ ? Status::interrupted : about.status;
+    out.cycle.status = stopped_ ? Status::interrupted : result_.loads.back().status;
     if (!out.cycle.converged()) {
       out.cycle.direction = direction;
       out.cycle.amplitude = amplitude;
       return out;
     }
-    const CycleCourse course{.direction = direction,
-                             .amplitude = {Control::displacement, amplitude},
-                             .preload = PlaneTarget{Control::load, about.load},
-                             .swings = true,
-                             .steps = vibration_.steps,
-                             .reach = reach_};
-    Step step = loaded_;
-    CycleSeries series(stepper_, course, step);
-    out.cycle = series.until_settled(most_vibration_loops, Recording::curve,
-                                     [this](double fraction) { return goes_on(fraction); });
+    out.cycle = foils_.vibrate(direction, amplitude, [this](double fraction) { return goes_on(fraction); });
     if (out.cycle.converged()) out.harmonic = first_harmonic(out.cycle.curve);
     return out;
   }
@@ -110,7 +91,7 @@ class VibrationRunner {
     if (!cycle.converged()) return out;
     const auto begin = std::chrono::steady_clock::now();
     const Program orbit = circle(about.position, radius, sense, 4 * vibration_.steps);
-    BearingState state = loaded_.state;
+    BearingState state = foils_.state();
     const Program way{straight_leg(Control::displacement, about.position, orbit.front().line.base, vibration_.steps)};
     take(way, state, cycle, nullptr);
     for (int loop = 0; loop < most_vibration_loops && cycle.converged() && !cycle.settled; ++loop) {
@@ -123,7 +104,7 @@ class VibrationRunner {
       std::vector<OrbitPoint> points;
       for (std::size_t i = 0; i < forces.size(); ++i)
         points.push_back({orbit[i].line.place(orbit[i].begin), forces[i]});
-      const double rounding = stepper_.foils().roundings.energy;
+      const double rounding = foils_.stepper().foils().roundings.energy;
       cycle.loop_energy = orbit_energy(cleared(state.work - work, rounding),
                                        cleared(state.dissipated_energy - dissipated, rounding), points);
       cycle.loop_energies.push_back(*cycle.loop_energy);
@@ -141,20 +122,21 @@ class VibrationRunner {
   /// Takes foils through a program.
   /// @param forces  receives those at the start of each increment; may be null
   void take(const Program& program, BearingState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
+    FoilStepper& stepper = foils_.stepper();
     Step step;
-    march(stepper_, program, reach_, state, step, [&](const Passage& at) {
+    march(stepper, program, foils_.reach(), state, step, [&](const Passage& at) {
       if (forces != nullptr) {
         const Vector& loads = at.from.contacts.normal_force;
-        forces->push_back(holding_force(stepper_.foils(), loads));
-        cycle.curve.push_back({at.from.position.x(), forces->back(), pad_forces(stepper_.foils(), loads)});
+        forces->push_back(holding_force(stepper.foils(), loads));
+        cycle.curve.push_back({at.from.position.x(), forces->back(), pad_forces(stepper.foils(), loads)});
       }
       cycle.cost += at.step.cost;
       cycle.substeps += at.step.substeps;
       cycle.status = at.step.status;
       if (!at.step.converged()) return Verdict::refuse;
       Increment increment;
-      judge(stepper_.foils(), at.step.state, increment);
-      const SolverBounds bounds = stepper_.bounds();
+      judge(stepper.foils(), at.step.state, increment);
+      const SolverBounds bounds = stepper.bounds();
       if (!increment.residuals.within(bounds.force, bounds.displacement)) cycle.status = Status::residual_above_bound;
       cycle.max_residual = std::max(cycle.max_residual, increment.residuals.equilibrium);
       return cycle.converged() ? Verdict::go_on : Verdict::refuse;
@@ -170,10 +152,8 @@ class VibrationRunner {
 
   const VibrationSettings& vibration_;
   const ProgressCallback& progress_;
-  FoilStepper stepper_;
-  double reach_;
+  LoadedFoils foils_;
   std::size_t all_;
-  Step loaded_;  ///< how the last load was reached
   bool stopped_{};
   VibrationResult result_;
 };

@@ -66,7 +66,10 @@ TEST(ParseQuantity, ReadsTurnsAndRadians) {
   EXPECT_DOUBLE_EQ(value_of("45000 rpm", Dimension::frequency), turn * 750.0);
   EXPECT_DOUBLE_EQ(value_of("300 rad/s", Dimension::frequency), 300.0);
   EXPECT_DOUBLE_EQ(value_of("360 deg/s", Dimension::frequency), turn);
-  for (const char* text : {"200 1/s", "200 s-1", "200 s^-1", "200 1/min"}) {
+  for (const char* text : {"45000 1/min", "45000 min-1", "45000 min^-1", "45000 min\u207b\u00b9", "45000 1/minute"}) {
+    EXPECT_DOUBLE_EQ(value_of(text, Dimension::frequency), turn * 750.0) << text;
+  }
+  for (const char* text : {"200 1/s", "200 s-1", "200 s^-1", "200 1/h"}) {
     EXPECT_NE(fault_of(text, Dimension::frequency).find("which may count revolutions or radians"), std::string::npos)
         << text;
   }

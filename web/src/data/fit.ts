@@ -29,6 +29,7 @@ export interface FittedParameter {
   /** By the profile; nothing where there is none, or it does not end. */
   profileInterval: [number | null, number | null];
   atBound: boolean;
+  atJump: boolean;
   correlations: (number | null)[];
   profile: { value: number; cost: number }[];
 }
@@ -49,6 +50,7 @@ export class Fit extends Grid {
       interval: [one.lower_95, one.upper_95],
       profileInterval: [one.profile_lower_95 ?? null, one.profile_upper_95 ?? null],
       atBound: one.at_bound,
+      atJump: one.at_jump,
       correlations: one.correlations,
       profile: (one.profile ?? []).map(({ profile_value: value, profile_cost: cost }) => ({ value, cost })),
     }));

@@ -210,6 +210,7 @@ export interface FitParameterData {
   profile_lower_95?: number | null;
   profile_upper_95?: number | null;
   at_bound: boolean;
+  at_jump: boolean;
   /** With each parameter. */
   correlations: (number | null)[];
   profile?: { profile_value: number; profile_cost: number }[];
@@ -240,7 +241,7 @@ export interface OptimiseSummary extends SummaryHead {
   best_point: number | null;
   keys: { key: string; unit: string; lower_bound: number; upper_bound: number; start: number | null; best_value: number | null; active_bound: string | null }[];
   aims: { quantity: string; unit: string; maximise: boolean; best_value: number | null }[];
-  limits: { limit: string; quantity: string; unit: string; value: number | null; margin: number | null; active: boolean | null }[];
+  limits: { limit: string; quantity: string; unit: string; bound: number; value: number | null; margin: number | null; active: boolean | null }[];
   /** Numbers of points. */
   front: number[];
 }

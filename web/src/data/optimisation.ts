@@ -1,5 +1,5 @@
-import { keyTitle } from './case_values';
-import type { CaseKeys, GridData, OptimiseSummary } from './format';
+import { keyTitle, valueText } from './case_values';
+import type { CaseKeys, CaseValue, GridData, OptimiseSummary } from './format';
 import { Grid } from './grid';
 
 const statistics: Record<string, string> = { mean: 'mean', std: 'standard deviation', p50: 'median' };
@@ -60,6 +60,22 @@ export class Optimisation extends Grid {
     const [name = '', statistic] = quantity.split('.');
     const words = this.data.quantities.find((one) => one.name === name)?.label ?? name;
     return statistic === undefined ? words : `${words}, ${statistics[statistic] ?? `${statistic.slice(1)}th percentile`}`;
+  }
+
+  /** A limit in words: "minimum film thickness > 8.4 µm". Of bearings of an ensemble, SI numbers stay as they are written. */
+  limitText(text: string): string {
+    const [, quantity = text, sign = '', bound = ''] = /^\s*([\w.]+)\s*([<>]=?)\s*(.*?)\s*$/.exec(text) ?? [];
+    const limit = this.summary.limits.find((one) => one.limit === text);
+    const plain = limit !== undefined && Number.isFinite(Number(bound));
+    return `${this.nameOf(quantity)} ${sign} ${plain ? valueText(limit.bound, this.unitOf(limit)) : bound.replace(/\bu(?=[a-zA-Z])/, 'µ')}`.trim();
+  }
+
+  /** What the case says of aims and limits, in words; nothing of other keys. */
+  caseText(key: string, value: CaseValue | undefined): string | undefined {
+    const [, aims, limits] = /^optimise\.(?:(maximise|minimise)|(limits|bearing_limits))$/.exec(key) ?? [];
+    if (aims === undefined && limits === undefined) return undefined;
+    const texts = [value ?? []].flat().map(String);
+    return texts.map((text) => (aims === undefined ? this.limitText(text) : this.nameOf(text))).join(', ') || 'none';
   }
 
   /** Of a key, or of the quantity of an aim: empty of a number. */

@@ -24,10 +24,12 @@ export interface CaseWords {
   shortfalls(result: Result): string[];
   /** Of the cases that are shown. */
   note: string;
+  /** A value in words of its result; nothing of those that are written as all are. */
+  text?(result: Result, key: string, value: CaseValue | undefined): string | undefined;
 }
 
 /** The cases of the results in focus as the program understood them; where those shown differ, the line is marked. */
-function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): HTMLElement[] {
+function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys, words: CaseWords): HTMLElement[] {
   const cases = new Map(shown.map((run) => [run, flatten(run.data.summary.case)]));
   const tables: HTMLElement[] = [];
   let group: string | undefined;
@@ -47,7 +49,7 @@ function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): H
       const entries = cases.get(run) ?? new Map<string, CaseValue>();
       const value = entries.get(key);
       if (typeof value === 'string' && key.endsWith('].key')) return keyTitle(caseKeys, value);
-      return valueText(value, unitOf(caseKeys, key, entries));
+      return words.text?.(run, key, value) ?? valueText(value, unitOf(caseKeys, key, entries));
     };
     const differs = new Set(shown.map(text)).size > 1;
     tables[tables.length - 1]?.append(
@@ -128,7 +130,7 @@ export function caseSection(comparison: ComparedCases, caseKeys: CaseKeys, words
   );
   const fill = (): void => {
     panel.refresh();
-    place.replaceChildren(...tables(comparison, caseKeys));
+    place.replaceChildren(...tables(comparison, caseKeys, words));
     origins.replaceChildren(...comparison.focus.map((run) => provenance(run, words.shortfalls(run))));
   };
   comparison.onChange(fill);

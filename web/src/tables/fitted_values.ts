@@ -14,11 +14,11 @@ function scrolled(label: string, heads: string[], rows: HTMLElement[]): HTMLElem
 }
 
 /** One unit for all numbers of a parameter, with the digits that its standard error leaves. */
-function cells({ unit, start, value, standardError, interval, profileInterval, atBound }: FittedParameter, profiled: boolean): string[] {
+function cells({ unit, start, value, standardError, interval, profileInterval, atBound, atJump }: FittedParameter, profiled: boolean): string[] {
   const scale = scaleFor(Math.abs(value), unit);
   const text = (number: number | null, digits = 5): string => formatNumber(number === null ? null : number * scale.factor, digits);
   const range = ([from, to]: [number | null, number | null]): string => (from === null && to === null ? '–' : `${text(from)} to ${text(to)}`);
-  return [text(value), text(standardError, 3), range(interval), ...(profiled ? [range(profileInterval)] : []), text(start), scale.unit, atBound ? 'at a bound' : ''];
+  return [text(value), text(standardError, 3), range(interval), ...(profiled ? [range(profileInterval)] : []), text(start), scale.unit, atBound ? 'at a bound' : atJump ? 'at a jump' : ''];
 }
 
 /** Best values with their intervals, and how well the model follows the data. */

@@ -42,7 +42,7 @@ export function bestTable(result: Optimisation): HTMLElement {
 export function limitTable(result: Optimisation): HTMLElement {
   const { limits } = result.summary;
   const rows = limits.map((limit) => [
-    limit.limit.replace(limit.quantity, result.nameOf(limit.quantity)),
+    result.limitText(limit.limit),
     formatQuantity(limit.value, result.unitOf(limit), 5),
     formatQuantity(limit.margin, result.unitOf(limit), 3),
     limit.active === true ? 'active' : '',

@@ -42,7 +42,11 @@ function sectionsOf(result: Optimisation, id: string, title: (text: string) => s
     part(
       `${id}-case`,
       title('Case and origin'),
-      caseSection(compared, caseKeys, { shortfalls: () => [result.attribute('status_message')].filter((text) => text !== ''), note: '' }),
+      caseSection(compared, caseKeys, {
+        shortfalls: () => [result.attribute('status_message')].filter((text) => text !== ''),
+        note: '',
+        text: (_, key, value) => result.caseText(key, value),
+      }),
     ),
   ];
 }

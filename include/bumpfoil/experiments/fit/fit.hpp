@@ -141,10 +141,11 @@ struct FitProfilePoint {
 /// What was found of a parameter, SI.
 struct FittedValue {
   double value{};
-  std::optional<double> standard_error{};  ///< absent where it lies at a bound, or the data do not tell it
+  std::optional<double> standard_error{};  ///< absent at a bound and at a jump, and where the data do not tell it
   std::optional<double> lower_95{};
   std::optional<double> upper_95{};
   bool at_bound{};
+  bool at_jump{};  ///< beside it the model jumps, as contacts there are others
   /// On request, in rising order of values: three standard errors to both sides, or without one all between the bounds.
   std::vector<FitProfilePoint> profile{};
   /// Where the profile rises by the square of Student's t, as that of a linear model does at the ends of its interval;

@@ -150,6 +150,17 @@ TEST(Fit, NamesWhatOnlyASumIsSeenOf) {
   EXPECT_NEAR(result.correlation(1, 1), 1.0, 1e-12);
 }
 
+/// What is known before is not told by the data: a prior ends the ambiguity, and the words on the data stay.
+TEST(Fit, NamesWhatOnlyASumIsSeenOfBesideAPrior) {
+  const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 3);
+  FitParameter origin = fitted("fit.data[1].displacement_origin", 0.0, -10e-6, 10e-6);
+  origin.mean = 0.0;
+  origin.std = 1e-9;
+  const FitResult result = run_fit(fit_of(few_bumps(0.1, 28e-6), data, {any_clearance, origin}));
+  EXPECT_TRUE(warns(result, "bearing.radial_clearance and fit.data[1].displacement_origin: only their sum is seen"));
+  EXPECT_NEAR(*result.parameters[1].standard_error, 1e-9, 0.3e-9);
+}
+
 TEST(Fit, TellsThatInterfacesAreHardlySeparable) {
   Case truth = few_bumps(0.1, 28e-6);
   truth.friction = {.top_bump = 0.1, .bump_sleeve = 0.2};
@@ -357,6 +368,29 @@ TEST(Fit, IsReadFromCaseFiles) {
                Error);
   EXPECT_NE(refusal("key = \"friction.coefficient\"\nstart = \"1 um\"\nlower = 0\nupper = 2\n").find("start"),
             std::string::npos);
+}
+
+/// All faults of a loop and its parameters come at once.
+TEST(Fit, RefusesNumbersThatSayNothing) {
+  const std::string flat =
+      case_template("gen1") +
+      "\n[[fit.data]]\ndisplacements = [0, 1e-6, 2e-6, 3e-6, 4e-6, 3e-6, 2e-6, 0]\nforces = [5, 5, 5, 5, 5, 5, 5, 5]\n"
+      "machine_stiffness = 5e7\ntorque_origin = 1\n"
+      "[[fit.data]]\ndisplacements = [0, 1e-6, 2e-6, 3e-6, 4e-6, 3e-6, nan, 0]\nforces = [0, 1, 2, 3, 4, 3, 2, 0]\n"
+      "[[fit.parameter]]\nkey = \"friction.coefficient\"\nstart = 0.1\nlower = 0\nupper = inf\n";
+  std::string said;
+  try {
+    parse_case(flat, "case.toml", {.overrides = {}, .commands = {"fit"}});
+  } catch (const Error& error) {
+    said = error.what();
+  }
+  for (const char* const part : {"fit.data[1].forces: are all the same",
+                                 "fit.data[1].torque_origin = 1: has no effect on data of the experiment "
+                                 "\"cycle\"",
+                                 "fit.data[2].displacements[7] = nan", "fit.parameter[1].upper = inf: is not finite"}) {
+    EXPECT_NE(said.find(part), std::string::npos) << part << said;
+  }
+  EXPECT_EQ(said.find("machine_stiffness:"), std::string::npos) << said;
 }
 
 TEST(Fit, RefusesStartsThatCannotBeRun) {

@@ -119,6 +119,11 @@ TEST(FitTables, FindTheDeeperOfTwoMinimaFromFurtherStarts) {
   EXPECT_GT(near.minima[1].cost, near.minima[0].cost + 1.0);
   const FitResult far = fit_from(5, 0.002, 0.2);  // too much higher to be listed
   EXPECT_EQ(far.minima.size(), 1U);
+  // A second start is the best of the places, not the first of them, which lies beside the other minimum.
+  friction.start = 0.05;
+  friction.mean = 0.55;
+  EXPECT_LT(fit_from(1, 0.004, 0.3).parameters[0].value, 0.2);
+  EXPECT_GT(fit_from(2, 0.004, 0.3).parameters[0].value, 0.5);
 }
 
 /// Of a rig that reads positions from elsewhere, with noise of the standard deviations.
@@ -217,7 +222,7 @@ TEST(FitTables, AreReadByNamesAndUnits) {
   EXPECT_NE(refused_table(folder, "amplitude_um,stiffness_N/m\n", vibrations).find("contains no row"),
             std::string::npos);
   // Of what is missing in the header, once: not again for every row.
-  const auto without = refused_table(folder, "stiffness_N/m\n1\n2\n", vibrations);
+  const auto without = refused_table(folder, "stiffness_N/m\n-\n-\n", vibrations);
   EXPECT_NE(without.find("has no amplitude_um"), std::string::npos) << without;
   EXPECT_EQ(without.find("table.csv:2"), std::string::npos) << without;
   FitData by_other_names = vibrations;
@@ -266,6 +271,15 @@ TEST(FitTables, AreJudged) {
       "experiment = \"equilibrium\"\nh_min_std = \"1 um\"\nreadings = { speed = [\"9000 rpm\"], h_min = [\"9 um\"] }\n",
       "static load");
   expect_refusal("experiment = \"equilibrium\"\nh_min_std = \"1 um\"\n", "readings.speed");
+  const std::string second = "[[fit.parameter]]\nkey = \"bearing.weld_angle\"\nstart = 0\nlower = -1\nupper = 1\n";
+  const std::string one = vibration + "stiffness_std = 1e6\nreadings = { amplitude = [1e-6], stiffness = [1e7] }\n";
+  expect_refusal(one + second, "fit.parameter = 2: are more than what was measured, 1");
+  EXPECT_EQ(refusal(one + second + "mean = 0\nstd = 1\n").find("fit.parameter"), std::string::npos);
+  expect_refusal(vibration + "force_origin = \"1 N\"\nloss_factor_std = 0.01\n" + readings,
+                 "fit.data[1].force_origin = 1 N: has no effect on data of the experiment \"vibration\"");
+  expect_refusal(
+      vibration + "loss_factor_std = 0.01\nreadings = { amplitude = [1e-6, 2e-6], loss_factor = [0.4, nan] }\n",
+      "fit.data[1].readings.loss_factor[2] = nan: is not finite");
 }
 
 }  // namespace

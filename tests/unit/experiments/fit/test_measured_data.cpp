@@ -81,6 +81,8 @@ TEST(MeasuredData, VibrationsAreThoseOfTheirRows) {
   EXPECT_EQ(data->measured().series.size(), 3U);
   EXPECT_EQ(data->measured().points[3].series, 0U);
   EXPECT_EQ(data->measured().points[6].series, 2U);
+  EXPECT_EQ(data->measured().points[3].quantity, 0U);
+  EXPECT_EQ(data->measured().points[4].quantity, 1U);
 }
 
 TEST(MeasuredData, VibrationsAreAboutTheLoadOfTheirColumnsThenOfTheDataThenOfTheCase) {
