@@ -1,48 +1,89 @@
 """Changes one token of the sources at a time and sees whether the short tests of the module notice.
 
-Usage: mutations.py BUILD RESULTS.jsonl [--module NAME]... [--count N] [--seed S] [--jobs N] [--page PAGE.md]
+Usage: mutations.py BUILD RESULTS.jsonl [--module NAME]... [--count N] [--seed S] [--jobs N] [--again] [--page PAGE.md]
 
 Mutants are drawn evenly over the lines of a module. The changed source is compiled by itself, beside the tree, and
 linked before the library of BUILD, whose own functions of the same names it hides: a minute for what a build of the
 library would take ten. A function of the library that was inlined elsewhere stays what it was, which can only hide
-mutants from tests, not the other way round. Each mutant is a line of RESULTS: where it is, what it changes and what
-became of it. Those that are there are not tried again, so that a stopped run goes on. With --page the results are
-written as a page instead.
+mutants from tests, not the other way round. The tests beside the changed source run first, as they notice most.
+
+Each mutant is a line of RESULTS: where it is, what it changes and what became of it. Those that are there are not tried
+again, so that a stopped run goes on; with --again those that survived are, where tests have been written since. With
+--page the results are written as a page instead; why a survivor is none that a test should notice is in mutations.json.
 """
 
 import argparse
+import functools
+import itertools
 import json
+import os
 import random
 import re
 import shlex
 import subprocess
 import sys
 import tempfile
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-# The tests of a module, quickest first: those of a later program run where those before it have noticed nothing.
-QUICK_FILMS = "verification_film --gtest_filter=-FilmBranches.*:FilmInterference.*:Films/*:*Refinement*"
+# Of the films against the prototype, those of less than half a second stand in front, and those of minutes are left out.
+FIRST_OF_FILMS = (
+    "FilmPlain.*:FilmPads.*:FilmInSleeves.*:FilmTables.*:FilmOverFoils.I*:FilmOverFoils.MeetsThePrototypeAlong*:"
+    "FilmOverFoils.W*:FilmOverTheWidth.C*:FilmOverTheWidth.S*:FilmUnderATiltedJournal.StiffnessIs*:FilmHeld.M*:"
+    "FilmHeld.IsA*:FilmHeld.IsTheSame*:FilmTime.G*:FilmTime.IsTheSame*:FilmAsperities.StiffnessIs*:FilmFormed.P*"
+)
+FIRST_FILMS = f"verification_film --gtest_filter={FIRST_OF_FILMS}"
+QUICK_FILMS = (
+    f"verification_film --gtest_filter=-{FIRST_OF_FILMS}:FilmBranches.*:FilmInterference.*:Films/*:*Refinement*:"
+    "FilmTime.FreeMotions*:FilmFormed.Runs*:FilmUnderATiltedJournal.MeetsThePrototype"
+)
+# Of each module the tests of seconds, then those of a minute, which only meet what those before have not noticed. The
+# tests beside a source come before all of them.
 MODULES = {
-    "contact": ("unit_contact", "unit_structure", "unit_bearing", "property", "verification"),
-    "structure": ("unit_structure", "unit_bearing", "unit_film", "verification", QUICK_FILMS),
-    "film": ("unit_film", "unit_bearing", QUICK_FILMS),
-    "bearing": ("unit_bearing", "unit_motion", QUICK_FILMS),
-    "motion": ("unit_motion", "verification_rotor"),
-    "experiments": ("unit_experiments",),
+    "contact": (("unit_contact", "unit_structure", "unit_bearing"), ("property", "verification")),
+    "structure": (("unit_structure", "unit_bearing", "unit_film"), (FIRST_FILMS, "verification", QUICK_FILMS)),
+    "film": (("unit_film", "unit_bearing", FIRST_FILMS), (QUICK_FILMS,)),
+    "bearing": (("unit_bearing", FIRST_FILMS), ("unit_motion", QUICK_FILMS)),
+    "motion": ((), ("unit_motion", "verification_rotor")),
+    "experiments": ((), ("unit_experiments",)),
 }
-SECONDS_OF_TESTS = 1800
+SUITE = re.compile(r"^(?:TYPED_TEST|TEST|TEST_F|TEST_P|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\((\w+),", re.MULTILINE)
+# A mutant that takes more processor time goes on for ever: all tests of a program; those beside a source are allowed
+# so many times as long as on what is unchanged, and some seconds.
+SECONDS_OF_PROGRAM = 600
+TIMES_AS_LONG = 5
+SECONDS_BESIDES = 10
+MOST_MEMORY = 4 << 30
+
+NOT_TRIED = ("not compiled", "gone")
 
 # What stands for what; spaces around an operator keep templates, pointers and increments out.
 SWAPS = [
     (" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "), (" += ", " -= "), (" -= ", " += "),
-    (" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
+    (" == ", " != "), (" != ", " == "),
     (" && ", " || "), (" || ", " && "), ("std::min", "std::max"), ("std::max", "std::min"), ("std::sin", "std::cos"),
     ("std::cos", "std::sin"), ("true", "false"), ("false", "true"), ("return -", "return "), ("(-", "("), ("(!", "("),
 ]  # fmt: skip
-NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(?:e[-+]?\d+)?|[1-9]\d*)(?![\w.])")
+# A loop or a place goes one too far; any other condition is turned round, as two real numbers are hardly ever equal.
+BOUND = re.compile(r"\bfor \(|size\(\)")
+BOUNDS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > ")]
+CONDITIONS = [(" < ", " >= "), (" <= ", " > "), (" > ", " <= "), (" >= ", " < ")]
+NUMBER = re.compile(r"(?<![\w.])(?<!\de-)(\d+\.\d+|\d+(?:\.\d+)?e[-+]?\d+|[1-9]\d*)(?![\w.])")
 STATEMENT = re.compile(r"\s+[\w.\[\]()>-]+ (?:[-+*/]?=) [^;{}]*;")
-LEFT_ALONE = re.compile(r'^\s*(?://|#|template|using|static_assert|BUMPFOIL_ASSERT|namespace)|"|\bcase\b|<[a-z:_]+>')
+# Named constants of iterations, steps and tolerances, which tune how quickly or finely an answer is found; messages.
+LEFT_ALONE = re.compile(
+    r"^constexpr (?:int|double|Eigen::Index|std::size_t|std::int64_t) \w+ =|"
+    r'^\s*(?://|#|template|using|static_assert|BUMPFOIL_ASSERT|namespace)|"|\bcase\b|<[a-z:_]+>'
+)
+
+
+def other_number(text):
+    """Twice a number; a thousand times a tolerance; one in place of zero."""
+    if text.isdigit():
+        return str(2 * int(text))
+    value = float(text)
+    return repr(1000.0 * value if "e" in text else 2.0 * value if value else 1.0)
 
 
 def changes_of(line):
@@ -50,12 +91,12 @@ def changes_of(line):
     code = line.split("//")[0]
     if LEFT_ALONE.search(code):
         return
-    for old, new in SWAPS:
+    for old, new in [*SWAPS, *(BOUNDS if BOUND.search(code) else CONDITIONS)]:
         for match in re.finditer(re.escape(old), code):
             yield f"{old.strip()} -> {new.strip() or 'nothing'}", line[: match.start()] + new + line[match.end() :]
     for match in NUMBER.finditer(code):
-        twice = str(2 * int(match[0])) if match[0].isdigit() else repr(2.0 * float(match[0]))
-        yield f"{match[0]} -> {twice}", line[: match.start()] + twice + line[match.end() :]
+        other = other_number(match[0])
+        yield f"{match[0]} -> {other}", line[: match.start()] + other + line[match.end() :]
     if STATEMENT.fullmatch(code):
         yield "dropped", re.match(r"\s*", line)[0] + ";"
 
@@ -73,12 +114,26 @@ def mutants_of(root, module, count, generator):
         yield {"module": module, "file": file, "line": number, "code": line.strip(), "change": change, "new": changed}
 
 
-def run(command, seconds, folder):
-    """Whether it ends well in that time."""
-    try:
-        return subprocess.run(command, cwd=folder, timeout=seconds, capture_output=True, check=False).returncode == 0
-    except subprocess.TimeoutExpired:
-        return False
+def runs(command, folder):
+    return subprocess.run(command, cwd=folder, capture_output=True, check=False).returncode == 0
+
+
+def seconds_of(command, folder, temporary, limit=None):
+    """Processor time of a test program and whether it ended well; it is ended after `limit` seconds."""
+    limits = ["prlimit", f"--as={MOST_MEMORY}", *([f"--cpu={limit:.0f}"] if limit else [])]
+    environment = {**os.environ, "TMPDIR": temporary}
+    with subprocess.Popen(
+        [*limits, *command], cwd=folder, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    ) as process:
+        # What waits for ever takes no processor time.
+        until = time.monotonic() + 60 + 20 * limit if limit else float("inf")
+        while os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG) is None:
+            if time.monotonic() > until:
+                process.kill()
+            time.sleep(0.02)
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    return used.ru_utime + used.ru_stime, process.returncode == 0
 
 
 def commands_of(build, target):
@@ -87,11 +142,19 @@ def commands_of(build, target):
     return told.stdout.splitlines()
 
 
-def compile_command(build):
-    """How a source of the library is compiled, without the names of the source and of what comes out."""
+@functools.cache
+def compile_command(build, folder):
+    """How a source of the library is compiled, without the names of the source and of what comes out. Accesses behind
+    the end of what holds them are ended, as under the sanitizers; the header in front is compiled for that anew."""
     commands = commands_of(build, "src/libbumpfoil.a")
     line = next(line for line in commands if "/Unity/" in line and " -o src/" in line)
-    return shlex.split(line)[: shlex.split(line).index("-MD")]
+    words = [*shlex.split(line)[: shlex.split(line).index("-MD")], "-w", "-D_GLIBCXX_ASSERTIONS"]
+    place = words.index("-include")
+    header = f"{folder}/{Path(words[place + 1]).name}"
+    Path(header).write_bytes(Path(words[place + 1]).read_bytes())
+    words = [*words[:place], *words[place + 2 :]]
+    subprocess.run([*words, "-x", "c++-header", header, "-o", f"{header}.gch"], cwd=build, check=True)
+    return [*words, "-include", header]
 
 
 def link_command(build, program, mutant, linked):
@@ -102,41 +165,89 @@ def link_command(build, program, mutant, linked):
     return [*words[:library], mutant, "-Wl,--allow-multiple-definition", *words[library:]]
 
 
-def verdict_on(root, build, mutant):
+@functools.cache
+def own_suites(root, file):
+    """Names of the suites of tests beside a source: of its own file, or of all in its folder where it has none."""
+    folder = root / "tests/unit" / Path(file).parent.relative_to("src")
+    own = folder / f"test_{Path(file).stem}.cpp"
+    files = [own] if own.exists() else folder.glob("*.cpp") if len(Path(file).parts) > 3 else []
+    return sorted({suite for test in files for suite in SUITE.findall(test.read_text(encoding="utf-8"))})
+
+
+def runs_of(root, build, mutant, stage):
+    """(program, options, most seconds) of its quick tests or of its long ones, those beside the source first."""
+    beside = f"unit_{mutant['module']}"
+    own = ":".join(f"{suite}.*:*/{suite}.*:{suite}/*" for suite in own_suites(root, mutant["file"]))
+    if own and stage == 0:
+        chosen = f"--gtest_filter={own}"
+        yield beside, [chosen], SECONDS_BESIDES + TIMES_AS_LONG * usual_seconds(root, build, beside, chosen)
+    for program, *options in map(str.split, MODULES[mutant["module"]][stage]):
+        others = [f"--gtest_filter=-{own}"] if own and program == beside else options
+        yield program, others, SECONDS_OF_PROGRAM
+
+
+@functools.cache
+def usual_seconds(root, build, program, option):
+    """Processor time of tests of the build as it is."""
+    path = next(path for path in (build / "tests" / program, build / program) if path.exists())
+    with tempfile.TemporaryDirectory() as folder:
+        seconds, passed = seconds_of([path, "--gtest_brief=1", option], root / "tests", folder)
+    if not passed:
+        sys.exit(f"{program} {option}: fails on what is unchanged")
+    return seconds
+
+
+def place_of(lines, mutant):
+    """Index of the line that the mutant changes, which may have moved since it was drawn."""
+    places = [place for place, line in enumerate(lines) if line.strip() == mutant["code"]]
+    return min(places, key=lambda place: abs(place + 1 - mutant["line"]), default=None)
+
+
+def verdict_on(root, build, kept, mutant, stage):
     """caught (by which program), survived, or not compiled."""
     lines = (root / mutant["file"]).read_text(encoding="utf-8").splitlines()
-    lines[mutant["line"] - 1] = mutant["new"]
+    place = place_of(lines, mutant)
+    if place is None:
+        return "gone"
+    lines[place] = mutant["new"]
     with tempfile.TemporaryDirectory() as folder:
         source, object_file, linked = (f"{folder}/{name}" for name in ("mutant.cpp", "mutant.o", "tests"))
         Path(source).write_text("\n".join(lines) + "\n", encoding="utf-8")
-        if not run([*compile_command(build), "-w", "-c", source, "-o", object_file], 3600, build):
+        if not runs([*compile_command(build, kept), "-c", source, "-o", object_file], build):
             return "not compiled"
-        for tests in MODULES[mutant["module"]]:
-            program, *options = tests.split()
-            if not run(link_command(build, program, object_file, linked), 3600, build):
+        last = None
+        for program, options, limit in runs_of(root, build, mutant, stage):
+            if program != last and not runs(link_command(build, program, object_file, linked), build):
                 return "not compiled"
+            last = program
             command = [linked, "--gtest_brief=1", "--gtest_fail_fast", *options]
-            if not run(command, SECONDS_OF_TESTS, root / "tests"):
+            if not seconds_of(command, root / "tests", folder, limit)[1]:
                 return f"caught by {program}"
     return "survived"
 
 
-def page_of(results):
+def key_of(mutant):
+    return mutant["file"], mutant["line"], mutant["new"]
+
+
+def page_of(results, reasons):
     """The table of the results, and all that survived."""
-    tried = [one for one in results if one["verdict"] != "not compiled"]
+    first, last = ({key_of(one): one for one in order} for order in (reversed(results), results))
     yield "# Mutations\n"
     yield "One token of the sources is changed at a time, and the short tests of its module run on it"
     yield "(`make mutations`). What they do not notice is listed below.\n"
-    yield "| module | changes | caught | survived |\n|---|---|---|---|"
+    yield "| module | changes | caught | by tests written since | survived |\n|---|---|---|---|---|"
     for module in MODULES:
-        own = [one["verdict"] for one in tried if one["module"] == module]
-        if own:
-            yield f"| {module} | {len(own)} | {sum(one.startswith('caught') for one in own)} | {own.count('survived')} |"
-    yield "\n| where | line | change |\n|---|---|---|"
-    for one in tried:
+        own = [one for one in last.values() if one["module"] == module and one["verdict"] not in NOT_TRIED]
+        caught = [key_of(one) for one in own if one["verdict"].startswith("caught")]
+        later = sum(first[key]["verdict"] == "survived" for key in caught)
+        yield f"| {module} | {len(own)} | {len(caught)} | {later} | {len(own) - len(caught)} |"
+    yield "\n| where | line | change | why no test notices |\n|---|---|---|---|"
+    for one in last.values():
         if one["verdict"] == "survived":
-            code = one["code"].replace("|", "\\|")
-            yield f"| `{one['file']}:{one['line']}` | `{code}` | `{one['change'].replace('|', chr(92) + '|')}` |"
+            code, change = (text.replace("|", "\\|") for text in (one["code"], one["change"]))
+            why = reasons.get(one["file"], {}).get(f"{one['code']} {one['change']}", "")
+            yield f"| `{one['file']}:{one['line']}` | `{code}` | `{change}` | {why} |"
 
 
 def main():
@@ -147,31 +258,42 @@ def main():
     parser.add_argument("--count", type=int, default=70, help="of each module")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2, help="mutants at the same time")
+    parser.add_argument("--again", action="store_true", help="those that survived")
     parser.add_argument("--page", type=Path)
     options = parser.parse_args()
     root = Path(__file__).resolve().parent.parent
     results = [json.loads(line) for line in options.results.read_text().splitlines()] if options.results.exists() else []
     if options.page:
-        options.page.write_text("\n".join(page_of(results)) + "\n", encoding="utf-8")
+        reasons = json.loads((root / "scripts/mutations.json").read_text(encoding="utf-8"))
+        options.page.write_text("\n".join(page_of(results, reasons)) + "\n", encoding="utf-8")
         return 0
-    known = {(one["file"], one["line"], one["change"]) for one in results}
     options.results.parent.mkdir(parents=True, exist_ok=True)
     build = options.build.resolve()
+    modules = options.module or list(MODULES)
+    known = {key_of(one): one for one in results}
+    if options.again:
+        drawn = [one for one in known.values() if one["verdict"] == "survived" and one["module"] in modules]
+    else:
+        # One of each module in turn, so that a run that is stopped has tried all.
+        every = [mutants_of(root, module, options.count, random.Random(options.seed)) for module in modules]
+        drawn = [one for turn in itertools.zip_longest(*every) for one in turn if one and key_of(one) not in known]
 
-    def try_one(mutant):
-        mutant["verdict"] = verdict_on(root, build, mutant)
-        print(f"{mutant['file']}:{mutant['line']}: {mutant['change']}: {mutant['verdict']}", flush=True)
-        with options.results.open("a") as file:
-            file.write(json.dumps(mutant) + "\n")
+    def try_one(mutant, stage):
+        start = time.monotonic()
+        verdict = mutant["verdict"] = verdict_on(root, build, kept, mutant, stage)
+        left = verdict == "survived" and stage == 0
+        told = "not noticed by quick tests" if left else verdict
+        seconds = time.monotonic() - start
+        print(f"{mutant['file']}:{mutant['line']}: {mutant['change']}: {told} ({seconds:.0f} s)", flush=True)
+        if not left:
+            with options.results.open("a") as file:
+                file.write(json.dumps(mutant) + "\n")
+        return left
 
-    drawn = [
-        mutant
-        for module in options.module or MODULES
-        for mutant in mutants_of(root, module, options.count, random.Random(options.seed))
-        if (mutant["file"], mutant["line"], mutant["change"]) not in known
-    ]
-    with ThreadPoolExecutor(options.jobs) as jobs:
-        list(jobs.map(try_one, drawn))
+    with tempfile.TemporaryDirectory() as kept, ThreadPoolExecutor(options.jobs) as jobs:
+        compile_command(build, kept)
+        for stage in (0, 1):
+            drawn = [one for one, left in zip(drawn, jobs.map(lambda one: try_one(one, stage), drawn)) if left]
     return 0
 
 

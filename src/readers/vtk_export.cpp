@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/results/made_folder.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "readers/foil_shapes.hpp"
 #include "readers/stored_result.hpp"
@@ -49,7 +50,7 @@ std::size_t write_vtk(std::string bytes, const std::string& name, const std::fil
                   "export results of cycle, path, equilibrium or film"}});
   }
   const FoilShapes shapes(image);
-  std::filesystem::create_directories(folder);
+  const MadeFolder made(folder);
   std::size_t count = 0;
   for (const ShapeLayout layout : {ShapeLayout::cylinder, ShapeLayout::unwrapped}) {
     const std::string_view word = layout_words.at(static_cast<std::size_t>(layout));

@@ -89,19 +89,27 @@ TEST_F(RunInShell, ALimitOfFileSizesIsAFaultOfTheFile) {
   EXPECT_EQ(listing("full"), set);
 }
 
-/// All that writes, up to the name of what it writes.
-std::vector<std::string> writing_commands() {
+/// All that runs cases into a folder of results, up to its name.
+std::vector<std::string> running_commands() {
   std::vector<std::string> commands{
-      "$bumpfoil init", "$bumpfoil reproduce --figure 16",
       "$bumpfoil sweep case.toml --over friction.coefficient=0:0.1:0.1 --set cycle.steps=2",
       "$bumpfoil montecarlo case.toml --samples 2 --set cycle.steps=2 --set montecarlo.bump_height.std=1um"};
-  if (BUMPFOIL_HAS_DESIGNER) commands.emplace_back("$bumpfoil designer");
-  if (BUMPFOIL_HAS_REPORT) commands.emplace_back("$bumpfoil report base");
   for (const ExperimentInfo& experiment : experiments()) {
     std::string command = "$bumpfoil " + std::string(experiment.name) + " case.toml";
     for (const std::string& key : experiment.small_runs.front()) command += " --set '" + key + "'";
     commands.push_back(std::move(command));
   }
+  return commands;
+}
+
+/// All that writes, up to the name of what it writes.
+std::vector<std::string> writing_commands() {
+  std::vector<std::string> commands = running_commands();
+  for (const std::string command : {"init", "reproduce --figure 16", "export base --to vtk"}) {
+    commands.push_back("$bumpfoil " + command);
+  }
+  if (BUMPFOIL_HAS_DESIGNER) commands.emplace_back("$bumpfoil designer");
+  if (BUMPFOIL_HAS_REPORT) commands.emplace_back("$bumpfoil report base");
   return commands;
 }
 
@@ -119,8 +127,10 @@ TEST_F(RunInShell, EveryCommandThatWritesMeetsTheFaultsOfItsMachine) {
     EXPECT_NE(log().find("already"), std::string::npos) << log();
     std::filesystem::remove_all(written);
 
-    EXPECT_EQ(run(command + " --quiet -o case.toml/x"), 4);
-    EXPECT_NE(log().find("case.toml/x"), std::string::npos) << log();
+    for (const std::string place : {"case.toml/x", "/proc/x"}) {
+      EXPECT_EQ(run(command + " --quiet -o " + place), 4);
+      EXPECT_TRUE(log().starts_with(place) && log().find("cannot be written") != std::string::npos) << log();
+    }
     EXPECT_EQ(run("ulimit -f 1; " + command + " --quiet -o full"), 4);
     EXPECT_EQ(log().find("full"), 0U) << log();
     EXPECT_TRUE(log().find("File too large") != std::string::npos || log().find("ulimit -f") != std::string::npos)
@@ -128,6 +138,46 @@ TEST_F(RunInShell, EveryCommandThatWritesMeetsTheFaultsOfItsMachine) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "full/summary.json"));
     std::filesystem::remove_all(folder_.path() / "full");
   }
+}
+
+/// A reader that is gone ends no run before its results are there, and another run into the folder is none of them.
+TEST_F(RunInShell, EveryRunKeepsItsResultsToItself) {
+  ASSERT_EQ(run("mkdir busy && $bumpfoil cycle case.toml -o busy --set cycle.steps=80000 --quiet &\n"
+                "echo $! > writer; while ! [ -e busy/.bumpfoil/claim ]; do sleep 0.01; done"),
+            0);
+  for (const std::string& command : running_commands()) {
+    SCOPED_TRACE(command);
+    EXPECT_EQ(run(command + " -o busy --force"), 4);
+    EXPECT_NE(log().find("busy: another run writes to this folder"), std::string::npos) << log();
+    EXPECT_EQ(run("{ " + command + " -o piped; echo $? > code; } | true; [ $(cat code) = 141 ]"), 0);
+    EXPECT_EQ(consistent_summary("piped").at("status"), "complete");
+    std::filesystem::remove_all(folder_.path() / "piped");
+  }
+  EXPECT_EQ(run("kill -9 $(cat writer)"), 0);
+}
+
+TEST_F(RunInShell, EveryRunThatIsEndedFlagsItsResults) {
+  bool any = false;
+  for (const std::string& command : running_commands()) {
+    SCOPED_TRACE(command);
+    // As soon as it has its folder; the shortest are done before the signal comes.
+    const int code = run(command +
+                         " -o ended --quiet &\nwhile ! [ -e ended/.bumpfoil/claim ] && kill -0 $!; do :; done\n"
+                         "kill -TERM $!; wait $!");
+    EXPECT_TRUE(code == 0 || code == 130) << code << log();
+    EXPECT_EQ(consistent_summary("ended").at("status"), code == 0 ? "complete" : "interrupted");
+    any |= code == 130;
+    std::filesystem::remove_all(folder_.path() / "ended");
+  }
+  EXPECT_TRUE(any);
+}
+
+TEST_F(RunInShell, AFolderThatIsRemovedDuringTheRunIsTold) {
+  EXPECT_EQ(run("$bumpfoil cycle case.toml -o gone --quiet --set cycle.steps=2000 &\n"
+                "while ! [ -e gone/.bumpfoil/claim ]; do sleep 0.01; done; rm -r gone; wait $!"),
+            4);
+  EXPECT_NE(log().find("gone/cycle.csv: cannot be written: No such file or directory"), std::string::npos) << log();
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "gone"));
 }
 
 TEST_F(RunInShell, OfTwoRunsIntoOneFolderOneWinsAndTheOtherSaysWhy) {

@@ -63,7 +63,7 @@ Turns turns_of(const Points& points, double least) {
     }
   }
   // The end of a way down is where it is lowest, though nothing rises from there.
-  if (!turns.upper.empty() && !turns.rising) turns.lower.push_back(low);
+  if (!turns.rising) turns.lower.push_back(low);
   return turns;
 }
 

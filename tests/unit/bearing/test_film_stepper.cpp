@@ -56,6 +56,25 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
   EXPECT_NEAR(motion->foil_response, response, 1e-5 * response);
 }
 
+/// The tangent is exact to first order: half the way departs from it by a quarter.
+TEST(FilmStepper, DepartsFromItsTangentWithTheSquareOfTheWay) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing(four_rows);
+  FilmStepper stepper(bearing);
+  BearingState start;
+  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
+  FilmReport reports[2];
+  for (const int i : {0, 1}) {
+    BearingState state = start;
+    const Eigen::Vector2d there((0.6 + 0.004 / (1 << i)) * bearing.clearance, 0.0);
+    reports[i] = stepper.solve(stepper.move_to(OperatingPoint::held_at(there, speed)), state);
+    ASSERT_EQ(reports[i].status, Status::converged);
+  }
+  EXPECT_NEAR(reports[0].predicted_change, 2.0 * reports[1].predicted_change, 1e-3 * reports[0].predicted_change);
+  EXPECT_NEAR(reports[0].departure, 4.0 * reports[1].departure, 0.05 * reports[0].departure);
+  EXPECT_GT(reports[1].departure, 1e-9);
+}
+
 TEST(FilmStepper, StuckContactsAreStiffer) {
   const double speed = speed_of_rpm(45000.0);
   const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);

@@ -180,5 +180,15 @@ TEST(FilmSolver, MarchesToTheSteadyFilm) {
   EXPECT_GT(std::abs(first_load - load), 0.1 * std::abs(load));  // and the march was one
 }
 
+TEST(FilmReport, AddsWhatComesAfterIt) {
+  FilmReport report{.status = Status::touchdown, .iterations = 2, .factorisations = 30, .residual = 0.5, .jumps = 1};
+  report += {.status = Status::converged, .iterations = 5, .factorisations = 70, .residual = 0.25, .jumps = 3};
+  EXPECT_EQ(report.status, Status::converged);
+  EXPECT_EQ(report.iterations, 7);
+  EXPECT_EQ(report.factorisations, 100);
+  EXPECT_EQ(report.residual, 0.25);
+  EXPECT_EQ(report.jumps, 4);
+}
+
 }  // namespace
 }  // namespace bumpfoil

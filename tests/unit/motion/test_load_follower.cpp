@@ -144,5 +144,28 @@ TEST(FollowLoad, SaysThatNothingIsInTheWay) {
   EXPECT_EQ(step.status, Status::load_out_of_reach);
 }
 
+TEST(FollowLoad, PutsOneStepBehindAnother) {
+  const SharedFoils foils = make_bearing_foils(reference_case());
+  Step whole;
+  make_stepper(foils, {}).assemble({}, whole);
+  Step part = whole;
+  whole.substeps = 2;
+  whole.cost = {.iterations = 10, .factorisations = 20};
+  part.status = Status::load_not_met;
+  part.substeps = 3;
+  part.cost = {.iterations = 1, .factorisations = 2};
+  part.is_linear = !whole.is_linear;
+  part.state.position = {1e-6, -2e-6};
+  append(*foils, part, whole);
+  EXPECT_EQ(whole.status, Status::load_not_met);
+  EXPECT_EQ(whole.substeps, 5);
+  EXPECT_EQ(whole.cost.iterations, 11);
+  EXPECT_EQ(whole.cost.factorisations, 22);
+  EXPECT_FALSE(whole.is_linear);
+  EXPECT_EQ(whole.state.position, part.state.position);
+  ASSERT_EQ(whole.waypoints.size(), 1U);
+  EXPECT_EQ(whole.waypoints.front().position, part.state.position);
+}
+
 }  // namespace
 }  // namespace bumpfoil

@@ -87,10 +87,12 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   Program program{ramp(begin, further, 2), ramp(loaded, loaded, 5)};
   program.back().dt = dt;
   Step step;
+  step.substeps = 7;  // of another march
   int taken = 0;
   BearingState before = state;
   ASSERT_TRUE(march(stepper, program, state, step, [&](const Passage& at) {
     EXPECT_TRUE(at.step.converged());
+    EXPECT_EQ(at.step.substeps, 0);
     EXPECT_EQ(at.from.contacts.x, before.contacts.x);
     EXPECT_EQ(at.step.state.slip_origin, at.from.contacts.x);
     EXPECT_DOUBLE_EQ(at.step.state.time - at.from.time, at.leg.dt);

@@ -27,6 +27,9 @@ TEST(SpeedMap, HasTheOnsetBetweenItsSpeeds) {
     EXPECT_GT(worst.direction, 0.5);
     EXPECT_NEAR(std::abs(worst.rate - point.stuck->whirls.front().rate), 0.0, 1e-9 * std::abs(worst.rate));
     EXPECT_EQ(worst.rate.real() > 0.0, std::abs(point.speed) > speed_of_rpm(13072.4));
+    // It is one motion, here as there.
+    EXPECT_EQ(point.sliding->numbers.front(), map.points[0].sliding->numbers.front());
+    EXPECT_EQ(point.stuck->numbers, point.sliding->numbers);
   }
   ASSERT_EQ(map.onsets.size(), 2U);
   EXPECT_FALSE(map.onsets[0].stuck);

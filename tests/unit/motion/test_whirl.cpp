@@ -100,6 +100,11 @@ TEST(Onset, SaysWhereTheGrowthJumps) {
   ASSERT_TRUE(onset.has_value());
   EXPECT_NEAR(onset->speed, 400.0, 1e-6);
   EXPECT_TRUE(onset->jumps);
+  // By a part of the speed that is round-off.
+  const auto rounded = find_onset(
+      [](double speed) { return std::optional(Complex(speed < 400.0 ? -2e-5 : 7e-5, 100.0)); }, 100.0, 1000.0);
+  ASSERT_TRUE(rounded.has_value());
+  EXPECT_FALSE(rounded->jumps);
 }
 
 }  // namespace

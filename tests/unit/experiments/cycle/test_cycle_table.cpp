@@ -143,6 +143,7 @@ TEST(CycleTable, TellsPadsApart) {
   EXPECT_EQ(last_cell(text, "force of pad 2"),
             number_text(std::hypot(turn.pad_forces_x[1], turn.pad_forces_y[1]), 1.0));
   EXPECT_NE(text.find("of pad 2"), std::string::npos);
+  EXPECT_EQ(text.find("of pad 3"), std::string::npos);
   EXPECT_NE(text.find(" weld of pad 2\n"), std::string::npos);  // however wide
   EXPECT_EQ(last_cell(text, "on bump"), "2");
   const StressPeak at_weld{.stress = 1e6, .place = StressPlace::weld, .pad = 1};

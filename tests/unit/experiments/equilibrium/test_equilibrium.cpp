@@ -40,6 +40,20 @@ TEST(Equilibrium, RampsLoads) {
   EXPECT_EQ(result.states[2].asked.speed, 0.8 * speed);
 }
 
+TEST(Equilibrium, PlansTheStatesThatItWouldFind) {
+  const Case input = running_case(
+      {.speeds = {speed, 0.8 * speed}, .loads = {{30.0, 0.0}, {40.0, 10.0}}, .path = FilmPath::cold_start});
+  const std::vector<RunningState> found = run_equilibrium(input).states;
+  const std::vector<RunningState> planned = planned_states(*input.equilibrium, Status::interrupted);
+  ASSERT_EQ(planned.size(), found.size());
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    EXPECT_EQ(planned[i].path, found[i].path);
+    EXPECT_EQ(planned[i].asked, found[i].asked);
+    EXPECT_EQ(planned[i].before, found[i].before);
+    EXPECT_EQ(planned[i].report.status, Status::interrupted);
+  }
+}
+
 TEST(Equilibrium, TellsHowStatesAnswerToSmallMotions) {
   EquilibriumSettings settings{
       .speeds = {-speed}, .positions = {{1e-5, 0.0}}, .path = FilmPath::position_ray, .steps = 2};

@@ -236,6 +236,13 @@ TEST(Transient, TellsRubsApart) {
   EXPECT_NEAR(rubs[0].begin, 0.040, 1e-12);
   EXPECT_NEAR(rubs[0].end, 0.049, 1e-12);
   EXPECT_NEAR(rubs[0].load, 0.99, 1e-12);
+  const Case input = marched_case({turning(12000.0, 1.0)});
+  TransientResult result = synthetic(1.0, 2e-6);
+  result.machine = transient_not_begun(input).machine;
+  const std::vector<std::string> lines = warning_lines(input, TransientReading(std::move(result)));
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines.back(),
+            "journals touch foils in 1 intervals: from 0.04 s on asperities of bearing 1 carry up to 0.99 N");
 }
 
 /// What is doubtful about a bearing is told of the one that is so.
