@@ -38,7 +38,8 @@ constexpr auto displacements = std::to_array<NamedField>({{"top_displacement", &
                                                           {"foot_v_slope", &FoilFields::foot_v_slope},
                                                           {"crest_v_parabola", &FoilFields::crest_v_parabola},
                                                           {"pad_force_x", &FoilFields::pad_force_x},
-                                                          {"pad_force_y", &FoilFields::pad_force_y}});
+                                                          {"pad_force_y", &FoilFields::pad_force_y},
+                                                          {"strip_load", &FoilFields::strip_load}});
 
 struct NamedInterface {
   const char* name;
@@ -124,7 +125,7 @@ py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t
   py::dict quantities;
   if (result.experiment == Experiment::cycle) quantities["direction"] = to_degrees(cycle.direction);
   if (result.experiment == Experiment::strip) quantities["cycle"] = number + 1;
-  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.tilted)) {
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.over_width)) {
     quantities[std::string(quantity.name).c_str()] = spelled(quantity.value(cycle, input), quantity.form);
   }
   if (result.experiment == Experiment::cycle) {
@@ -159,7 +160,7 @@ py::list cycle_views(const py::object& run) {
   for (std::size_t i = 0; i < result->cycles.size(); ++i) {
     const Cycle& cycle = result->cycles[i];
     py::dict series;
-    for (const IncrementQuantity& quantity : increment_quantities(result->experiment, result->tilted)) {
+    for (const IncrementQuantity& quantity : increment_quantities(result->experiment, result->over_width)) {
       series[std::string(quantity.name).c_str()] = array_of(cycle.increments, quantity.value, quantity.form);
     }
     py::dict events;

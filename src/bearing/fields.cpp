@@ -44,7 +44,7 @@ InterfacePlace place_of(const Foils& foils, Interface interface) {
       return {.first_block = foils.structure.first_bump,
               .first = 0,
               .count = foils.top_bump() > 0 ? 1 : 0,
-              .points = foils.crest_contacts()};
+              .points = foils.journal_contacts()};
     case Interface::top_bump:
       return {.first_block = foils.structure.first_bump,
               .first = foils.top_bump(),
@@ -125,19 +125,33 @@ void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, 
   }
 }
 
+/// Parts of displacements on the crest lines that P_k has at zeta = 1. Points of strips are not those of a rule for the
+/// whole width: of them the best fit is meant, which there is for k = 1.
+Vector parts_of_mode(const Foils& foils, int k) {
+  const std::vector<FoilLine>& lines = foils.crest_lines();
+  Vector parts(std::ssize(lines));
+  double square = 0.0;
+  for (std::size_t s = 0; s < lines.size(); ++s) {
+    const double value = legendre(k, lines[s].zeta);
+    square += lines[s].weight * value * value;
+    parts[static_cast<Eigen::Index>(s)] = lines[s].weight * value;
+  }
+  return foils.points.empty() ? Vector((2 * k + 1) * parts) : Vector(parts / square);
+}
+
 void record_modes(const Foils& foils, const Vector& x, Eigen::Index increment, FoilFields& fields) {
   const BumpDofs& dofs = foils.structure.dofs;
   // Unknowns of a block, bump or foot after bump or foot, by P_k over the width at zeta = 1.
   const auto put = [&](FieldMatrix& field, int k, int first_block, const std::vector<int>& unknowns) {
+    if (field.cols() == 0) return;
     const auto count = std::ssize(unknowns);
+    const Vector parts = parts_of_mode(foils, k);
     for (Eigen::Index i = 0; i < field.cols(); ++i) {
       const int block = foils.block(first_block + static_cast<int>(i / count));
       const int unknown = unknowns[static_cast<std::size_t>(i % count)];
       double value = 0.0;
       for (int s = 0; s < foils.crest_contacts(); ++s) {
-        const FoilLine& line = foils.lines[static_cast<std::size_t>(s)];
-        value += (2 * k + 1) * line.weight * legendre(k, line.zeta) *
-                 x[Eigen::Index{block} * foils.problem.K.block_size() + foils.place(s, unknown)];
+        value += parts[s] * x[Eigen::Index{block} * foils.problem.K.block_size() + foils.place(s, unknown)];
       }
       field(increment, i) = value;
     }
@@ -183,8 +197,9 @@ void InterfaceFields::truncate(Eigen::Index increments) {
 
 void FoilFields::truncate(Eigen::Index increments) {
   for (FieldMatrix* field :
-       {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &compression, &crest_u_slope, &crest_v_slope,
-        &foot_u_slope, &foot_v_slope, &crest_v_parabola, &pad_force_x, &pad_force_y, &stress.top_weld,
+       {&top_displacement, &crest_u,          &crest_v,           &foot_u,           &foot_v,
+        &compression,      &crest_u_slope,    &crest_v_slope,     &foot_u_slope,     &foot_v_slope,
+        &crest_v_parabola, &pad_force_x,      &pad_force_y,       &strip_load,       &stress.top_weld,
         &stress.top_crest, &stress.bump_weld, &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
     field->conservativeResize(increments, Eigen::NoChange);
   }
@@ -207,6 +222,19 @@ Vector interface_loads(const Foils& foils, const ContactState& state, Interface 
   return loads;
 }
 
+Vector strip_loads(const Foils& foils, const ContactState& state) {
+  Vector loads = Vector::Zero(foils.points.empty() ? 0 : foils.points.back().strip + 1);
+  const double threshold = open_threshold(foils, state);
+  for (std::size_t p = 0; p < foils.points.size(); ++p) {
+    const Eigen::Index first = Eigen::Index{foils.structure.first_bump} * foils.contacts_per_block() + foils.top_bump();
+    const auto at_crests = Eigen::seqN(first + static_cast<Eigen::Index>(p), Eigen::Index{foils.bumps()},
+                                       Eigen::Index{foils.contacts_per_block()});
+    const Vector carried = state.normal_force(at_crests);
+    loads[foils.points[p].strip] += (carried.array() > threshold).select(carried, 0.0).sum();
+  }
+  return loads;
+}
+
 FoilFields make_fields(const Foils& foils, int increments) {
   const Eigen::Index bumps = foils.bumps();
   const Eigen::Index feet = place_of(foils, Interface::bump_sleeve).columns(foils);
@@ -224,10 +252,12 @@ FoilFields make_fields(const Foils& foils, int increments) {
   for (FieldMatrix* field : {&fields.foot_u_slope, &fields.foot_v_slope}) {
     field->resize(increments, has_slope ? feet : 0);
   }
-  fields.crest_v_parabola.resize(increments, foils.crest_contacts() > (has_slope ? 2 : 1) ? bumps : 0);
+  const bool has_parabola = foils.points.empty() && foils.crest_contacts() > (has_slope ? 2 : 1);
+  fields.crest_v_parabola.resize(increments, has_parabola ? bumps : 0);
   for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
     field->resize(increments, foils.pad_count() > 1 && !foils.under_film ? foils.pad_count() : 0);
   }
+  fields.strip_load.resize(increments, foils.points.empty() ? 0 : foils.points.back().strip + 1);
   fields.stress = make_stress_fields(foils, increments);
   return fields;
 }
@@ -276,6 +306,7 @@ void record(const Foils& foils, const BearingState& state, Eigen::Index incremen
     fields.pad_force_x.row(increment) = forces.row(0).unaryExpr(shown);
     fields.pad_force_y.row(increment) = forces.row(1).unaryExpr(shown);
   }
+  if (fields.strip_load.cols() > 0) fields.strip_load.row(increment) = strip_loads(foils, state.contacts);
   record_stress(foils, x, increment, fields.stress);
 }
 

@@ -227,7 +227,7 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   add_bump_foils(bearing, foil.lines, K);
   hold_free_ends(bearing, K);
   bearing.problem = {.K = std::move(K), .sites = {}, .force_scale = foils.problem.force_scale};
-  put_contacts_on_lines(foils, bearing.scales.thickness, bearing);  // gaps of the last blocks stay open
+  put_contacts_on_lines({&foils, 1}, bearing.scales.thickness, bearing);  // gaps of the last blocks stay open
   return bearing;
 }
 

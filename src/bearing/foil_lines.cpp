@@ -113,23 +113,27 @@ void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagona
   }
 }
 
-void put_contacts_on_lines(const Foils& foils, double elsewhere, Foils& on_lines) {
-  // Of each contact in a block of the others: the first of those in one of `foils`.
-  std::vector<int> like;
+void put_contacts_on_lines(std::span<const Foils> strips, double elsewhere, Foils& on_lines) {
+  const Foils& foils = strips.front();
+  // Of each contact in a block of the others: the first of those in one of the strip's.
+  struct Source {
+    int contact, strip;
+  };
+  std::vector<Source> like;
   std::vector<ContactSite> pattern;
-  const auto add = [&](int first, int count) {
+  const auto add = [&](int first, const std::vector<FoilLine>& lines, int count) {
     for (int s = 0; s < count; ++s) {
-      like.push_back(first);
+      like.push_back({first, lines[static_cast<std::size_t>(s)].strip});
       ContactSite& site = pattern.emplace_back(foils.problem.sites[static_cast<std::size_t>(first)]);
       for (int* place : {&site.plus, &site.minus, &site.tangential}) {
-        if (*place >= 0) *place = on_lines.place(s, *place);
+        if (*place >= 0) *place = Foils::place(lines, s, *place);
       }
     }
   };
-  if (on_lines.top_bump() > 0) add(0, on_lines.crest_contacts());
-  add(foils.top_bump(), on_lines.crest_contacts());
+  if (on_lines.top_bump() > 0) add(0, on_lines.lines, on_lines.journal_contacts());
+  add(foils.top_bump(), on_lines.crest_lines(), on_lines.crest_contacts());
   for (int foot = 0; foot < foils.feet_per_block(); ++foot) {
-    add(foils.first_foot() + foot * foils.foot_contacts(), on_lines.foot_contacts());
+    add(foils.first_foot() + foot * foils.foot_contacts(), on_lines.crest_lines(), on_lines.foot_contacts());
   }
   on_lines.problem.sites = in_every_block(pattern, on_lines.problem.K.blocks());
   on_lines.assembled_gap.setConstant(on_lines.problem.contacts(), elsewhere);
@@ -137,7 +141,8 @@ void put_contacts_on_lines(const Foils& foils, double elsewhere, Foils& on_lines
     const Eigen::Index from = Eigen::Index{foils.block(b)} * foils.contacts_per_block();
     const Eigen::Index to = Eigen::Index{on_lines.block(b)} * std::ssize(like);
     for (Eigen::Index c = 0; c < std::ssize(like); ++c) {
-      on_lines.assembled_gap[to + c] = foils.assembled_gap[from + like[static_cast<std::size_t>(c)]];
+      const auto [contact, strip] = like[static_cast<std::size_t>(c)];
+      on_lines.assembled_gap[to + c] = strips[static_cast<std::size_t>(strip)].assembled_gap[from + contact];
     }
   }
 }

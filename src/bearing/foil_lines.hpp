@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "bumpfoil/bearing/foils.hpp"
@@ -23,8 +24,13 @@ double stiffest_of_bump_foils(const FoilStructure& structure);
 /// nothing slides or lifts.
 void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagonal& K);
 
-/// The contacts of `foils` on the lines of others, which have their K already: sites and gaps without the journal.
-/// @param elsewhere  gaps of blocks that `foils` have none of, m
-void put_contacts_on_lines(const Foils& foils, double elsewhere, Foils& on_lines);
+/// The contacts of foils that are uniform over the width on the lines and points of others, which have their K already:
+/// sites and gaps without the journal.
+/// @param strips     foils that are as each strip all over the width; one if there is none
+/// @param elsewhere  gaps of blocks that `strips` have none of, m
+void put_contacts_on_lines(std::span<const Foils> strips, double elsewhere, Foils& on_lines);
+
+/// Foils on pads that are worked out already, uniform over the width. How they lie without a journal is not looked for.
+Foils make_uniform_foils(std::vector<PlacedPad> pads);
 
 }  // namespace bumpfoil

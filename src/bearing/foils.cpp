@@ -10,7 +10,6 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
-#include "bumpfoil/structure/top_foil_on_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -118,6 +117,11 @@ int Foils::block(int of_structure) const {
   return of_structure + static_cast<int>(behind - structure.pads.begin()) - 1;  // the free ends of the pads before
 }
 
+std::size_t Foils::unstaggered_lines() const {
+  return static_cast<std::size_t>(std::count_if(
+      lines.begin(), lines.end(), [&](const FoilLine& line) { return line.strip == lines.front().strip; }));
+}
+
 Vector Foils::foil_unknowns(const Vector& x) const {
   if (!under_film && lines.empty()) return x;
   const Eigen::Index size = structure.dofs.size;
@@ -129,9 +133,12 @@ Vector Foils::foil_unknowns(const Vector& x) const {
     for (int i = 0; i < size; ++i) {
       if (is_uniform(i)) continue;
       own[i] = 0.0;
-      for (int s = 0; s < crest_contacts(); ++s) {
-        const double part = i == structure.dofs.top_moment ? 1.0 : lines[static_cast<std::size_t>(s)].weight;
-        own[i] += part * all[place(s, i)];
+      const bool of_top_foil = i == structure.dofs.top_u || i == structure.dofs.top_moment;
+      const std::vector<FoilLine>& given = of_top_foil ? lines : crest_lines();
+      const std::size_t count = of_top_foil ? unstaggered_lines() : given.size();
+      for (std::size_t s = 0; s < count; ++s) {
+        const double part = i == structure.dofs.top_moment ? 1.0 : given[s].weight;
+        own[i] += part * all[place(given, static_cast<Eigen::Index>(s), i)];
       }
     }
   }
@@ -146,76 +153,18 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
                     .stable_tangent = [shared](const Vector& x) { return stable_tangent_stiffness(*shared, x); }};
 }
 
-Foils make_foils(const BearingDesign& design) {
-  std::vector<PlacedPad> pads = place_pads(design);
+Foils make_uniform_foils(std::vector<PlacedPad> pads) {
   Foils foils = make_pad_foils(pads.front());
   for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
   foils.placed = std::move(pads);
   foils.problem.law = elastic_law(foils.structure);
-  if ((foils.structure.forming.array() != 0.0).any()) foils.assembly = assemble_without_journal(foils);
   return foils;
 }
 
-namespace {
-
-/// Half the axial length, m.
-double half_width_of(const Foils& foils) {
-  return 0.5 * foils.placed.front().alone.bearing.axial_length;
-}
-
-/// Adds the top foil of a pad to K of the problem.
-void add_top_foil(const Foils& foils, int pad, const WidthLines& width, BlockTridiagonal& K) {
-  const FoilDesign design = make_bearing_design(foils.placed[static_cast<std::size_t>(pad)].alone);
-  const BlockTridiagonal top = top_foil_on_lines(design, width);
-  std::vector<int> places;
-  places.reserve(static_cast<std::size_t>(top.block_size()));
-  for (const int unknown : {foils.structure.dofs.top_u, foils.structure.dofs.top_moment}) {
-    for (Eigen::Index s = 0; s < width.count(); ++s) places.push_back(foils.place(s, unknown));
-  }
-  while (std::ssize(places) < top.block_size()) {  // of the membrane: the last of the block
-    places.push_back(K.block_size() - top.block_size() + static_cast<int>(std::ssize(places)));
-  }
-  const auto first = static_cast<std::size_t>(foils.structure.blocks_of(pad).first);
-  for (std::size_t b = 0; b < top.diagonal.size(); ++b) K.diagonal[first + b](places, places) += top.diagonal[b];
-  for (std::size_t b = 0; b < top.upper.size(); ++b) K.upper[first + b](places, places) += top.upper[b];
-}
-
-/// FoilStructure::forming of top foils that are one under each line, as stiff as its part of the width.
-Vector forming_on_lines(const Foils& foils) {
-  const BumpDofs& dofs = foils.structure.dofs;
-  Vector forming = Vector::Zero(foils.problem.K.rows());
-  for (std::size_t s = 0; s < foils.lines.size(); ++s) {
-    const auto put = [&](int unknown, double part) {
-      const Eigen::Index blocks = foils.structure.K.blocks();
-      forming(Eigen::seqN(Eigen::Index{foils.place(static_cast<Eigen::Index>(s), unknown)}, blocks,
-                          Eigen::Index{foils.problem.K.block_size()})) =
-          part * foils.structure.forming(Eigen::seqN(Eigen::Index{unknown}, blocks, Eigen::Index{dofs.size}));
-    };
-    put(dofs.top_u, foils.lines[s].weight);
-    put(dofs.top_moment, 1.0);
-  }
-  return forming;
-}
-
-}  // namespace
-
-Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
-  BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
-  const WidthLines width = make_width_lines(modes, WidthPart::whole);
-  Foils tilted = foils;
-  tilted.lines = foil_lines_of(width, foils.structure.dofs, foils.structure.dofs.size);
-  const int of_membrane = 2 * static_cast<int>(width.stretching_orders().size());
-  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(tilted.lines) + of_membrane);
-  add_bump_foils(tilted, width, K);
-  for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(tilted, pad, width, K);
-  tilted.problem.K = std::move(K);
-  tilted.forming = forming_on_lines(tilted);
-  put_contacts_on_lines(foils, 0.0, tilted);
-  const Vector at_side = journal_gaps(0.0, foils.normals, half_width_of(foils) * slope);
-  for (int s = 0; s < tilted.crest_contacts(); ++s) {
-    tilted.assembled_gap(tilted.pressed(s)) += tilted.lines[static_cast<std::size_t>(s)].zeta * at_side;
-  }
-  return tilted;
+Foils make_foils(const BearingDesign& design) {
+  Foils foils = make_uniform_foils(place_pads(design));
+  if ((foils.structure.forming.array() != 0.0).any()) foils.assembly = assemble_without_journal(foils);
+  return foils;
 }
 
 Foils make_foils(const PadDesign& whole, const StripSettings& strip) {
@@ -227,14 +176,16 @@ Foils make_foils(const PadDesign& whole, const StripSettings& strip) {
 
 ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
   ContactLoading loading{.initial_gap = foils.assembled_gap, .load = foils.forming};
-  const Vector journal = journal_gaps(foils.clearance, foils.normals, excitation.position);
-  for (int line = 0; line < foils.crest_contacts(); ++line) loading.initial_gap(foils.pressed(line)) += journal;
+  for (int line = 0; line < foils.journal_contacts(); ++line) {
+    loading.initial_gap(foils.pressed(line)) +=
+        journal_gaps(foils.clearance, foils.normals_on(line), excitation.position);
+  }
   if (excitation.gap_offset.size() > 0) loading.initial_gap += excitation.gap_offset;
   if (excitation.top_load.size() > 0) {
     BUMPFOIL_ASSERT(foils.has_top_foil());
-    for (int line = 0; line < foils.crest_contacts(); ++line) {
-      const double part = foils.lines.empty() ? 1.0 : foils.lines[static_cast<std::size_t>(line)].weight;
-      loading.load(foils.top_foil(line)) += part * excitation.top_load;
+    if (foils.lines.empty()) loading.load(foils.top_foil()) += excitation.top_load;
+    for (std::size_t s = 0; s < foils.unstaggered_lines(); ++s) {
+      loading.load(foils.top_foil(static_cast<int>(s))) += foils.lines[s].weight * excitation.top_load;
     }
   }
   return loading;
@@ -242,33 +193,45 @@ ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
 
 ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction) {
   ContactLoading rate = ContactLoading::none(foils.problem);
-  const Vector journal = journal_gaps(0.0, foils.normals, direction);
-  for (int line = 0; line < foils.crest_contacts(); ++line) rate.initial_gap(foils.pressed(line)) = journal;
+  for (int line = 0; line < foils.journal_contacts(); ++line) {
+    rate.initial_gap(foils.pressed(line)) = journal_gaps(0.0, foils.normals_on(line), direction);
+  }
   return rate;
-}
-
-Vector pressed_gaps(const Foils& foils, const Vector& gap) {
-  Vector least = gap(foils.pressed());
-  for (int line = 1; line < foils.crest_contacts(); ++line) least = least.cwiseMin(gap(foils.pressed(line)));
-  return least;
 }
 
 Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
   Vector loads = normal_force(foils.pressed());
-  for (int line = 1; line < foils.crest_contacts(); ++line) loads += normal_force(foils.pressed(line));
+  for (int line = 1; line < foils.journal_contacts(); ++line) loads += normal_force(foils.pressed(line));
   return loads;
 }
 
+namespace {
+
+/// Force of the journal on the staggered strips of some bumps that follow each other.
+Eigen::Vector2d force_on_strips(const Foils& foils, const Vector& normal_force, const PadBlocks& bumps) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int line = 0; line < foils.journal_contacts(); ++line) {
+    const Vector loads = normal_force(foils.pressed(line));
+    sum += journal_force(foils.normals_on(line).middleCols(bumps.first, bumps.count),
+                         loads.segment(bumps.first, bumps.count));
+  }
+  return sum;
+}
+
+}  // namespace
+
 Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
+  if (!foils.strip_normals.empty()) return force_on_strips(foils, normal_force, {0, foils.bumps()});
   return journal_force(foils.normals, pressing_loads(foils, normal_force));
 }
 
 Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force) {
   Eigen::Vector2d at_side = Eigen::Vector2d::Zero();
   for (std::size_t s = 0; s < foils.lines.size(); ++s) {
-    at_side += foils.lines[s].zeta * journal_force(foils.normals, normal_force(foils.pressed(static_cast<int>(s))));
+    const auto line = static_cast<int>(s);
+    at_side += foils.lines[s].zeta * journal_force(foils.normals_on(line), normal_force(foils.pressed(line)));
   }
-  return foils.lines.empty() ? at_side : half_width_of(foils) * at_side;
+  return foils.lines.empty() ? at_side : 0.5 * foils.placed.front().alone.bearing.axial_length * at_side;
 }
 
 ElasticResponse elastic_response(const Foils& foils, const Vector& x) {
@@ -286,7 +249,8 @@ Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force) {
   for (Eigen::Index k = 0; k < forces.cols(); ++k) {
     const PadBlocks blocks = foils.structure.blocks_of(static_cast<int>(k));
     const auto bumps = Eigen::seqN(blocks.first, blocks.count);
-    forces.col(k) = journal_force(foils.normals(Eigen::all, bumps), loads(bumps));
+    forces.col(k) = foils.strip_normals.empty() ? journal_force(foils.normals(Eigen::all, bumps), loads(bumps))
+                                                : force_on_strips(foils, normal_force, blocks);
   }
   return forces;
 }

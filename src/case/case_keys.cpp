@@ -115,6 +115,15 @@ void describe(CaseVisitor& keys, Shim& shim) {
   keys.value({"thickness", required, "Thickness", "", "20 um", length}, &shim.thickness);
 }
 
+void describe(CaseVisitor& keys, FoilStrip& strip) {
+  keys.value({"stagger", defaulted, "Stagger", "of its weld and bumps along the foil, in pitches: a number of sixths"},
+             &strip.stagger);
+  keys.value(
+      {"height_errors", defaulted, "Height errors",
+       "one for all its bumps or one for each, positive is taller; added to those of the bump foil", "0 um", length},
+      &strip.height_errors);
+}
+
 void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.choice({.name = "model",
                .presence = defaulted,
@@ -176,6 +185,13 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.value({"sleeve_gaps", optional, "Sleeve gaps", "one per bump, initial gap between its foot and the sleeve",
               "[\"0 um\", \"2 um\", ...]", length},
              &foil.sleeve_gaps);
+  keys.value({"strips", defaulted, "Strips", "side by side over the width, of equal width"}, &foil.strips);
+  keys.value({"strip_gap", defaulted, "Gap between strips", "axial, between neighbouring strips of the bump foil",
+              "0 mm", length},
+             &foil.strip_gap);
+  list_of_tables(
+      keys, {"strip", optional, "Strip", "what each strip has of its own, from the side z < 0 on; none: all alike"},
+      foil.strip, [](CaseVisitor& inner, FoilStrip& strip) { describe(inner, strip); });
   keys.choice(
       {"weld_at", defaulted, "Weld at", "clamped before bump 1 in the middle of a flat; frame only: \"arc_start\""},
       foil.weld_at);

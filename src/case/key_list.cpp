@@ -216,6 +216,11 @@ std::vector<ListedKey> list_keys(const Case& input) {
   return list;
 }
 
+std::vector<ListedKey> list_keys() {
+  Case none;  // not Case{}: g++ 12 warns that members of an aggregate may be destroyed before they are initialised
+  return list_keys(none);
+}
+
 const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path) {
   const auto exact = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
   if (exact != keys.end()) return &*exact;

@@ -33,6 +33,9 @@ struct ListedKey {
 /// All keys of the case file, in its order; those of tables that the case has not with their defaults.
 std::vector<ListedKey> list_keys(const Case& input);
 
+/// Those of a case that holds nothing.
+std::vector<ListedKey> list_keys();
+
 /// A key by its path; of a table that the case has not, the key of the first table of its list. Null if there is none.
 const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path);
 

@@ -133,6 +133,54 @@ Preset three_pads() {
   return preset;
 }
 
+constexpr std::string_view three_strips_head =
+    R"(# Illustration of a second-generation foil bearing: a bump foil that is split over the width into three strips, of which
+# the middle one is staggered by half a pitch, under a whole top foil. This is not a published bearing: its sizes are
+# those of the first-generation reference bearing with one bump less, and what makes it one of strips is assumed, as
+# marked.
+#
+)";
+
+/// Not from a paper: the reference bearing with its bump foil in three strips.
+Preset three_strips() {
+  Preset preset{.name = "gen2-three-strips",
+                .head = three_strips_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.radius", as_reference},
+                            {"bearing.axial_length", as_reference},
+                            {"bearing.radial_clearance", as_reference},
+                            {"bearing.weld_angle", as_reference},
+                            {"bearing.wrap", as_reference},
+                            {"bump_foil.bumps", "assumed; of each strip, with room for the stagger"},
+                            {"bump_foil.pitch", as_reference},
+                            {"bump_foil.length", as_reference},
+                            {"bump_foil.height", as_reference},
+                            {"bump_foil.thickness", as_reference},
+                            {"bump_foil.youngs_modulus", as_reference},
+                            {"bump_foil.poisson_ratio", as_reference},
+                            {"bump_foil.strips", assumed},
+                            {"bump_foil.strip_gap", assumed},
+                            {"bump_foil.weld_at", assumed},
+                            {"top_foil.thickness", as_reference},
+                            {"top_foil.youngs_modulus", as_reference},
+                            {"top_foil.poisson_ratio", as_reference},
+                            {"friction.coefficient", assumed},
+                            {"cycle.directions", assumed},
+                            {"cycle.amplitude", assumed}}};
+  Case& input = preset.input;
+  input.title = "Illustration of a second-generation bearing: three strips";
+  input.bump_foil.bumps = 25;
+  input.bump_foil.strips = 3;
+  input.bump_foil.strip_gap = 2e-3;
+  input.bump_foil.strip.resize(3);
+  input.bump_foil.strip[1].stagger = 0.5;
+  input.width.modes = 3;
+  preset.remarks.insert(preset.remarks.end(), {{"bump_foil.strip[1].stagger", assumed},
+                                               {"bump_foil.strip[2].stagger", assumed},
+                                               {"bump_foil.strip[3].stagger", assumed}});
+  return preset;
+}
+
 constexpr std::string_view running_head =
     R"(# The bearing of Arghir & Benchekroun 2019 running in air, loaded towards +X by its rotor, for the command equilibrium.
 # The paper has no film: speed and loads are assumed.
@@ -161,6 +209,7 @@ Preset running() {
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all{{.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}},
                                        rubio(),
+                                       three_strips(),
                                        three_pads(),
                                        larsen(),
                                        running()};

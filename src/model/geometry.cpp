@@ -108,6 +108,7 @@ FoilDesign make_bearing_design(const PadDesign& pad) {
                    .youngs_modulus = foil.youngs_modulus,
                    .poisson_ratio = foil.poisson_ratio,
                    .axial_length = pad.bearing.axial_length,
+                   .strip_gaps = (foil.strips - 1) * foil.strip_gap,
                    .radius = pad.bearing.is_flat() ? std::nullopt : std::optional(pad.bearing.radius),
                    .welded = true,
                    .weld_at = foil.weld_at,
@@ -130,6 +131,15 @@ FoilDesign make_bearing_design(const PadDesign& pad) {
 bool is_formed(const PadDesign& pad) {
   return pad.bump_foil.model != BumpFoilModel::former &&
          (flattening_of(pad) != 0.0 || pad.top_foil.seat_pressure.value_or(0.0) != 0.0);
+}
+
+double strip_width(const PadDesign& pad) {
+  const BumpFoil& foil = pad.bump_foil;
+  return (pad.bearing.axial_length - (foil.strips - 1) * foil.strip_gap) / foil.strips;
+}
+
+double strip_middle(const PadDesign& pad, int strip) {
+  return (strip - 0.5 * (pad.bump_foil.strips - 1)) * (strip_width(pad) + pad.bump_foil.strip_gap);
 }
 
 PadDesign cut_to(const PadDesign& whole, int bumps) {
@@ -166,6 +176,7 @@ double foil_angle(const PadDesign& pad) {
   double last = 0.0;
   for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) length += last = bump.pitch;
   if (pad.top_foil.overhang) length += *pad.top_foil.overhang - 0.5 * last;
+  length += pad.bump_foil.most_stagger() * last;
   return length / pad.bearing.radius;
 }
 

@@ -27,6 +27,13 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
     require_same(pad.bump_foil->model == input.bump_foil.model, "bump_foil.model", "bump_foil.model for all");
     require_same(pad.bump_foil->geometry == input.bump_foil.geometry, "bump_foil.geometry",
                  "bump_foil.geometry for all");
+    require_same(pad.bump_foil->strips == input.bump_foil.strips, "bump_foil.strips", "bump_foil.strips for all");
+    require_same(pad.bump_foil->strip_gap == input.bump_foil.strip_gap, "bump_foil.strip_gap",
+                 "bump_foil.strip_gap for all");
+    const auto same_stagger = [](const FoilStrip& a, const FoilStrip& b) { return a.columns() == b.columns(); };
+    require_same(std::equal(pad.bump_foil->strip.begin(), pad.bump_foil->strip.end(), input.bump_foil.strip.begin(),
+                            input.bump_foil.strip.end(), same_stagger),
+                 "bump_foil.strip", "the stagger of bump_foil.strip for all");
     require_same(pad.bump_foil->yield_stress == input.bump_foil.yield_stress, "bump_foil.yield_stress",
                  "bump_foil.yield_stress for all");
   }

@@ -60,6 +60,19 @@ std::vector<PlacedPad> place_pads(const BearingDesign& design) {
   return pads;
 }
 
+PlacedPad strip_of(const PlacedPad& pad, int strip) {
+  PlacedPad placed = pad;
+  BumpFoil& foil = placed.alone.bump_foil;
+  if (foil.strip.empty()) return placed;
+  const FoilStrip& own = foil.strip[static_cast<std::size_t>(strip)];
+  const auto bumps = static_cast<std::size_t>(foil.bumps);
+  foil.height_errors.resize(bumps);
+  for (std::size_t n = 0; n < bumps; ++n) foil.height_errors[n] += own.height_errors.at(n, bumps);
+  const double along = own.columns() * (nominal_bump(foil, 0).pitch / staggers_per_pitch);
+  placed.alone.bearing.weld_angle += placed.sense() * along / placed.alone.bearing.radius;
+  return placed;
+}
+
 const BumpFoil& bump_foil_of(const BearingDesign& design, std::size_t pad) {
   const bool own = pad < design.pads.size() && design.pads[pad].bump_foil;
   return own ? *design.pads[pad].bump_foil : design.bump_foil;

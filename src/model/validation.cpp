@@ -18,6 +18,7 @@
 #include "model/judge_bump_foil.hpp"
 #include "model/judge_montecarlo.hpp"
 #include "model/judge_pads.hpp"
+#include "model/judge_strips.hpp"
 #include "model/judge_top_foil.hpp"
 
 namespace bumpfoil {
@@ -213,6 +214,7 @@ std::vector<JudgedFault> judge_bearing_and_runs(const Case& input, std::vector<C
     }
     judge_top_foil(judge, input, judged, usable_radius);
   }
+  judge_strips(judge, input, judged, usable_radius);
   judge.within("friction.top_bump", input.friction.top_bump, coefficient_range);
   judge.within("friction.bump_sleeve", input.friction.bump_sleeve, coefficient_range);
   judge_solver(judge, input.solver.uzawa);

@@ -95,8 +95,8 @@ Json quantities_json(const Json& result) {
   for (const VariableMeaning& meaning : meanings_in_tables(experiment)) {
     // Of cycles those are shown that have a label, of others all that the result has.
     if (of_cycles ? meaning.label.empty() : !result.at("variables").contains(meaning.name)) continue;
-    // What tilted journals alone have is explained where there is one.
-    if (of_cycles && (meaning.tags & tag::under_tilt) != 0 && meaning_of(result, meaning.name).empty()) continue;
+    // What varies over the width is explained where a result has it.
+    if (of_cycles && (meaning.tags & tag::of_width_alone) != 0 && meaning_of(result, meaning.name).empty()) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
   return json;

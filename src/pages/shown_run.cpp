@@ -41,7 +41,9 @@ std::string encoded(const Form& form, const std::vector<double>& numbers) {
 }
 
 void add_field(Json& json, const FieldQuantity& quantity, const FoilFields& fields, Eigen::Index reached) {
-  if (is_left_out(quantity.name) || quantity.node == Node::pad || quantity.is(tag::under_tilt)) return;
+  if (is_left_out(quantity.name) || quantity.node == Node::pad || quantity.node == Node::strip ||
+      quantity.is(tag::of_width_alone))
+    return;
   const FieldMatrix values = quantity.value(fields);
   const bool reduced = is_reduced(quantity.name);
   if (values.cols() == 0 && reduced) return;
@@ -199,7 +201,7 @@ Json shown_run(const Case& input, const CycleResult& result) {
            {"cycles", Json::array()},
            {"quantities", Json::array()}};
   if (Json deviations = shown_deviations(input); !deviations.is_null()) run["deviations"] = std::move(deviations);
-  const std::vector<IncrementQuantity> quantities = increment_quantities(result.experiment, result.tilted);
+  const std::vector<IncrementQuantity> quantities = increment_quantities(result.experiment, result.over_width);
   for (const Cycle& cycle : result.cycles) run["cycles"].push_back(cycle_data(cycle, quantities));
   const auto explain = [&](const auto& quantity) {
     run["meanings"][std::string(quantity.name)] = {{"unit", quantity.unit == "1" ? "" : quantity.unit},
@@ -207,9 +209,9 @@ Json shown_run(const Case& input, const CycleResult& result) {
   };
   for (const IncrementQuantity& quantity : quantities) explain(quantity);
   for (const FieldQuantity& quantity : field_quantities()) {
-    if (!quantity.is(tag::under_tilt)) explain(quantity);
+    if (!quantity.is(tag::of_width_alone)) explain(quantity);
   }
-  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.tilted)) {
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.over_width)) {
     explain(quantity);
     if (quantity.label.empty()) continue;
     VariableMeaning meaning = quantity.meaning();

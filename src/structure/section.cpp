@@ -12,7 +12,7 @@ Section make_section(double youngs_modulus, double poisson_ratio, double axial_l
 }
 
 Section make_bump_section(const FoilDesign& foils, const BumpShape& bump) {
-  return make_section(foils.youngs_modulus, foils.poisson_ratio, foils.axial_length, bump.thickness);
+  return make_section(foils.youngs_modulus, foils.poisson_ratio, foils.bump_foil_width(), bump.thickness);
 }
 
 Section make_top_foil_section(const FoilDesign& foils) {

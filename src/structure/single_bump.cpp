@@ -45,7 +45,7 @@ double guided_bump_stiffness(const BumpArc& arc, const Section& section) {
 double bump_force_scale(const FoilDesign& foils) {
   const BumpShape& bump = foils.bumps.front();
   return bump.rise * shallow_bump_stiffness(make_bump_arc(bump), make_section(foils.youngs_modulus, foils.poisson_ratio,
-                                                                              foils.axial_length, bump.thickness));
+                                                                              foils.bump_foil_width(), bump.thickness));
 }
 
 }  // namespace bumpfoil

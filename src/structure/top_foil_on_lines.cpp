@@ -130,12 +130,26 @@ Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double
   return intervals;
 }
 
-BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines) {
+namespace {
+
+/// The same in units of the pitch, and with the columns between the last crest and the last station there.
+Vector with_stations(const Vector& intervals, const FoilDesign& foils, int last) {
+  const auto to_crest = (2 * std::ssize(foils.bumps) - 1) * (columns_of_pitch / 2);
+  Vector all(intervals.size() + last);
+  all.head(to_crest) = intervals.head(to_crest);
+  all.segment(to_crest, last).setConstant(intervals[to_crest - 1]);
+  all.tail(intervals.size() - to_crest) = intervals.tail(intervals.size() - to_crest);
+  return all / columns_of_pitch;
+}
+
+}  // namespace
+
+BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines, const std::vector<int>& stations) {
   const double pitch = foils.reference_length();
   const double R = foils.radius.value();
   const double EI = make_top_foil_section(foils).bending_stiffness;
   const double stiffness = EI / (pitch * pitch * pitch);
-  const Vector intervals = top_foil_intervals(foils, columns_of_pitch, pitch) / columns_of_pitch;
+  const Vector intervals = with_stations(top_foil_intervals(foils, columns_of_pitch, pitch), foils, stations.back());
   TopFoilBeam beam{.radius = R, .bending_stiffness = EI, .theta = intervals * pitch / R};
   std::partial_sum(beam.theta.begin(), beam.theta.end(), beam.theta.begin());
   const Membrane membrane = make_membrane(lines.stretching_orders(), 0.5 * foils.axial_length / pitch, R / pitch,
@@ -148,33 +162,45 @@ BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& li
   add_membrane(membrane, intervals, lines, columns);
 
   const auto bumps = static_cast<int>(foils.bumps.size());
+  const auto of_block = static_cast<int>(stations.size());
   const auto is_moment = [&](Eigen::Index i) { return i >= lines.count() && i < 2 * lines.count(); };
-  BlockTridiagonal K(bumps, static_cast<int>(size));
-  for (int b = 0; b < bumps; ++b) {
-    const bool last = b + 1 == bumps;
-    const int crest = columns_of_pitch / 2 + columns_of_pitch * b;
-    const int first = b > 0 ? crest - columns_of_pitch : 0;
+  BlockTridiagonal K(bumps, of_block * static_cast<int>(size));
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(size));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  const int held = bumps * of_block;  // columns where a crest is
+  int before = 0;                     // the one before, or the weld
+  for (int k = 0; k < held; ++k) {
+    const bool last = k + 1 == held;
+    const int column =
+        columns_of_pitch / 2 + columns_of_pitch * (k / of_block) + stations[static_cast<std::size_t>(k % of_block)];
     std::vector<Eigen::Index> kept;
-    if (b > 0) {
-      kept.resize(static_cast<std::size_t>(size));
-      std::iota(kept.begin(), kept.end(), Eigen::Index{0});
-    }
-    std::vector<Eigen::Index> own;  // of this crest
-    for (Eigen::Index i = 0; i < size; ++i) {
+    if (k > 0) kept = all;
+    std::vector<Eigen::Index> own;  // of this column
+    for (const Eigen::Index i : all) {
       if (last && is_moment(i)) continue;
       own.push_back(i);
-      kept.push_back(size * (crest - first) + i);
+      kept.push_back(size * (column - before) + i);
     }
     const Matrix A =
-        stiffness * condensed(joined(columns, first, last ? static_cast<int>(intervals.size()) : crest), kept);
+        stiffness * condensed(joined(columns, before, last ? static_cast<int>(intervals.size()) : column), kept);
     const auto n = std::ssize(own);
-    const auto at = static_cast<std::size_t>(b);
-    K.diagonal[at](own, own) += A.bottomRightCorner(n, n);
-    if (b == 0) continue;
-    K.diagonal[at - 1] += A.topLeftCorner(size, size);
-    K.upper[at - 1](Eigen::all, own) = A.topRightCorner(size, n);
+    const auto place = [&](int of) { return size * (of % of_block); };  // in its block
+    for (Eigen::Index& i : own) i += place(k);
+    const auto block = static_cast<std::size_t>(k / of_block);
+    K.diagonal[block](own, own) += A.bottomRightCorner(n, n);
+    before = column;
+    if (k == 0) continue;
+    const auto first = Eigen::seqN(place(k - 1), size);
+    const auto other = static_cast<std::size_t>((k - 1) / of_block);
+    K.diagonal[other](first, first) += A.topLeftCorner(size, size);
+    if (other == block) {
+      K.diagonal[block](first, own) += A.topRightCorner(size, n);
+      K.diagonal[block](own, first) += A.topRightCorner(size, n).transpose();
+    } else {
+      K.upper[other](first, own) = A.topRightCorner(size, n);
+    }
   }
-  K.diagonal.back().diagonal().segment(lines.count(), lines.count()).setConstant(-stiffness);
+  K.diagonal.back().diagonal().segment(K.block_size() - size + lines.count(), lines.count()).setConstant(-stiffness);
   return K;
 }
 

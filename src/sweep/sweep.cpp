@@ -97,7 +97,7 @@ class OptionReader {
   }
 
   const SweepRequest& request_;
-  std::vector<ListedKey> keys_{list_keys(Case{})};
+  std::vector<ListedKey> keys_{list_keys()};
   std::vector<SweepAxis> axes_;
   std::vector<Fault> faults_;
 };

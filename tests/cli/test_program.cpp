@@ -170,6 +170,7 @@ TEST_F(Program, InitPrintsOrWrites) {
 
 TEST_F(Program, RunsItsPresets) {
   for (const auto& [preset, command] : {std::pair{"gen1-rubio", "cycle"},
+                                        {"gen2-three-strips", "cycle"},
                                         {"gen3-three-pad", "cycle"},
                                         {"larsen-strip", "strip"},
                                         {"running", "equilibrium"}}) {

@@ -44,6 +44,7 @@ struct FoilFields {
   /// parabola. Per bump, per foot.
   FieldMatrix crest_u_slope, crest_v_slope, foot_u_slope, foot_v_slope, crest_v_parabola;
   FieldMatrix pad_force_x, pad_force_y;  ///< N, per pad of several: what each takes of the force on the journal
+  FieldMatrix strip_load;                ///< N, per strip of several that do not move alike: of all its crests
   InterfaceFields journal_top;           ///< per bump; without columns under a film
   InterfaceFields top_bump;              ///< per bump
   InterfaceFields bump_sleeve;           ///< per foot
@@ -59,6 +60,9 @@ Vector largest_pad_forces(const FoilFields& fields);
 
 /// Loads of one interface at a state, N: what is reported as open carries nothing.
 Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface);
+
+/// Load of the top foil on all crests of each strip, N; nothing where they move alike.
+Vector strip_loads(const Foils& foils, const ContactState& state);
 
 /// Fields for `increments` increments of the foils, to be filled by record().
 FoilFields make_fields(const Foils& foils, int increments);

@@ -46,6 +46,7 @@ struct FoilLine {
   double zeta{};
   double weight{1.0};
   std::vector<int> places;
+  int strip{};  ///< of the bump foil, from 0, over whose crests it is
 };
 
 /// Foils ready to be loaded: elastic foils and the contacts between the journal (or the plate that presses on a strip,
@@ -57,11 +58,18 @@ struct FoilLine {
 ///
 /// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
 ///
+/// Where the bump foil is split into strips that do not move alike, each carries the top foil at points of its own, two
+/// over its width. Each point has a bump foil under it, which no other is joined to, and whose crest touches the top
+/// foil where it is displaced by u(zeta) of WidthLines. That displacement has a place in the block, as top_u of the
+/// point, and so has the force that ties it to those of the lines, as its top_moment. The crests of strips that are
+/// staggered are those of the same bump, some columns of the mesh of the top foil further on, and the journal touches
+/// the lines there, too.
+///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
 /// Of foils that answer differently over the width there is one on every line between journal and top foil, top foil
-/// and crest and, where feet are not uniform, foot and sleeve. Without a top foil the first is missing, and the second
-/// is that of the plate with the crest. Under a film the first is missing, and the blocks of the problem are those of
-/// FilmBearing.
+/// and crest and, where feet are not uniform, foot and sleeve; of strips the last two are at the points. Without a top
+/// foil the first is missing, and the second is that of the plate with the crest. Under a film the first is missing,
+/// and the blocks of the problem are those of FilmBearing.
 struct Foils {
   std::vector<PlacedPad> placed;  ///< the pads of a bearing, worked out once; none of a strip
   FoilStructure structure;
@@ -78,25 +86,38 @@ struct Foils {
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
   bool under_film{};              ///< a film presses, and nothing else
-  std::vector<FoilLine> lines{};  ///< under a film or a tilted journal; none otherwise: all is uniform over the width
+  std::vector<FoilLine> lines{};  ///< under a film or a tilted journal, or of strips that differ, those over the crests
+                                  ///< that are not staggered first; none otherwise: all is uniform over the width
+  std::vector<FoilLine> points{};  ///< of strips that do not move alike; none otherwise: all of the foils is on lines
+  std::vector<Eigen::Matrix2Xd> strip_normals{};  ///< as `normals`, of each strip where any is staggered
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {
-    return has_top_foil() && !under_film ? crest_contacts() : 0;
+    return has_top_foil() && !under_film ? journal_contacts() : 0;
   }  ///< place of the contact in the block of a bump
+  /// Contacts of the journal with what is over the crests of a bump.
+  [[nodiscard]] int journal_contacts() const { return lines.empty() ? 1 : static_cast<int>(lines.size()); }
+  /// Where crests touch the top foil.
+  [[nodiscard]] const std::vector<FoilLine>& crest_lines() const { return points.empty() ? lines : points; }
   /// Contacts of a crest with the top foil, side by side over the width.
-  [[nodiscard]] int crest_contacts() const { return lines.empty() ? 1 : static_cast<int>(lines.size()); }
+  [[nodiscard]] int crest_contacts() const {
+    return crest_lines().empty() ? 1 : static_cast<int>(crest_lines().size());
+  }
   /// Contacts of a foot with the sleeve.
   [[nodiscard]] int foot_contacts() const { return is_uniform(structure.dofs.foot_u.front()) ? 1 : crest_contacts(); }
-  /// Where a line has an unknown of the structure in the block of a bump. @param unknown  among BumpDofs
-  [[nodiscard]] int place(Eigen::Index line, int unknown) const {
-    if (lines.empty()) return unknown;
-    return lines[static_cast<std::size_t>(line)].places[static_cast<std::size_t>(unknown)];
-  }
+  /// Where one of crest_lines() has an unknown of the structure in the block of a bump. @param unknown  among BumpDofs
+  [[nodiscard]] int place(Eigen::Index line, int unknown) const { return place(crest_lines(), line, unknown); }
   /// Whether an unknown of the structure is one and the same on all lines. @param unknown  among BumpDofs
   [[nodiscard]] bool is_uniform(int unknown) const {
-    return lines.size() < 2 || place(0, unknown) == place(1, unknown);
+    return crest_lines().size() < 2 || place(0, unknown) == place(1, unknown);
   }
+  /// Unit vectors that point outward at the crests under a line.
+  [[nodiscard]] const Eigen::Matrix2Xd& normals_on(int line) const {
+    if (strip_normals.empty()) return normals;
+    return strip_normals[static_cast<std::size_t>(lines[static_cast<std::size_t>(line)].strip)];
+  }
+  /// Lines over crests that are not staggered: the first ones.
+  [[nodiscard]] std::size_t unstaggered_lines() const;
   [[nodiscard]] int first_foot() const { return top_bump() + crest_contacts(); }
   /// None of a wall in place of the foils.
   [[nodiscard]] int contacts_per_block() const {
@@ -123,7 +144,13 @@ struct Foils {
   /// one, under no film.
   [[nodiscard]] auto top_foil(int line = 0) const {
     const Eigen::Index size = problem.K.block_size();
-    return Eigen::seqN(structure.first_bump * size + place(line, structure.dofs.top_u), Eigen::Index{bumps()}, size);
+    return Eigen::seqN(structure.first_bump * size + place(lines, line, structure.dofs.top_u), Eigen::Index{bumps()},
+                       size);
+  }
+  /// Where a line or point has an unknown of the structure in the block of a bump.
+  static int place(const std::vector<FoilLine>& all, Eigen::Index line, int unknown) {
+    if (all.empty()) return unknown;
+    return all[static_cast<std::size_t>(line)].places[static_cast<std::size_t>(unknown)];
   }
 };
 
@@ -151,6 +178,13 @@ Foils make_foils(const BearingDesign& design);
 /// @param foils  uniform over the width, with a top foil and without an elastic law
 Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope);
 
+/// The foils of a bearing whose bump foil is split into strips that do not move alike: they differ, or the journal is
+/// tilted by `slope` (rad, towards X and Y) and stays so. The top foil is whole, and given on lines by so many `modes`
+/// over the whole width as under_tilted_journal() has them. Nothing joins the bump foils under the points of the
+/// strips, which slide and lift one by one.
+/// @param design  valid, with a top foil and without an elastic law; where strips are staggered, it is not formed
+Foils on_strips(const BearingDesign& design, int modes, const Eigen::Vector2d& slope);
+
 /// A strip of foils between its plate and the base: flat, without clearance. Both must be valid.
 Foils make_foils(const PadDesign& whole, const StripSettings& strip);
 
@@ -164,9 +198,6 @@ ContactLoading loading_under(const Foils& foils, const Excitation& excitation);
 
 /// Rate of loading_under per metre of displacement along the unit vector `direction`.
 ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction);
-
-/// Gaps between journal and foils, m, one per bump: the least over the width.
-Vector pressed_gaps(const Foils& foils, const Vector& gap);
 
 /// Loads of the journal on the foils, N, one per bump.
 Vector pressing_loads(const Foils& foils, const Vector& normal_force);

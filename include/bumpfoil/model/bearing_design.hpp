@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -62,6 +64,19 @@ struct Bearing {
   bool operator==(const Bearing&) const = default;
 };
 
+/// Columns of the mesh of the top foil in a pitch that crests of strips may stand on.
+inline constexpr int staggers_per_pitch = 6;
+
+/// What one of the strips that a bump foil is split into over the width has otherwise than the others.
+struct FoilStrip {
+  double stagger{};       ///< of the strip along the foil, its weld included, in pitches: a multiple of a sixth
+  PerBump height_errors;  ///< m, positive = taller; added to those of the bump foil
+
+  /// The same in columns of the mesh of the top foil.
+  [[nodiscard]] int columns() const { return static_cast<int>(std::lround(staggers_per_pitch * stagger)); }
+  bool operator==(const FoilStrip&) const = default;
+};
+
 struct BumpFoil {
   BumpFoilModel model{BumpFoilModel::truss};
   Geometry geometry{Geometry::linear};
@@ -79,9 +94,23 @@ struct BumpFoil {
   bool stiffness_follows_height{};       ///< a bump's height error changes its own stiffness too (frame model only)
   std::vector<Shim> shims{};             ///< under bumps, no bump on two of them
   std::vector<double> sleeve_gaps;       ///< g0_b, m; empty or one per bump
+  int strips{1};                         ///< side by side over the width, of one width
+  double strip_gap{};                    ///< between neighbouring strips, m
+  std::vector<FoilStrip> strip;          ///< each, from the side z < 0 on; empty: they are alike
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;
 
+  [[nodiscard]] bool is_split() const { return strips > 1; }
+  /// Whether any strip differs from the foil in common.
+  [[nodiscard]] bool has_own_strips() const {
+    return std::any_of(strip.begin(), strip.end(), [](const FoilStrip& one) { return one != FoilStrip{}; });
+  }
+  /// Largest stagger of a strip, in pitches.
+  [[nodiscard]] double most_stagger() const {
+    double most = 0.0;
+    for (const FoilStrip& one : strip) most = std::max(most, one.columns() / double{staggers_per_pitch});
+    return most;
+  }
   bool operator==(const BumpFoil&) const = default;
 };
 

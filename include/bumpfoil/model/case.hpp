@@ -261,6 +261,12 @@ struct Case : BearingDesign {
   /// Choices of the reader that the case file leaves open, in plain words: warnings of every result.
   std::vector<std::string> remarks{};
 
+  /// Whether foils without a film answer differently over the width.
+  [[nodiscard]] bool varies_over_the_width() const {
+    return width.tilts() || bump_foil.has_own_strips() || std::any_of(pads.begin(), pads.end(), [](const Pad& pad) {
+             return pad.bump_foil && pad.bump_foil->has_own_strips();
+           });
+  }
   /// Whether films and foils are the same on both halves of the width.
   [[nodiscard]] bool has_equal_halves() const {
     return !width.tilts() && width.conicity == 0.0 && film.has_equal_sides();

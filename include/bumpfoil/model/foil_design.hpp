@@ -80,13 +80,16 @@ struct FoilDesign {
   std::vector<BumpShape> bumps;  ///< from the weld on, at least one
   double youngs_modulus{};       ///< E of the bump foil, Pa
   double poisson_ratio{};        ///< nu of the bump foil
-  double axial_length{};         ///< L of both foils, m
+  double axial_length{};         ///< L of the top foil, m
+  double strip_gaps{};           ///< part of L that the bump foil leaves free between its strips, m
   std::optional<double> radius;  ///< R of the bearing, m; absent: the foils lie flat
   bool welded{true};             ///< both foils are clamped before bump 1; else they are free at both ends
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;  ///< of every bump
   std::optional<TopFoilDesign> top_foil;
 
+  /// Width of the bump foil, of all its strips together, m.
+  [[nodiscard]] double bump_foil_width() const { return axial_length - strip_gaps; }
   /// Length by which unknowns that are no displacements are scaled to be lengths, m: the pitch of bump 1.
   [[nodiscard]] double reference_length() const { return bumps.front().pitch; }
 };

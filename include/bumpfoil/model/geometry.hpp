@@ -55,8 +55,15 @@ Vector foot_angles(const PadDesign& pad);
 /// R_f of a top foil before its assembly, m.
 double formed_radius(const FormedRadius& formed, const Bearing& bearing);
 
-/// Angle of the end of the top foil from the weld, rad: all pitches over R, unless it has an overhang of its own.
+/// Angle of the end of the top foil from the weld, rad: all pitches over R, unless it has an overhang of its own, and
+/// by how much the last strip of the bump foil is staggered.
 double foil_angle(const PadDesign& pad);
+
+/// Width of each strip of a bump foil, m.
+double strip_width(const PadDesign& pad);
+
+/// z in the middle of a strip, m. @param strip  from 0
+double strip_middle(const PadDesign& pad, int strip);
 
 /// Radial deviation of the sleeve from nominal at `theta` from the weld along the foil, taper included, m.
 Vector sleeve_deviations(const PadDesign& pad, const Vector& theta);

@@ -35,6 +35,10 @@ struct PlacedPad {
 /// The design must be valid.
 std::vector<PlacedPad> place_pads(const BearingDesign& design);
 
+/// A pad all of whose bump foil is as one of its strips: with its height errors and, where it is staggered, its weld.
+/// @param strip  from 0
+PlacedPad strip_of(const PlacedPad& pad, int strip);
+
 /// Foils of a pad (from 0) as they are given: not stretched.
 const BumpFoil& bump_foil_of(const BearingDesign& design, std::size_t pad);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/structure/width_lines.hpp"
@@ -24,7 +26,12 @@ Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double
 /// metre, and m = A g + nu B F of the same. Columns between the crests, six to a pitch, are eliminated, and so is all
 /// between the last crest and the free end. The moment over the last crest is, too: its place is kept, coupled to
 /// nothing.
-/// @param foils  with a top foil on a circle
-BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines);
+///
+/// Staggered strips of the bump foil carry the top foil at several stations of a pitch: some columns, of the six,
+/// behind each crest. All unknowns of one station follow those of the one before in the block.
+/// @param foils     with a top foil on a circle; at several stations, with equal pitches
+/// @param stations  rising, from 0 to 5
+BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines,
+                                   const std::vector<int>& stations = {0});
 
 }  // namespace bumpfoil

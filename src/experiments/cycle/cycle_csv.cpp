@@ -13,7 +13,7 @@ namespace bumpfoil {
 
 std::string cycle_csv(const CycleResult& result) {
   const bool is_strip = result.experiment == Experiment::strip;
-  std::vector<IncrementQuantity> columns = increment_quantities(result.experiment, result.tilted);
+  std::vector<IncrementQuantity> columns = increment_quantities(result.experiment, result.over_width);
   std::erase_if(columns, [](const IncrementQuantity& column) { return !column.is(tag::csv); });
   const bool is_path = result.experiment == Experiment::path;
   std::string out(cycle_key(result.experiment));

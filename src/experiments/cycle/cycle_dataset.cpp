@@ -57,13 +57,13 @@ class CycleDataset {
 
   void add_nodes() {
     add_foils(layout_, wording_.carrying, data_);
-    if (!result_.tilted) return;
+    if (!result_.over_width) return;
     data_.add_coordinate({"tilt_x", "rad", "slope of the axis of the journal towards X"}, {}, {input_.width.tilt[0]});
     data_.add_coordinate({"tilt_y", "rad", "slope of the axis of the journal towards Y"}, {}, {input_.width.tilt[1]});
   }
 
   void add_quantities(RunStatus status) {
-    for (const CycleQuantity& quantity : cycle_quantities(result_.experiment, result_.tilted)) {
+    for (const CycleQuantity& quantity : cycle_quantities(result_.experiment, result_.over_width)) {
       std::vector<double> values(layout_.places.size());
       for (std::size_t cycle = 0; cycle < values.size(); ++cycle) {
         values[layout_.places[cycle]] = value_of(quantity, input_, result_, status, cycle);
@@ -109,7 +109,7 @@ class CycleDataset {
 
   /// @param loops  displacement and force alone
   void add_series(bool loops) {
-    for (const IncrementQuantity& quantity : increment_quantities(result_.experiment, result_.tilted)) {
+    for (const IncrementQuantity& quantity : increment_quantities(result_.experiment, result_.over_width)) {
       if (loops && quantity.name != "force_direct" && quantity.name != "displacement") continue;
       add_series(meaning(quantity), Node::foil, series(layout_.increments, [quantity](const Cycle& cycle) {
                    return each(cycle.increments, quantity.value);
@@ -119,7 +119,7 @@ class CycleDataset {
 
   void add_fields() {
     for (const FieldQuantity& quantity : field_quantities()) {
-      if (!layout_.has(quantity.node) || (quantity.is(tag::under_tilt) && !result_.tilted)) continue;
+      if (!layout_.has(quantity.node) || (quantity.is(tag::of_width_alone) && !result_.over_width)) continue;
       const Dims dims = layout_.dims_of(quantity.node);
       const std::size_t width = dims.empty() ? 1 : data_.size_of(dims.front());
       add_series(meaning(quantity), quantity.node, series(layout_.increments * width, [quantity](const Cycle& cycle) {
@@ -242,7 +242,7 @@ Dataset cycle_dataset(const Case& input, const CycleResult& result, RunStatus st
 }
 
 std::string cycle_rows(const Case& input, const CycleResult& result, RunStatus status) {
-  const std::vector<CycleQuantity> quantities = cycle_quantities(result.experiment, result.tilted);
+  const std::vector<CycleQuantity> quantities = cycle_quantities(result.experiment, result.over_width);
   const ResultLayout layout = make_result_layout(input, result.experiment);
   const std::vector<VariableMeaning> clearances = clearance_quantities(
       result.experiment == Experiment::cycle ? input.cycle.clearance_forces : std::vector<double>{});

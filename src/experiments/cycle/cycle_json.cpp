@@ -32,6 +32,7 @@ Json peak_json(const Case& input, const std::optional<StressPeak>& peak) {
 void add_loads(Json& json, const Case& input, Experiment experiment, const Cycle& cycle) {
   for (const LoadQuantity& quantity : load_quantities(experiment)) {
     if (quantity.node == Node::pad && count_pads(input) == 1) continue;
+    if (quantity.node == Node::strip && strips_apart(input) == 1) continue;
     Json& values = json[quantity.key()];
     for (const double load : quantity.value(cycle)) values.push_back(value_json(load));
   }
@@ -45,7 +46,7 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   const std::string key(cycle_key(result.experiment));
   if (result.experiment == Experiment::strip) json[key] = i + 1;
   if (result.experiment == Experiment::cycle) json[key] = to_degrees(cycle.direction);
-  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.tilted)) {
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.over_width)) {
     json[quantity.key()] = value_json(quantity.value(cycle, input), quantity.form);
   }
   if (result.experiment == Experiment::path) {

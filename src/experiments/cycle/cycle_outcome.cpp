@@ -76,11 +76,12 @@ Sweeping cycle_sweeping(Experiment experiment, ExperimentRun run) {
           .not_begun =
               [experiment](const Case& input) {
                 // One cycle at least was to be run.
-                return cycle_outcome(input, {.solver = input.solver.chosen(),
-                                             .experiment = experiment,
-                                             .due = 1,
-                                             .tilted = experiment == Experiment::cycle && input.width.tilts(),
-                                             .cycles = {}});
+                return cycle_outcome(input,
+                                     {.solver = input.solver.chosen(),
+                                      .experiment = experiment,
+                                      .due = 1,
+                                      .over_width = experiment == Experiment::cycle && input.varies_over_the_width(),
+                                      .cycles = {}});
               },
           .loop_values =
               [experiment](const Case& input) {
@@ -105,12 +106,14 @@ ExperimentInfo cycle_experiment() {
           .run = run,
           .sweeping = cycle_sweeping(Experiment::cycle, run),
           .quantities = meanings_of(cycle_quantities(Experiment::cycle, true)),
-          .small_runs = {{"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},
-                         {"cycle.directions=[\"+X\"]", "cycle.steps=2",
-                          "bump_foil.shim=[{from=1, to=2, thickness=\"5 um\"}]", "top_foil.formed_radius=seated"},
-                         {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.bumps=8", "pad=[{}, {}, {}]"},
-                         {"cycle.directions=[\"+X\"]", "cycle.steps=2", "width.modes=3",
-                          "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"}}};
+          .small_runs = {
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.shim=[{from=1, to=2, thickness=\"5 um\"}]",
+               "top_foil.formed_radius=seated"},
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.bumps=8", "pad=[{}, {}, {}]"},
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "width.modes=3", "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"},
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "width.modes=3", "bump_foil.strips=2",
+               "bump_foil.strip=[{}, {height_errors=\"-5 um\"}]"}}};
 }
 
 }  // namespace bumpfoil

@@ -52,6 +52,7 @@ class CycleRecorder {
     const Eigen::Matrix2Xd forces = pad_forces(foils(), state.contacts.normal_force);
     response.pad_forces_x = forces.row(0);
     response.pad_forces_y = forces.row(1);
+    response.strip_loads = strip_loads(foils(), state.contacts);
     quantities_.turn(std::move(response));
   }
 
@@ -93,8 +94,11 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
   cycle.due = due;
   if (cycle.course == Course::push && step.converged()) {
     const Foils& foils = stepper.foils();
-    cycle.first_contact =
-        first_contact_displacement(pressed_gaps(foils, step.state.contacts.gap), foils.normals, normal);
+    const Vector& gap = step.state.contacts.gap;
+    for (int line = 0; line < foils.journal_contacts(); ++line) {
+      const auto first = first_contact_displacement(gap(foils.pressed(line)), foils.normals_on(line), normal);
+      if (first) cycle.first_contact = std::min(cycle.first_contact.value_or(*first), *first);
+    }
     if (cycle.first_contact) *cycle.first_contact += step.state.position.dot(normal);
   }
   CycleRecorder recorder(stepper, plan.recording, std::move(cycle));

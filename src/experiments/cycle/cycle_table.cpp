@@ -60,7 +60,7 @@ std::vector<CycleRow> rows_of_clearances(const Case& input) {
 /// Rows of the quantities of the solver, or of the results.
 std::vector<CycleRow> rows_of(const Case& input, const CycleResult& result, bool of_solver) {
   std::vector<CycleRow> rows;
-  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.tilted)) {
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.over_width)) {
     if (quantity.shown.size == 0.0 || quantity.is(tag::of_solver) != of_solver) continue;
     rows.push_back({std::string(quantity.label), quantity.shown.name, [quantity, &input](const Cycle& cycle) {
                       return cell_text(quantity, quantity.value(cycle, input));

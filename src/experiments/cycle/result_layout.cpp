@@ -144,6 +144,7 @@ ResultLayout layout_of_bearing(const Case& input) {
   layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", foot_theta},
                     {"foot_phi", "rad", "polar angle of the foot from X towards Y", foot_phi}};
   add_pads(pads, layout);
+  layout.strips = strips_apart(input);
   add_assembly(input, pads, layout);
   layout.bump_coordinates = "theta phi";
   layout.foot_coordinates = "foot_theta foot_phi";
@@ -209,6 +210,7 @@ ResultLayout make_result_layout(const Case& input, Experiment experiment) {
 std::vector<std::string> ResultLayout::dims_of(Node at) const {
   if (at == Node::bump) return {"bump"};
   if (at == Node::foot) return {"foot"};
+  if (at == Node::strip) return {"strip"};
   return at == Node::foil || pads == 1 ? std::vector<std::string>{} : std::vector<std::string>{"pad"};
 }
 
@@ -225,6 +227,7 @@ void add_foils(const ResultLayout& layout, std::string_view carrying, Dataset& d
   count("bump", several ? "bump, counted from the weld, pad after pad" : "bump, counted from the weld", layout.bumps);
   count("foot", fmt::format("foot of the bump foil on the {}, counted from the weld", carrying), layout.feet);
   if (several) count("pad", "pad, in the order of the case", layout.pads);
+  if (layout.strips > 1) count("strip", "strip of the bump foil, from the side z < 0 on", layout.strips);
   const auto put = [&data](const std::vector<NamedNumbers>& all, const std::vector<std::string>& dims) {
     for (const NamedNumbers& one : all) data.add_coordinate({one.name, one.unit, one.long_name}, dims, one.values);
   };

@@ -28,6 +28,7 @@ struct ResultLayout {
   std::size_t bumps{};
   std::size_t feet{};
   std::size_t pads{1};
+  std::size_t strips{1};
   std::vector<NamedNumbers> scalars;   ///< geometry
   std::vector<NamedNumbers> at_bumps;  ///< the same, one per bump
   std::vector<NamedNumbers> at_feet;   ///< one per foot
@@ -36,7 +37,7 @@ struct ResultLayout {
   std::string foot_coordinates;
 
   /// Whether there are such nodes.
-  [[nodiscard]] bool has(Node at) const { return at != Node::pad || pads > 1; }
+  [[nodiscard]] bool has(Node at) const { return (at != Node::pad || pads > 1) && (at != Node::strip || strips > 1); }
   /// Their dimension; none of what is one.
   [[nodiscard]] std::vector<std::string> dims_of(Node at) const;
   /// Variables that say where they are.
@@ -45,7 +46,7 @@ struct ResultLayout {
 
 ResultLayout make_result_layout(const Case& input, Experiment experiment);
 
-/// Adds the dimensions of bumps, feet and several pads, and the geometry that it takes to draw them.
+/// Adds the dimensions of bumps, feet, several pads and strips, and the geometry that it takes to draw them.
 /// @param carrying  sleeve or base
 void add_foils(const ResultLayout& layout, std::string_view carrying, Dataset& data);
 

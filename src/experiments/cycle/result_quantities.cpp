@@ -137,9 +137,9 @@ constexpr auto increment_table = std::to_array<IncrementQuantity>({
     {"force_cross", "N", "applied force on the journal, 90 degrees ahead of the direction", of<&Increment::force_cross>,
      bearings | csv},
     {"moment_x", "N m", "moment of the applied forces along X about the mid-plane", of<&Increment::moment_x>,
-     bearings | under_tilt | csv, "moment, X", shown::newton_millimetres},
+     bearings | of_width_alone | csv, "moment, X", shown::newton_millimetres},
     {"moment_y", "N m", "moment of the applied forces along Y about the mid-plane", of<&Increment::moment_y>,
-     bearings | under_tilt | csv, "moment, Y", shown::newton_millimetres},
+     bearings | of_width_alone | csv, "moment, Y", shown::newton_millimetres},
     {"elastic_energy", "J", "elastic energy of the foils", of<&Increment::elastic_energy>, of_all | csv},
     {"dissipated_energy", "J",
      "energy dissipated since increment 0: by friction and, with `events`, where the foils snap",
@@ -198,9 +198,9 @@ constexpr auto cycle_list = std::to_array<CycleQuantity>({
     {"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>,
      of_cycles | sampled, "cross force", shown::newtons},
     {"moment_x_at_max", "N m", "moment of the forces along X about the mid-plane at full displacement",
-     first_turn<&Increment::moment_x>, of_cycles | under_tilt, "moment, X", shown::newton_millimetres},
+     first_turn<&Increment::moment_x>, of_cycles | of_width_alone, "moment, X", shown::newton_millimetres},
     {"moment_y_at_max", "N m", "moment of the forces along Y about the mid-plane at full displacement",
-     first_turn<&Increment::moment_y>, of_cycles | under_tilt, "moment, Y", shown::newton_millimetres},
+     first_turn<&Increment::moment_y>, of_cycles | of_width_alone, "moment, Y", shown::newton_millimetres},
     {"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>, of_cycles},
     {"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>, of_cycles},
     {"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, of_strips,
@@ -343,24 +343,27 @@ constexpr auto field_table = std::to_array<FieldQuantity>({
      Node::weld},
     {{"crest_u_slope", "m",
       "tangential displacement of the crest at its side z > 0 beyond the mean, linear over the width",
-      field<&FoilFields::crest_u_slope>, under_tilt},
+      field<&FoilFields::crest_u_slope>, of_width_alone},
      Node::bump},
     {{"crest_v_slope", "m", "radial displacement of the crest at its side z > 0 beyond the mean, linear over the width",
-      field<&FoilFields::crest_v_slope>, under_tilt},
+      field<&FoilFields::crest_v_slope>, of_width_alone},
      Node::bump},
     {{"foot_u_slope", "m",
       "tangential displacement of the foot at its side z > 0 beyond the mean, linear over the width",
-      field<&FoilFields::foot_u_slope>, under_tilt},
+      field<&FoilFields::foot_u_slope>, of_width_alone},
      Node::foot},
     {{"foot_v_slope", "m", "radial displacement of the foot at its side z > 0 beyond the mean, linear over the width",
-      field<&FoilFields::foot_v_slope>, under_tilt},
+      field<&FoilFields::foot_v_slope>, of_width_alone},
      Node::foot},
     {{"crest_v_parabola", "m",
       "radial displacement of the crest at its sides beyond the mean, as a parabola over the width",
-      field<&FoilFields::crest_v_parabola>, under_tilt},
+      field<&FoilFields::crest_v_parabola>, of_width_alone},
      Node::bump},
     {{"pad_force_x", "N", "part of force_x carried by the pad", field<&FoilFields::pad_force_x>}, Node::pad},
     {{"pad_force_y", "N", "part of force_y carried by the pad", field<&FoilFields::pad_force_y>}, Node::pad},
+    {{"strip_load", "N", "compression between {over_crest} and all crests of the strip",
+      field<&FoilFields::strip_load>},
+     Node::strip},
 });
 
 template <Vector TurningPoint::*member>
@@ -384,6 +387,9 @@ constexpr auto load_table = std::to_array<LoadQuantity>({
     {{"pad_forces_y", "N", "part of the force along Y carried by the pad at full displacement",
       loads<&TurningPoint::pad_forces_y>, loops},
      Node::pad},
+    {{"strip_loads", "N", "compression between {over_crest} and all crests of the strip at full displacement",
+      loads<&TurningPoint::strip_loads>, of_cycles},
+     Node::strip},
     {{"max_pad_forces", "N", "maximum magnitude of the pad force over all increments",
       [](const Cycle& cycle) { return cycle.largest_pad_forces; }, of_paths},
      Node::pad},
@@ -422,10 +428,10 @@ constexpr Tags tag_of(Experiment experiment) {
 }
 
 template <typename Table>
-auto those_of(const Table& table, Experiment experiment, bool tilted = false) {
+auto those_of(const Table& table, Experiment experiment, bool over_width = false) {
   std::vector<typename Table::value_type> quantities;
   std::copy_if(table.begin(), table.end(), std::back_inserter(quantities), [=](const auto& quantity) {
-    return quantity.is(tag_of(experiment)) && (tilted || !quantity.is(under_tilt));
+    return quantity.is(tag_of(experiment)) && (over_width || !quantity.is(of_width_alone));
   });
   return quantities;
 }
@@ -449,12 +455,16 @@ std::string spelled(std::string_view long_name, const Wording& wording) {
                      fmt::arg("along", wording.along), fmt::arg("start", wording.start));
 }
 
-std::vector<IncrementQuantity> increment_quantities(Experiment experiment, bool tilted) {
-  return those_of(increment_table, experiment, tilted);
+std::size_t strips_apart(const Case& input) {
+  return input.varies_over_the_width() && input.width.modes > 1 ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
 }
 
-std::vector<CycleQuantity> cycle_quantities(Experiment experiment, bool tilted) {
-  return those_of(cycle_list, experiment, tilted);
+std::vector<IncrementQuantity> increment_quantities(Experiment experiment, bool over_width) {
+  return those_of(increment_table, experiment, over_width);
+}
+
+std::vector<CycleQuantity> cycle_quantities(Experiment experiment, bool over_width) {
+  return those_of(cycle_list, experiment, over_width);
 }
 
 std::span<const FieldQuantity> field_quantities() {

@@ -16,7 +16,7 @@ CycleResult run_each_cycle(Experiment experiment, const Case& input, std::ptrdif
   CycleResult result{.solver = input.solver.chosen(),
                      .experiment = experiment,
                      .due = static_cast<std::size_t>(cycles),
-                     .tilted = experiment == Experiment::cycle && input.width.tilts(),
+                     .over_width = experiment == Experiment::cycle && input.varies_over_the_width(),
                      .cycles = {}};
   bool stopped = false;
   for (std::size_t i = 0; std::cmp_less(i, cycles) && !stopped; ++i) {

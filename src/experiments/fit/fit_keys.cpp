@@ -37,7 +37,7 @@ bool is_rig_key(std::string_view key) {
 
 /// Those of a case without a fit: what describes fits may look there.
 const std::vector<ListedKey>& keys_of_cases() {
-  static const std::vector<ListedKey> keys = list_keys(Case{});
+  static const std::vector<ListedKey> keys = list_keys();
   return keys;
 }
 

@@ -194,7 +194,7 @@ CycleResult run_path(const Case& input, const ProgressCallback& progress, const 
   CycleResult result{.solver = input.solver.chosen(),
                      .experiment = Experiment::path,
                      .due = 1,
-                     .tilted = input.width.tilts(),
+                     .over_width = input.varies_over_the_width(),
                      .cycles = {}};
   follow(stepper, *path, progress, sink, result);
   result.cycles.back().wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -19,10 +19,12 @@ FoilDesign some_foils(int bumps) {
 }
 
 /// Stiffness of the crests alone: u of all lines, crest after crest.
-Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines) {
+/// @param stride  from one station to the next; none: those of the first station alone
+Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index stride = 0) {
   std::vector<Eigen::Index> kept;
   std::vector<Eigen::Index> other;
-  for (Eigen::Index i = 0; i < K.rows(); ++i) (i % K.block_size() < lines ? kept : other).push_back(i);
+  const Eigen::Index period = stride > 0 ? stride : K.block_size();
+  for (Eigen::Index i = 0; i < K.rows(); ++i) (i % period < lines ? kept : other).push_back(i);
   const Matrix all = K.dense();
   const Matrix across = all(other, kept);
   const Matrix out = all(other, other);
@@ -73,6 +75,33 @@ TEST(TopFoilOnLines, StretchesUnderAParabolaAlone) {
   EXPECT_GT(alike.dot(of_sheet), 1.1 * alike.dot(of_slices));
   foils.top_foil->youngs_modulus *= 1e3;  // to scale, bending and membrane both
   EXPECT_LT((of_mode(2) / 1e3 - stretched).norm(), 1e-8 * stretched.norm());
+}
+
+TEST(TopFoilOnLines, KeepsColumnsBetweenTheCrests) {
+  const int bumps = 4;
+  FoilDesign foils = some_foils(bumps);
+  const double R = foils.radius.value();
+  const double pitch = foils.bumps.front().pitch;
+  // Carried at half the distance: a beam under each line over twice as many crests.
+  const WidthLines two = make_width_lines(2, WidthPart::whole);
+  TopFoilBeam beam = make_top_foil_beam(foils);
+  beam.theta = Vector::LinSpaced(2 * bumps, 0.5 * pitch / R, bumps * pitch / R);
+  const Matrix expected = top_foil_stiffness(beam);
+  const Matrix found = of_crests(top_foil_on_lines(foils, two, {0, 3}), 2, 4);
+  ASSERT_EQ(found.rows(), 4 * bumps);
+  for (Eigen::Index s = 0; s < 2; ++s) {
+    const auto line = Eigen::seqN(s, 2 * bumps, 2);
+    EXPECT_LT((found(line, line) - two.weight[s] * expected).norm(), 1e-8 * expected.norm());
+  }
+  // What is not loaded there may as well be eliminated; the foil goes on as far behind its last crest.
+  const WidthLines three = make_width_lines(3, WidthPart::whole);
+  for (const std::vector<int>& stations : {std::vector<int>{0, 3}, std::vector<int>{0, 2, 3}}) {
+    const Matrix kept = of_crests(top_foil_on_lines(foils, three, stations), 3);
+    FoilDesign longer = foils;
+    longer.top_foil->overhang += 0.5 * pitch;
+    const Matrix without = of_crests(top_foil_on_lines(longer, three), 3);
+    EXPECT_LT((kept - without).norm(), 1e-8 * without.norm());
+  }
 }
 
 }  // namespace

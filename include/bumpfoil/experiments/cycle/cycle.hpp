@@ -32,6 +32,7 @@ struct TurningPoint {
   Vector foot_loads;     ///< N, per foot
   Vector pad_forces_x;   ///< N, per pad of several: what each takes of the force on the journal
   Vector pad_forces_y;   ///< N
+  Vector strip_loads;    ///< N, per strip of several that do not move alike
 };
 
 /// Where a foil is bent most.
@@ -154,7 +155,7 @@ struct CycleResult {
   SolverName solver{};  ///< that was used
   Experiment experiment{Experiment::cycle};
   std::size_t due{};          ///< cycles that were to be run
-  bool tilted{};              ///< the journal was: results have moments, and what varies over the width
+  bool over_width{};          ///< Case::varies_over_the_width(): results have moments, and what varies over the width
   std::vector<Cycle> cycles;  ///< one per direction, in the order of the case; of a strip, one after the other
 
   /// All cycles that were due are there, and converged.

@@ -43,7 +43,7 @@ inline constexpr Tags bearings = of_cycles | of_paths;
 inline constexpr Tags loops = of_cycles | of_strips;
 inline constexpr Tags of_all = of_cycles | of_strips | of_paths;
 
-inline constexpr Tags under_tilt = 2 * of_paths;  ///< of results under a tilted journal alone
+inline constexpr Tags of_width_alone = 2 * of_paths;  ///< of results that vary over the width alone
 
 }  // namespace tag
 
@@ -58,9 +58,13 @@ enum class Node {
   foil,  ///< all of them
   bump,
   foot,
-  weld,  ///< of each pad; the one of a foil that goes all around is no list
-  pad,   ///< of several; a foil that goes all around has none
+  weld,   ///< of each pad; the one of a foil that goes all around is no list
+  pad,    ///< of several; a foil that goes all around has none
+  strip,  ///< of several that do not move alike
 };
+
+/// Strips whose results are told apart: those of the bump foil, or one where they move alike.
+std::size_t strips_apart(const Case& input);
 
 /// Of the foils at one increment: a matrix of increments and nodes, see FoilFields. No columns where it is not known.
 struct FieldQuantity : Quantity<FieldMatrix (*)(const FoilFields&)> {
@@ -76,9 +80,9 @@ struct LoadQuantity : Quantity<Vector (*)(const Cycle&)> {
 /// Of one change of state of a contact.
 using EventQuantity = Quantity<double (*)(const CycleEvent&)>;
 
-/// In the order of files and tables. @param tilted  CycleResult::tilted
-std::vector<IncrementQuantity> increment_quantities(Experiment experiment, bool tilted = false);
-std::vector<CycleQuantity> cycle_quantities(Experiment experiment, bool tilted = false);
+/// In the order of files and tables. @param over_width  CycleResult::over_width
+std::vector<IncrementQuantity> increment_quantities(Experiment experiment, bool over_width = false);
+std::vector<CycleQuantity> cycle_quantities(Experiment experiment, bool over_width = false);
 std::span<const FieldQuantity> field_quantities();
 std::vector<LoadQuantity> load_quantities(Experiment experiment);
 std::span<const EventQuantity> event_quantities();

@@ -1,0 +1,119 @@
+#include "model/judge_strips.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace bumpfoil {
+namespace {
+
+constexpr int most_strips = 20;
+/// Strips together are at least this part of the width: less is another unit.
+constexpr double least_width = 0.05;
+/// A third of a pitch may be written as 0.33.
+constexpr double stagger_tolerance = 0.02;
+
+/// Their number and the gaps between them. True if they are usable.
+bool judge_gaps(Judge& judge, const PadDesign& pad) {
+  const BumpFoil& foil = pad.bump_foil;
+  if (!judge.count("bump_foil.strips", foil.strips, "strips", {1, most_strips})) return false;
+  if (!judge.within("bump_foil.strip_gap", foil.strip_gap, {0.0, length_range.most, "m"})) return false;
+  if (!judge.require(foil.is_split() || foil.strip_gap == 0.0, "bump_foil.strip_gap", quantity(foil.strip_gap, "m"),
+                     "is between strips, and there is one", "set bump_foil.strips, or remove it")) {
+    return false;
+  }
+  const double length = pad.bearing.axial_length;
+  const double most = foil.is_split() ? (1.0 - least_width) * length / (foil.strips - 1) : 0.0;
+  return judge.require(!foil.is_split() || !(length > 0.0) || foil.strip_gap <= most, "bump_foil.strip_gap",
+                       quantity(foil.strip_gap, "m"),
+                       fmt::format("leaves no width for {} strips on {:.6g} m", foil.strips, length),
+                       fmt::format("give {:.6g} m at most", most));
+}
+
+void judge_heights(Judge& judge, const std::string& key, const PerBump& heights, int bumps, double rise) {
+  const bool as_many = !heights.is_list() || bumps < 1 || std::cmp_equal(heights.values.size(), bumps);
+  judge.require(as_many, key, fmt::format("{} values", heights.values.size()),
+                fmt::format("there must be one value per bump, {} in all", bumps),
+                "give one for all bumps, or all of them");
+  const auto largest = std::max_element(heights.values.begin(), heights.values.end(),
+                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
+  if (largest == heights.values.end() || !judge.finite(key, *largest, "m") || rise <= 0.0) return;
+  judge.require(std::abs(*largest) < rise, key, quantity(*largest, "m"),
+                fmt::format("is more than the rise of the bump, {:.6g} m", rise), "is the unit right?");
+}
+
+/// True if it is one.
+bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
+  if (!judge.finite(key, stagger, "")) return false;
+  const double columns = staggers_per_pitch * stagger;
+  const double nearest = std::round(columns);
+  const bool right = nearest >= 0.0 && nearest < staggers_per_pitch &&
+                     std::abs(columns - nearest) <= staggers_per_pitch * stagger_tolerance;
+  return judge.require(right, key, quantity(stagger, ""), "is not a number of sixths of a pitch below a whole one",
+                       "give 0, 0.17, 0.33, 0.5, 0.67 or 0.83");
+}
+
+/// What staggered strips need.
+void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
+  const BumpFoil& foil = pad.bump_foil;
+  const auto least = std::min_element(foil.strip.begin(), foil.strip.end(),
+                                      [](const FoilStrip& a, const FoilStrip& b) { return a.columns() < b.columns(); });
+  judge.require(least->columns() == 0, fmt::format("bump_foil.strip[{}].stagger", least - foil.strip.begin() + 1),
+                quantity(least->stagger, ""), "is the least, and not 0",
+                "give strips by how much more they are staggered, and turn bearing.weld_angle instead");
+  const std::string key = "bump_foil.strip";
+  judge.require(pad.bearing.taper == 0.0, key, "", "staggers strips on a sleeve with a taper, which is not supported",
+                "remove bearing.taper, or the stagger");
+  if (!judged.pitches) return;
+  const std::vector<BumpShape> bumps = nominal_bumps(foil);
+  const bool equal =
+      std::all_of(bumps.begin(), bumps.end(), [&](const BumpShape& bump) { return bump.pitch == bumps.front().pitch; });
+  judge.require(equal, key, "", "staggers strips whose pitches vary, which is not supported",
+                "give one bump_foil.pitch, or remove the stagger");
+  if (radius <= 0.0 || pad.top_foil.overhang) return;  // with an overhang this is checked there
+  const double beyond = foil_angle(pad) - turn * (1.0 + round_off);
+  judge.require(beyond <= 0.0, key, "",
+                fmt::format("staggers strips so far that the foil overlaps itself by {:.6g} m", beyond * radius),
+                "give fewer bumps, smaller pitches or a shorter top_foil.overhang");
+}
+
+/// What strips that differ need.
+void judge_own(Judge& judge, const PadDesign& pad) {
+  const std::string key = "bump_foil.strip";
+  judge.require(pad.bump_foil.model != BumpFoilModel::former, key, "",
+                "needs a top foil, of which the Le Lez (2007) model has none", "set model = \"truss\" or \"frame\"");
+  judge.require(pad.bump_foil.geometry == Geometry::linear, key, "", "is not supported with large displacements",
+                "set bump_foil.geometry = \"linear\"");
+  judge.require(!is_formed(pad), key, "", "is not supported under a formed top foil",
+                "remove top_foil.formed_radius and seat_pressure");
+}
+
+}  // namespace
+
+void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
+  const BumpFoil& foil = pad.bump_foil;
+  bool usable = judge_gaps(judge, pad);
+  if (foil.strip.empty()) return;
+  usable = judge.require(foil.is_split(), "bump_foil.strip", "", "is of a split bump foil, and this one is whole",
+                         "set bump_foil.strips, or remove it") &&
+           usable;
+  usable = judge.require(!usable || std::cmp_equal(foil.strip.size(), foil.strips), "bump_foil.strip",
+                         fmt::format("{} tables", foil.strip.size()),
+                         fmt::format("there must be one for each of the {} strips", foil.strips),
+                         "give all of them, from the side z < 0 on, or none") &&
+           usable;
+  for (std::size_t k = 0; k < foil.strip.size(); ++k) {
+    const std::string key = fmt::format("bump_foil.strip[{}].", k + 1);
+    usable = judge_stagger(judge, key + "stagger", foil.strip[k].stagger) && usable;
+    judge_heights(judge, key + "height_errors", foil.strip[k].height_errors, judged.bumps ? foil.bumps : 0,
+                  judged.rise);
+  }
+  if (!usable || !foil.has_own_strips()) return;
+  judge_own(judge, pad);
+  if (foil.most_stagger() > 0.0) judge_staggered(judge, pad, judged, radius);
+}
+
+}  // namespace bumpfoil
