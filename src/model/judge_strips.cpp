@@ -49,10 +49,10 @@ void judge_heights(Judge& judge, const std::string& key, const PerBump& heights,
 bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
   if (!judge.finite(key, stagger, "")) return false;
   const double columns = staggers_per_pitch * stagger;
-  return judge.require(columns >= 0.0 &&
-                           std::abs(columns - std::round(columns)) <= staggers_per_pitch * stagger_tolerance &&
-                           std::lround(columns) < staggers_per_pitch,
-                       key, quantity(stagger, ""), "is not a number of sixths of a pitch below a whole one",
+  const double nearest = std::round(columns);
+  const bool right = nearest >= 0.0 && nearest < staggers_per_pitch &&
+                     std::abs(columns - nearest) <= staggers_per_pitch * stagger_tolerance;
+  return judge.require(right, key, quantity(stagger, ""), "is not a number of sixths of a pitch below a whole one",
                        "give 0, 0.17, 0.33, 0.5, 0.67 or 0.83");
 }
 

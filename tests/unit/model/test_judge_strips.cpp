@@ -57,7 +57,7 @@ TEST(JudgeStrips, CountsThemAndLeavesThemWidth) {
 }
 
 TEST(JudgeStrips, StaggersOnTheMesh) {
-  for (const double stagger : {-0.5, 0.25, 1.0, 7.0, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double stagger : {-0.5, 0.25, 1.0, 7.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_EQ(with([=](Case& input) { input.bump_foil.strip[1].stagger = stagger; }),
               Keys{"bump_foil.strip[2].stagger"})
         << stagger;
