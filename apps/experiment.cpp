@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bumpfoil/case/case_reader.hpp"
@@ -77,13 +79,14 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   }
 
   const std::string place = printable(options.folder, longest_path);
-  std::vector<std::string> written = experiment.files;  // where they are staged as the run goes on
+  std::vector<std::string> written = experiment.files;
   if (outcome.files) {
-    written.clear();
-    for (const ResultFile& file : outcome.files(provenance)) {
-      folder.stage(file.name, file.contents);
-      written.push_back(file.name);
-    }
+    const std::vector<ResultFile> files = outcome.files(provenance);
+    for (const ResultFile& file : files) folder.stage(file.name, file.contents);
+    // Some need a result to be written: the case of a fit.
+    std::erase_if(written, [&files](const std::string& name) {
+      return std::none_of(files.begin(), files.end(), [&name](const ResultFile& file) { return file.name == name; });
+    });
   }
   folder.publish();
   if (outcome.status != RunStatus::interrupted) remove_all(options.folder, experiment.checkpoints);
