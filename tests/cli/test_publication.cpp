@@ -225,24 +225,6 @@ TEST_F(RunInShell, SignalsOfBatchSystemsAreInterruptions) {
   }
 }
 
-/// The case of a fit is there where values were found: before that it is neither written nor told.
-TEST_F(RunInShell, AnInterruptedFitTellsWhatItWrote) {
-  const std::string data =
-      "'fit.data=[{experiment=\"vibration\", preload=[\"0 N\", \"-50 N\"], stiffness_std=1e5, "
-      "readings={amplitude=[1e-6, 2e-6], "
-      "stiffness=[1e7, 8e6]}}]' 'fit.parameter=[{key=\"friction.coefficient\", start=0.1, lower=0.01, upper=0.5}]'";
-  EXPECT_EQ(
-      run("env --default-signal=INT $bumpfoil fit case.toml -o fitted --set solver.name=events fit.starts=100 " + data +
-          " &\nwhile ! [ -e fitted/.bumpfoil/claim ]; do sleep 0.01; done; sleep 0.1\n"
-          "kill -INT $!; wait $!"),
-      130)
-      << log();
-  EXPECT_EQ(consistent_summary("fitted").at("status"), "interrupted");
-  EXPECT_NE(listing("fitted").find("fit.csv"), std::string::npos);
-  EXPECT_EQ(listing("fitted").find("case.toml") == std::string::npos, log().find("case.toml)") == std::string::npos)
-      << log();
-}
-
 TEST_F(RunInShell, ASecondInterruptionEndsItAtOnceAndTheNextRunCleansUp) {
   EXPECT_EQ(run("env --default-signal=INT $bumpfoil cycle case.toml -o twice --set cycle.steps=80000 &\n"
                 "while ! [ -e twice/.bumpfoil/claim ]; do sleep 0.01; done; sleep 0.5\n"
