@@ -8,8 +8,9 @@ library would take ten. A function of the library that was inlined elsewhere sta
 mutants from tests, not the other way round. The tests beside the changed source run first, as they notice most.
 
 Each mutant is a line of RESULTS: where it is, what it changes and what became of it. Those that are there are not tried
-again, so that a stopped run goes on; with --again those that survived are, where tests have been written since. With
---page the results are written as a page instead; why a survivor is none that a test should notice is in mutations.json.
+again, so that a stopped run goes on; with --again those that no test noticed are, where tests have been written since.
+With --page the results are written as a page instead; why a change is none that a test should notice is in
+mutations.json.
 """
 
 import argparse
@@ -27,7 +28,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-# Of the films against the prototype, those of less than half a second stand in front, and those of minutes are left out.
+# Of the films against the prototype, those of less than half a second stand in front; those of minutes are left out.
 FIRST_OF_FILMS = (
     "FilmPlain.*:FilmPads.*:FilmInSleeves.*:FilmTables.*:FilmOverFoils.I*:FilmOverFoils.MeetsThePrototypeAlong*:"
     "FilmOverFoils.W*:FilmOverTheWidth.C*:FilmOverTheWidth.S*:FilmUnderATiltedJournal.StiffnessIs*:FilmHeld.M*:"
@@ -44,7 +45,7 @@ MODULES = {
     "contact": (("unit_contact", "unit_structure", "unit_bearing"), ("property", "verification")),
     "structure": (("unit_structure", "unit_bearing", "unit_film"), (FIRST_FILMS, "verification", QUICK_FILMS)),
     "film": (("unit_film", "unit_bearing", FIRST_FILMS), (QUICK_FILMS,)),
-    "bearing": (("unit_bearing", FIRST_FILMS), ("unit_motion", QUICK_FILMS)),
+    "bearing": (("unit_bearing", FIRST_FILMS), ("verification", "unit_motion", QUICK_FILMS)),
     "motion": ((), ("unit_motion", "verification_rotor")),
     "experiments": ((), ("unit_experiments",)),
 }
@@ -57,6 +58,7 @@ SECONDS_BESIDES = 10
 MOST_MEMORY = 4 << 30
 
 NOT_TRIED = ("not compiled", "gone")
+OPEN = "not noticed by quick tests"
 
 # What stands for what; spaces around an operator keep templates, pointers and increments out.
 SWAPS = [
@@ -204,7 +206,7 @@ def place_of(lines, mutant):
 
 
 def verdict_on(root, build, kept, mutant, stage):
-    """caught (by which program), survived, or not compiled."""
+    """caught (by which program), OPEN, survived, or not compiled."""
     lines = (root / mutant["file"]).read_text(encoding="utf-8").splitlines()
     place = place_of(lines, mutant)
     if place is None:
@@ -223,7 +225,7 @@ def verdict_on(root, build, kept, mutant, stage):
             command = [linked, "--gtest_brief=1", "--gtest_fail_fast", *options]
             if not seconds_of(command, root / "tests", folder, limit)[1]:
                 return f"caught by {program}"
-    return "survived"
+    return "survived" if stage == 1 else OPEN
 
 
 def key_of(mutant):
@@ -231,22 +233,27 @@ def key_of(mutant):
 
 
 def page_of(results, reasons):
-    """The table of the results, and all that survived."""
-    first, last = ({key_of(one): one for one in order} for order in (reversed(results), results))
+    """The table of the results, and all that no test notices."""
+    last = {key_of(one): one for one in results}
     yield "# Mutations\n"
-    yield "One token of the sources is changed at a time, and the short tests of its module run on it"
-    yield "(`make mutations`). What they do not notice is listed below.\n"
-    yield "| module | changes | caught | by tests written since | survived |\n|---|---|---|---|---|"
+    yield "One token of the sources is changed at a time, and the short tests of its module run on it (`make mutations`):"
+    yield "signs, operators, conditions, constants, loops that go one too far, statements that are dropped. Messages and"
+    yield "named constants of iterations, steps and tolerances are left alone. Lines are drawn evenly over a module.\n"
+    yield "| module | changes | caught | of these by tests written since | not caught |\n|---|---|---|---|---|"
+    rows = []
     for module in MODULES:
         own = [one for one in last.values() if one["module"] == module and one["verdict"] not in NOT_TRIED]
-        caught = [key_of(one) for one in own if one["verdict"].startswith("caught")]
-        later = sum(first[key]["verdict"] == "survived" for key in caught)
-        yield f"| {module} | {len(own)} | {len(caught)} | {later} | {len(own) - len(caught)} |"
-    yield "\n| where | line | change | why no test notices |\n|---|---|---|---|"
+        caught = [one for one in own if one["verdict"].startswith("caught")]
+        rows.append([len(own), len(caught), sum("again" in one for one in caught), len(own) - len(caught)])
+        yield "| " + " | ".join(map(str, [module, *rows[-1]])) + " |"
+    yield "| all | " + " | ".join(str(sum(numbers)) for numbers in zip(*rows)) + " |"
+    left = sum(one["verdict"] == OPEN for one in last.values())
+    yield f"\nWhat no test notices; {left} of these have met the quick tests of their module only, not the long ones:\n"
+    yield "| where | line | change | why |\n|---|---|---|---|"
     for one in last.values():
-        if one["verdict"] == "survived":
+        if one["verdict"] in ("survived", OPEN):
             code, change = (text.replace("|", "\\|") for text in (one["code"], one["change"]))
-            why = reasons.get(one["file"], {}).get(f"{one['code']} {one['change']}", "")
+            why = reasons.get(one["file"], {}).get(f"{one['code']} {one['change']}", "**Open.**")
             yield f"| `{one['file']}:{one['line']}` | `{code}` | `{change}` | {why} |"
 
 
@@ -258,7 +265,7 @@ def main():
     parser.add_argument("--count", type=int, default=70, help="of each module")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2, help="mutants at the same time")
-    parser.add_argument("--again", action="store_true", help="those that survived")
+    parser.add_argument("--again", action="store_true", help="those that no test noticed")
     parser.add_argument("--page", type=Path)
     options = parser.parse_args()
     root = Path(__file__).resolve().parent.parent
@@ -272,28 +279,28 @@ def main():
     modules = options.module or list(MODULES)
     known = {key_of(one): one for one in results}
     if options.again:
-        drawn = [one for one in known.values() if one["verdict"] == "survived" and one["module"] in modules]
+        unnoticed = [one for one in known.values() if one["verdict"] in ("survived", OPEN)]
+        drawn = [{**one, "again": True} for one in unnoticed if one["module"] in modules]
     else:
         # One of each module in turn, so that a run that is stopped has tried all.
         every = [mutants_of(root, module, options.count, random.Random(options.seed)) for module in modules]
         drawn = [one for turn in itertools.zip_longest(*every) for one in turn if one and key_of(one) not in known]
+    known.update({key_of(one): one for one in drawn})
 
     def try_one(mutant, stage):
         start = time.monotonic()
-        verdict = mutant["verdict"] = verdict_on(root, build, kept, mutant, stage)
-        left = verdict == "survived" and stage == 0
-        told = "not noticed by quick tests" if left else verdict
+        mutant["verdict"] = verdict_on(root, build, kept, mutant, stage)
         seconds = time.monotonic() - start
-        print(f"{mutant['file']}:{mutant['line']}: {mutant['change']}: {told} ({seconds:.0f} s)", flush=True)
-        if not left:
-            with options.results.open("a") as file:
-                file.write(json.dumps(mutant) + "\n")
-        return left
+        place = f"{mutant['file']}:{mutant['line']}"
+        print(f"{place}: {mutant['change']}: {mutant['verdict']} ({seconds:.0f} s)", flush=True)
+        with options.results.open("a") as file:
+            file.write(json.dumps(mutant) + "\n")
 
     with tempfile.TemporaryDirectory() as kept, ThreadPoolExecutor(options.jobs) as jobs:
         compile_command(build, kept)
-        for stage in (0, 1):
-            drawn = [one for one, left in zip(drawn, jobs.map(lambda one: try_one(one, stage), drawn)) if left]
+        list(jobs.map(try_one, drawn, itertools.repeat(0)))
+        left = [one for one in known.values() if one["verdict"] == OPEN and one["module"] in modules]
+        list(jobs.map(try_one, left, itertools.repeat(1)))
     return 0
 
 

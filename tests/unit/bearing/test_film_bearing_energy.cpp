@@ -73,5 +73,19 @@ TEST(BearingEnergy, AsperitiesHoldWhatTheirPressuresWouldDo) {
   }
 }
 
+/// Of a state that rests, the journal entrains what the flow dissipates: the flow under gradients of pressure has all
+/// of the dissipation but that by shear, up to the error of the mesh.
+TEST(FilmPowers, OfABearingAreThoseOfItsFlow) {
+  FilmStepper stepper(film_reference_bearing({8, 6}));
+  const FilmBearing& bearing = stepper.bearing();
+  const BearingState state = state_under(stepper, {60.0, 10.0}, speed_of_rpm(-45000.0));
+  const FilmPowers powers = film_powers(bearing, state);
+  const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
+  const double by_pressure = outcome.dissipation - outcome.couette_dissipation;
+  EXPECT_GT(by_pressure, 0.1);  // W
+  EXPECT_NEAR(powers.dissipated, by_pressure, 0.02 * by_pressure);
+  EXPECT_NEAR(powers.entrained + powers.supplied, powers.dissipated, 1e-6 * powers.dissipated);
+}
+
 }  // namespace
 }  // namespace bumpfoil

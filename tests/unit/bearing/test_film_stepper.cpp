@@ -75,6 +75,20 @@ TEST(FilmStepper, DepartsFromItsTangentWithTheSquareOfTheWay) {
   EXPECT_GT(reports[1].departure, 1e-9);
 }
 
+TEST(FilmStepper, StatesAreApartByTheMostOfPlacePressureAndFoil) {
+  const FilmBearing bearing = film_reference_bearing(four_rows);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.3 * bearing.clearance, 0.0}, 0.0, state).status, Status::converged);
+  BearingState other = state;
+  other.position.y() += 0.25 * bearing.scales.thickness;
+  EXPECT_NEAR(stepper.distance(state, other), 0.25, 1e-12);
+  other.film.lift(0, 1) -= 0.5;
+  EXPECT_NEAR(stepper.distance(state, other), 0.5, 1e-12);
+  other.film.pressure(1, 1) += 0.75;
+  EXPECT_NEAR(stepper.distance(state, other), 0.75, 1e-12);
+}
+
 TEST(FilmStepper, StuckContactsAreStiffer) {
   const double speed = speed_of_rpm(45000.0);
   const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);

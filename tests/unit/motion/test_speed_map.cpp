@@ -29,12 +29,13 @@ TEST(SpeedMap, HasTheOnsetBetweenItsSpeeds) {
     EXPECT_EQ(worst.rate.real() > 0.0, std::abs(point.speed) > speed_of_rpm(13072.4));
     // It is one motion, here as there.
     EXPECT_EQ(point.sliding->numbers.front(), map.points[0].sliding->numbers.front());
-    EXPECT_EQ(point.stuck->numbers, point.sliding->numbers);
+    EXPECT_EQ(point.stuck->numbers.front(), point.sliding->numbers.front());
   }
   ASSERT_EQ(map.onsets.size(), 2U);
   EXPECT_FALSE(map.onsets[0].stuck);
   EXPECT_TRUE(map.onsets[1].stuck);
   for (const WhirlOnset& found : map.onsets) {
+    EXPECT_TRUE(found.begins);
     EXPECT_NEAR(found.onset.speed, speed_of_rpm(-13072.434026772906), 1e-6 * speed_of_rpm(13072.4));
     EXPECT_NEAR(found.onset.whirl_ratio, 0.49078240201060497, 1e-6);
   }

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+
+#include "support/film_bearing_cases.hpp"
+#include "support/film_motions.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -43,6 +47,30 @@ TEST(WorkBalance, DampsNothingWithoutDampers) {
   EXPECT_EQ(sum.damping, 0.0);
   EXPECT_EQ(sum.friction + sum.entrained + sum.dissipated + sum.supplied + sum.rubbing, 0.0);
   EXPECT_LT(std::abs(sum.defect()), 1e-3 * std::abs(sum.forces));
+}
+
+/// A journal that is pushed to and fro on its foils: what they rub away is missing elsewhere.
+TEST(WorkBalance, HasTheFrictionOfTheFoils) {
+  const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({4, 3}, 0.1));
+  FilmStepper film(bearing);
+  const double speed = speed_of_rpm(-45000.0);
+  const Eigen::Vector2d load(30.0, 0.0);
+  const BearingState rest = state_under(film, load, speed);
+  MachineStepper stepper(make_point_mass(0.5), {&film});
+  MachineState state = stepper.at_rest({rest}, load);
+  const RotorForces forces = [&](const RotorInstant& now) -> Eigen::VectorXd {
+    return load * (1.0 + 0.8 * std::sin(2.0 * now.angle));
+  };
+  EnergyMeter meter(stepper, forces, state);
+  WorkBalance sum;
+  constexpr int steps = 100;
+  for (int i = 0; i < steps; ++i) {
+    const double dt = std::numbers::pi / (steps * std::abs(speed));
+    ASSERT_EQ(stepper.advance({.dt = dt, .speed = speed}, forces, state).status, Status::converged);
+    sum += meter.step_to(state);
+  }
+  EXPECT_GT(sum.friction, 5e-8);                          // J
+  EXPECT_LT(std::abs(sum.defect()), 0.3 * sum.friction);  // the error of the steps
 }
 
 }  // namespace
