@@ -12,6 +12,7 @@
 #include "bumpfoil/experiments/rotor_settings.hpp"
 #include "support/case_texts.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/wrong_cases.hpp"
 
 namespace bumpfoil {
 namespace {

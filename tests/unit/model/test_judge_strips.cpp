@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -94,8 +95,9 @@ TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
   }
   for (const char* const command : {"equilibrium", "stability", "unbalance", "transient", "montecarlo"}) {
     const std::vector<Fault> faults = find_faults(input, {command});
-    ASSERT_FALSE(faults.empty()) << command;
-    EXPECT_EQ(faults.front().key, "bump_foil.strip") << command;
+    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [](const Fault& one) {
+      return one.key == "bump_foil.strip";
+    })) << command;
   }
   input.width.modes = 1;
   for (const char* const command : {"cycle", "path", "vibration"}) {
