@@ -96,7 +96,7 @@ struct BumpFoil {
   std::vector<double> sleeve_gaps;       ///< g0_b, m; empty or one per bump
   int strips{1};                         ///< side by side over the width, of one width
   double strip_gap{};                    ///< between neighbouring strips, m
-  std::vector<FoilStrip> strip;          ///< each, from the side z < 0 on; empty: they are alike
+  std::vector<FoilStrip> strip{};        ///< each, from the side z < 0 on; empty: they are alike
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;
 
