@@ -280,8 +280,13 @@ class Documentation(unittest.TestCase):
     FORMED = re.search(r"^### Formed top foils$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
     PADS = re.search(r"^### Several pads$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
     TILTED = re.search(r"^### A tilted journal$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
+    STRIPS = re.search(r"^### Strips$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
     VARIABLES = documented_variables(
-        TEXT[: TEXT.index("\n## Running bearings")].replace(FORMED, "").replace(PADS, "").replace(TILTED, "")
+        TEXT[: TEXT.index("\n## Running bearings")]
+        .replace(FORMED, "")
+        .replace(PADS, "")
+        .replace(TILTED, "")
+        .replace(STRIPS, "")
     )
 
     def test_every_variable_is_documented_with_dimensions_units_and_meaning(self):
@@ -322,6 +327,23 @@ class Documentation(unittest.TestCase):
                 written = written_variables(result)
             keys = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["cycles"][0]
         self.assertEqual(written, self.VARIABLES | documented_variables(self.TILTED))
+        for key in keys:
+            self.assertIn(f"`{key}`", self.TEXT)
+
+    def test_strips_that_differ_have_what_is_documented_besides(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory) / "results"
+            command = [PROGRAM, "cycle", ROOT / "examples/gen2-three-strips.toml", "-o", folder, "--quiet"]
+            few = ["cycle.steps=4", "width.modes=2", 'cycle.directions=["+X"]']
+            options = [word for key in few for word in ("--set", key)]
+            subprocess.run([*command, "--solver", "events", *options], check=True)
+            with xarray.open_dataset(folder / "result.nc") as result:
+                written = written_variables(result)
+                # The loads of all strips are those of all bumps.
+                np.testing.assert_allclose(result.strip_load.sum("strip"), result.normal_force_top_bump.sum("bump"), atol=1e-6)
+            keys = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["cycles"][0]
+        besides = documented_variables(self.TILTED) | documented_variables(self.STRIPS)
+        self.assertEqual(written.items() ^ (self.VARIABLES | besides).items(), set())
         for key in keys:
             self.assertIn(f"`{key}`", self.TEXT)
 
