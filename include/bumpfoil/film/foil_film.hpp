@@ -28,8 +28,8 @@ namespace bumpfoil {
 ///
 /// A foil whose displacement varies over the width has such U and M on each of the lines that give it (WidthLines), by
 /// shapes N_s(zeta): its beam there is `weight` times as stiff as the whole width, and is loaded by
-/// sum_j omega_j N_s(zeta_j) (P_jk - 1 + P_c(H_jk)). What varies over the width stretches the foil, which the unknowns F and g of
-/// its membrane (MembraneRows, F in units of EI' c / p^4, lengths in units of p) add to the balances:
+/// sum_j omega_j N_s(zeta_j) (P_jk - 1 + P_c(H_jk)). What varies over the width stretches the foil, which the unknowns
+/// F and g of its membrane (MembraneRows, F in units of EI' c / p^4, lengths in units of p) add to the balances:
 ///
 ///     + w_k sum_k F_k to_modes(k, s)
 struct FoilFilm {
