@@ -402,7 +402,7 @@ JournalVector find_forces(const FilmBearing& bearing, const BearingState& state,
   const Matrix pressures = asperity_pressures(bearing, state.film.thickness);
   const double friction = sliding_friction(bearing, state.speed);
   const JournalVector of_asperities = asperity_force(bearing, pressures, friction);
-  const JournalVector of_film = film_force(bearing, state.film.pressure);
+  JournalVector of_film = film_force(bearing, state.film.pressure);
   outcome.asperity_force = of_asperities.head<2>();
   outcome.force = of_film.head<2>() + outcome.asperity_force;
   if (bearing.tilts()) outcome.moment = bearing.half_width() * (of_film + of_asperities).tail<2>();
