@@ -97,7 +97,7 @@ void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judg
   const BumpFoil& foil = pad.bump_foil;
   bool usable = judge_gaps(judge, pad);
   if (foil.strip.empty()) return;
-  usable = judge.require(!usable || foil.is_split(), "bump_foil.strip", "",
+  usable = judge.require(!usable || foil.is_split() || !foil.has_own_strips(), "bump_foil.strip", "",
                          "is of a split bump foil, and this one is whole", "set bump_foil.strips, or remove it") &&
            usable;
   usable = judge.require(!usable || std::cmp_equal(foil.strip.size(), foil.strips), "bump_foil.strip",

@@ -74,7 +74,7 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
     input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
   };
   EXPECT_EQ(with_modes(1, on_peaks), Keys{});
-  EXPECT_EQ(with_modes(2, on_peaks), Keys{"width.modes"});
+  EXPECT_EQ(with_modes(3, on_peaks), Keys{});
   const auto pads = [](Case& input) {
     input.bump_foil.bumps = 8;
     input.pads.resize(3);
