@@ -72,7 +72,12 @@ struct FoilStrip {
   double stagger{};       ///< of the strip along the foil, its weld included, in pitches: a multiple of a sixth
   PerBump height_errors;  ///< m, positive = taller; added to those of the bump foil
 
-  /// The same in columns of the mesh of the top foil.
+  /// Whether it is not as the foil in common.
+  [[nodiscard]] bool differs() const {
+    return stagger != 0.0 || std::any_of(height_errors.values.begin(), height_errors.values.end(),
+                                         [](double error) { return error != 0.0; });
+  }
+  /// The stagger in columns of the mesh of the top foil.
   [[nodiscard]] int columns() const { return static_cast<int>(std::lround(staggers_per_pitch * stagger)); }
   bool operator==(const FoilStrip&) const = default;
 };
@@ -103,7 +108,7 @@ struct BumpFoil {
   [[nodiscard]] bool is_split() const { return strips > 1; }
   /// Whether any strip differs from the foil in common.
   [[nodiscard]] bool has_own_strips() const {
-    return std::any_of(strip.begin(), strip.end(), [](const FoilStrip& one) { return one != FoilStrip{}; });
+    return std::any_of(strip.begin(), strip.end(), [](const FoilStrip& one) { return one.differs(); });
   }
   /// Largest stagger of a strip, in pitches.
   [[nodiscard]] double most_stagger() const {
