@@ -238,7 +238,8 @@ def page_of(results, reasons):
     yield "# Mutations\n"
     yield "One token of the sources is changed at a time, and the short tests of its module run on it (`make mutations`):"
     yield "signs, operators, conditions, constants, loops that go one too far, statements that are dropped. Messages and"
-    yield "named constants of iterations, steps and tolerances are left alone. Lines are drawn evenly over a module.\n"
+    yield "named constants of iterations, steps and tolerances are left alone. Lines are drawn evenly over a module."
+    yield "Comparisons outside loops and sizes are turned round, and tolerances grow a thousandfold.\n"
     yield "| module | changes | caught | of these by tests written since | not caught |\n|---|---|---|---|---|"
     rows = []
     for module in MODULES:
