@@ -22,13 +22,20 @@ PadAssembly assembly_of(const Foils& foils, std::size_t k, const Vector& loads, 
 
 std::vector<PadAssembly> assemble_without_journal(const Foils& foils) {
   ContactLoading loading = loading_under(foils, {});
-  loading.initial_gap(foils.pressed()).array() += foils.placed.front().alone.bearing.radius;
+  for (int line = 0; line < foils.journal_contacts(); ++line) {
+    loading.initial_gap(foils.pressed(line)).array() += foils.placed.front().alone.bearing.radius;
+  }
   NewtonSolver solver{SharedProblem(foils.problem)};
   ContactState state;
   if (!solver.solve(loading, ContactState::unstressed(foils.problem), state).converged()) return {};
-  const Vector loads = state.normal_force(Eigen::seqN(Eigen::Index{foils.top_bump()}, Eigen::Index{foils.bumps()},
-                                                      Eigen::Index{foils.contacts_per_block()}));
-  const Vector lift = state.x(foils.top_foil());
+  Vector loads = Vector::Zero(foils.bumps());
+  for (Eigen::Index contact = 0; contact < foils.crest_contacts(); ++contact) {
+    loads += state.normal_force(
+        Eigen::seqN(foils.top_bump() + contact, Eigen::Index{foils.bumps()}, Eigen::Index{foils.contacts_per_block()}));
+  }
+  const Vector lift = foils.foil_unknowns(state.x)(
+      Eigen::seqN(Eigen::Index{foils.structure.first_bump} * foils.structure.dofs.size + foils.structure.dofs.top_u,
+                  Eigen::Index{foils.bumps()}, Eigen::Index{foils.structure.dofs.size}));
   std::vector<PadAssembly> pads;
   pads.reserve(foils.placed.size());
   for (std::size_t k = 0; k < foils.placed.size(); ++k) pads.push_back(assembly_of(foils, k, loads, lift));

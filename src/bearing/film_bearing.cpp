@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "bearing/foil_lines.hpp"
+#include "bearing/strip_points.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -197,7 +199,7 @@ double room_of(const FilmBearing& bearing) {
 int block_size_of(const FilmBearing& bearing) {
   const FoilFilm& foil = bearing.pads.front().foil;
   const int of_film = bearing.first_pressure() + foil.mesh.unknown_rows();
-  return std::max(of_film, unknowns_on_lines(bearing.lines)) + 2 * static_cast<int>(foil.stretching.rows());
+  return std::max(of_film, unknowns_on_lines(bearing)) + 2 * static_cast<int>(foil.stretching.rows());
 }
 
 /// What means nothing at the free ends is held, the displacement there is not.
@@ -220,14 +222,29 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   bearing.surroundings = surroundings;
   bearing.scales = {gas, foils.placed.front().alone.bearing.radius, film_thickness_scale(foils.clearance)};
   for (const PlacedPad& placed : foils.placed) append(placed, resolution, bearing);
-  bearing.room = room_of(bearing);
   const FoilFilm& foil = bearing.pads.front().foil;
-  bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), bearing.first_pressure() + foil.mesh.unknown_rows());
+  const int further = bearing.first_pressure() + foil.mesh.unknown_rows();
+  const bool split = resolution.width_modes > 1 && foils.placed.front().alone.bump_foil.is_split();
+  const std::vector<Foils> strips = split ? strips_of(foils) : std::vector<Foils>();
+  if (split) {
+    lay_out_strips(foil.lines, further, bearing);
+    if (!foils.under_film && !foils.assembly.empty()) {
+      bearing.assembly = on_strips(foils, resolution.width_modes, Eigen::Vector2d::Zero()).assembly;
+    }
+  } else {
+    bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), further);
+  }
+  bearing.room = room_of(bearing);
   BlockTridiagonal K(foils.structure.K.blocks() + bearing.pad_count(), block_size_of(bearing));
-  add_bump_foils(bearing, foil.lines, K);
+  if (split) {
+    add_strips(bearing, strips, foil.lines, K);
+  } else {
+    add_bump_foils(bearing, foil.lines, K);
+  }
   hold_free_ends(bearing, K);
   bearing.problem = {.K = std::move(K), .sites = {}, .force_scale = foils.problem.force_scale};
-  put_contacts_on_lines({&foils, 1}, bearing.scales.thickness, bearing);  // gaps of the last blocks stay open
+  // Gaps of the last blocks stay open.
+  put_contacts_on_lines(split ? std::span(strips) : std::span(&foils, 1), bearing.scales.thickness, bearing);
   return bearing;
 }
 

@@ -69,15 +69,15 @@ template <typename Visitor>
 void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) const {
   const int n = pad.foil.mesh.unknown_rows();
   const int first_pressure = bearing_.first_pressure();
-  const int lines = bearing_.crest_contacts();
+  const int lines = bearing_.journal_contacts();
   if (b == pad.bumps()) {
     for (int s = 0; s < lines; ++s) visit(first_pressure + s, n + s);  // the free end
     return;
   }
   for (int j = 0; j < n; ++j) visit(first_pressure + j, j);
   for (int s = 0; s < lines; ++s) {
-    visit(bearing_.place(s, bearing_.dofs().top_u), n + s);
-    visit(bearing_.place(s, bearing_.dofs().top_moment), n + lines + s);
+    visit(Foils::place(bearing_.lines, s, bearing_.dofs().top_u), n + s);
+    visit(Foils::place(bearing_.lines, s, bearing_.dofs().top_moment), n + lines + s);
   }
   const int of_membrane = 2 * static_cast<int>(pad.foil.stretching.rows());
   for (int i = 0; i < of_membrane; ++i) visit(bump_K_.block_size() - of_membrane + i, n + 2 * lines + i);
@@ -99,7 +99,7 @@ void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balanc
   for (int i = 0; i < pad.bumps(); ++i) {
     const Eigen::Index block = Eigen::Index{pad.first_block + i} * bump_K_.block_size();
     for (Eigen::Index s = 0; s < balance.rows(); ++s) {
-      double& support = forces[block + bearing_.place(s, bearing_.dofs().top_u)];
+      double& support = forces[block + Foils::place(bearing_.lines, s, bearing_.dofs().top_u)];
       balance(s, pad.foil.supports[static_cast<std::size_t>(i)]) += support / unit;
       support = 0.0;
     }

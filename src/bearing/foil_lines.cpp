@@ -56,10 +56,12 @@ std::vector<FoilLine> foil_lines_of(const WidthLines& lines, const BumpDofs& dof
   return placed;
 }
 
-int unknowns_on_lines(const std::vector<FoilLine>& lines) {
+int unknowns_on_lines(const Foils& foils) {
   int largest = 0;
-  for (const FoilLine& line : lines) {
-    largest = std::max(largest, *std::max_element(line.places.begin(), line.places.end()));
+  for (const std::vector<FoilLine>* all : {&foils.lines, &foils.points}) {
+    for (const FoilLine& line : *all) {
+      largest = std::max(largest, *std::max_element(line.places.begin(), line.places.end()));
+    }
   }
   return largest + 1;
 }

@@ -13,8 +13,8 @@ namespace bumpfoil {
 /// the bump foil where a mode is linear over the width, as that slides and lifts its feet, too.
 std::vector<FoilLine> foil_lines_of(const WidthLines& lines, const BumpDofs& dofs, int further);
 
-/// Places of a block up to the last one of any line.
-int unknowns_on_lines(const std::vector<FoilLine>& lines);
+/// Places of a block up to the last one of any line or point.
+int unknowns_on_lines(const Foils& foils);
 
 /// The largest entry of K of the bump foils alone, N/m.
 double stiffest_of_bump_foils(const FoilStructure& structure);

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "bearing/foil_lines.hpp"
+#include "bearing/strip_points.hpp"
+#include "bumpfoil/bearing/assembly.hpp"
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -72,88 +74,6 @@ void add_tilt(const Eigen::Vector2d& slope, Foils& foils) {
   }
 }
 
-/// Columns by which strips of a bump foil are staggered: different ones, rising.
-std::vector<int> stations_of(const BumpFoil& foil) {
-  std::vector<int> stations{0};
-  for (const FoilStrip& strip : foil.strip) stations.push_back(strip.columns());
-  std::sort(stations.begin(), stations.end());
-  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
-  return stations;
-}
-
-int station_of(const BumpFoil& foil, int strip) {
-  return foil.strip.empty() ? 0 : foil.strip[static_cast<std::size_t>(strip)].columns();
-}
-
-/// The points of all strips, at those of Gauss's rule in each. @param dofs  of a bump foil, as many for each point
-std::vector<FoilLine> points_of_strips(const PadDesign& pad, const BumpDofs& dofs) {
-  std::vector<FoilLine> points;
-  const double from_middle = 0.5 * strip_width(pad) / std::numbers::sqrt3;
-  for (int strip = 0; strip < pad.bump_foil.strips; ++strip) {
-    for (const double side : {-1.0, 1.0}) {
-      FoilLine& point = points.emplace_back();
-      point.zeta = (strip_middle(pad, strip) + side * from_middle) / (0.5 * pad.bearing.axial_length);
-      point.weight = 0.5 / pad.bump_foil.strips;
-      point.places.resize(static_cast<std::size_t>(dofs.size));
-      std::iota(point.places.begin(), point.places.end(), (static_cast<int>(points.size()) - 1) * dofs.size);
-      point.strip = strip;
-    }
-  }
-  return points;
-}
-
-/// The lines of the top foil at each station. They have unknowns of the top foil alone, from `first` on.
-std::vector<FoilLine> lines_at(const std::vector<int>& stations, const WidthLines& width, const BumpFoil& foil,
-                               const BumpDofs& dofs, int first) {
-  std::vector<FoilLine> lines;
-  for (const int station : stations) {
-    int strip = 0;
-    while (station_of(foil, strip) != station) ++strip;
-    for (Eigen::Index s = 0; s < width.count(); ++s) {
-      FoilLine& line = lines.emplace_back();
-      line.zeta = width.zeta[s];
-      line.weight = width.weight[s];
-      line.places.assign(static_cast<std::size_t>(dofs.size), -1);
-      line.places[static_cast<std::size_t>(dofs.top_u)] = first + static_cast<int>(s);
-      line.places[static_cast<std::size_t>(dofs.top_moment)] = first + static_cast<int>(width.count() + s);
-      line.strip = strip;
-    }
-    first += 2 * static_cast<int>(width.count());
-  }
-  return lines;
-}
-
-/// Adds the bump foil under a point to K, and what ties its displacement of the top foil to those of the lines.
-/// @param strip  foils that are as its strip all over the width
-/// @param tie    N/m: brings its rows to the size of the others
-void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& strip, const WidthLines& width,
-               double tie, BlockTridiagonal& K) {
-  const BumpDofs& dofs = strip.dofs;
-  std::vector<int> own, places;
-  for (int i = 0; i < dofs.size; ++i) {
-    if (i == dofs.top_u || i == dofs.top_moment) continue;
-    own.push_back(i);
-    places.push_back(point.places[static_cast<std::size_t>(i)]);
-  }
-  const auto of_point = [&](int unknown) { return point.places[static_cast<std::size_t>(unknown)]; };
-  const int given = of_point(dofs.top_u);
-  const int force = of_point(dofs.top_moment);
-  const Vector shapes = width.shapes(point.zeta);
-  const int station = station_of(foils.placed.front().alone.bump_foil, point.strip);
-  for (std::size_t b = 0; b < K.diagonal.size(); ++b) {
-    Matrix& block = K.diagonal[b];
-    block(places, places) += point.weight * strip.K.diagonal[b](own, own);
-    if (b + 1 < K.diagonal.size()) K.upper[b](places, places) += point.weight * strip.K.upper[b](own, own);
-    block(given, force) = block(force, given) = -tie;
-    Eigen::Index s = 0;
-    for (const FoilLine& line : foils.lines) {
-      if (station_of(foils.placed.front().alone.bump_foil, line.strip) != station) continue;
-      const int top_u = line.places[static_cast<std::size_t>(dofs.top_u)];
-      block(top_u, force) = block(force, top_u) = tie * shapes[s++];
-    }
-  }
-}
-
 }  // namespace
 
 Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
@@ -161,7 +81,7 @@ Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d&
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
   Foils tilted = foils;
   tilted.lines = foil_lines_of(width, foils.structure.dofs, foils.structure.dofs.size);
-  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(tilted.lines) + unknowns_of_membrane(width));
+  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(tilted) + unknowns_of_membrane(width));
   add_bump_foils(tilted, width, K);
   for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(tilted, pad, width, {0}, K);
   tilted.problem.K = std::move(K);
@@ -171,37 +91,31 @@ Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d&
   return tilted;
 }
 
-Foils on_strips(const BearingDesign& design, int modes, const Eigen::Vector2d& slope) {
-  Foils split = make_foils(design);
-  BUMPFOIL_ASSERT(split.has_top_foil() && !split.problem.law);
-  const PadDesign& first = split.placed.front().alone;
-  const BumpDofs& dofs = split.structure.dofs;
-  std::vector<Foils> strips;
-  for (int strip = 0; strip < first.bump_foil.strips; ++strip) {
-    std::vector<PlacedPad> pads;
-    for (const PlacedPad& pad : split.placed) pads.push_back(strip_of(pad, strip));
-    strips.push_back(make_uniform_foils(std::move(pads)));
-  }
+Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
+  BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
-  const std::vector<int> stations = stations_of(first.bump_foil);
-  split.points = points_of_strips(first, dofs);
-  const int of_bump_foils = static_cast<int>(split.points.size()) * dofs.size;
-  split.lines = lines_at(stations, width, first.bump_foil, dofs, of_bump_foils);
+  const std::vector<int> stations = strip_stations(foils);
+  const std::vector<Foils> strips = strips_of(foils);
+  Foils split = foils;
+  lay_out_strips(width, foils.structure.dofs.size, split);
   if (stations.size() > 1) {
     for (const Foils& strip : strips) split.strip_normals.push_back(strip.normals);
   }
-  const int of_station = 2 * static_cast<int>(width.count()) + unknowns_of_membrane(width);
-  BlockTridiagonal K(split.structure.K.blocks(), of_bump_foils + static_cast<int>(stations.size()) * of_station);
-  const double tie = stiffest_of_bump_foils(split.structure);
-  for (const FoilLine& point : split.points) {
-    add_point(split, point, strips[static_cast<std::size_t>(point.strip)].structure, width, tie, K);
-  }
+  const int of_membrane = static_cast<int>(stations.size()) * unknowns_of_membrane(width);
+  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(split) + of_membrane);
+  add_strips(split, strips, width, K);
   for (int pad = 0; pad < split.pad_count(); ++pad) add_top_foil(split, pad, width, stations, K);
   split.problem.K = std::move(K);
   split.forming = forming_on_lines(split);
   put_contacts_on_lines(strips, 0.0, split);
+  if (!foils.assembly.empty()) split.assembly = assemble_without_journal(split);
   add_tilt(slope, split);
   return split;
+}
+
+Foils foils_without_journal(const BearingDesign& design) {
+  Foils foils = make_foils(design);
+  return design.has_own_strips() ? on_strips(foils, 3, Eigen::Vector2d::Zero()) : foils;
 }
 
 }  // namespace bumpfoil

@@ -60,7 +60,7 @@ std::vector<std::string> case_warnings(const Case& input) {
   std::optional<Foils> foils;
   const bool rubs = input.friction.top_bump > 0.0 || input.friction.bump_sleeve > 0.0;
   if (rubs && input.bump_foil.model != BumpFoilModel::former) {
-    foils = make_foils(input);
+    foils = foils_without_journal(input);
     warn_of_wedging(*foils, warnings);
   }
   for (std::size_t k = 0; k < pads.size(); ++k) {
@@ -81,7 +81,7 @@ std::vector<std::string> case_warnings(const Case& input) {
                       "are no longer small, and results show trends only",
                       of_pad(pads, k), 100.0 * (ratio - 1.0), 100.0 * (most_flattening - 1.0)));
     }
-    if (!foils) foils = make_foils(input);
+    if (!foils) foils = foils_without_journal(input);
     if (foils->assembly.empty()) {
       warnings.emplace_back("the shape of the formed top foil without a journal was not found");
       break;

@@ -65,6 +65,8 @@ void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& j
                 quantity(least->stagger, ""), "is the least, and not 0",
                 "give strips by how much more they are staggered, and turn bearing.weld_angle instead");
   const std::string key = "bump_foil.strip";
+  judge.require(!is_formed(pad), key, "", "staggers strips under a formed top foil, which is not supported",
+                "remove top_foil.formed_radius and seat_pressure, or the stagger");
   judge.require(pad.bearing.taper == 0.0, key, "", "staggers strips on a sleeve with a taper, which is not supported",
                 "remove bearing.taper, or the stagger");
   if (!judged.pitches) return;
@@ -87,8 +89,6 @@ void judge_own(Judge& judge, const PadDesign& pad) {
                 "needs a top foil, of which the Le Lez (2007) model has none", "set model = \"truss\" or \"frame\"");
   judge.require(pad.bump_foil.geometry == Geometry::linear, key, "", "is not supported with large displacements",
                 "set bump_foil.geometry = \"linear\"");
-  judge.require(!is_formed(pad), key, "", "is not supported under a formed top foil",
-                "remove top_foil.formed_radius and seat_pressure");
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judg
   }
   if (!usable || !foil.has_own_strips()) return;
   judge_own(judge, pad);
-  if (foil.most_stagger() > 0.0) judge_staggered(judge, pad, judged, radius);
+  if (foil.is_staggered()) judge_staggered(judge, pad, judged, radius);
 }
 
 }  // namespace bumpfoil

@@ -38,10 +38,11 @@ inline void expect_solved(const FilmBearing& bearing, const BearingState& state)
   elastic.tail(size).setZero();
   for (std::size_t i = 0; i < bearing.pads.front().foil.supports.size(); ++i) {
     const int crest = bearing.pads.front().foil.supports[i];
-    for (int s = 0; s < bearing.crest_contacts(); ++s) {
-      const Eigen::Index place = static_cast<Eigen::Index>(i) * size + bearing.place(s, bearing.dofs().top_u);
+    for (int s = 0; s < bearing.journal_contacts(); ++s) {
+      const Eigen::Index place =
+          static_cast<Eigen::Index>(i) * size + Foils::place(bearing.lines, s, bearing.dofs().top_u);
       double& balance = residual.balance(s, crest);
-      elastic[place] = balance * unit;
+      elastic[place] += balance * unit;
       balance = 0.0;
       EXPECT_NEAR(state.contacts.x[place], state.film.lift(s, crest) * bearing.scales.thickness, 1e-15);
     }

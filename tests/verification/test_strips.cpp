@@ -108,7 +108,7 @@ TEST(Strips, OfOneAreTheLinearFoilOnTwoLines) {
   formed.pads.resize(3);
   formed.top_foil.formed_radius = {FormedTo::seated};
   for (const Case& input : {truss, frame, formed}) {
-    const Taken one = taken_to(on_strips(input, 2, some_slope), on_the_way);
+    const Taken one = taken_to(on_strips(make_foils(input), 2, some_slope), on_the_way);
     const Taken other = taken_to(under_tilted_journal(make_foils(input), 2, some_slope), on_the_way);
     expect_same(one.last, other.last, 1e-7);  // as each is to its solver's bounds
     EXPECT_GT(one.last.dissipated_energy, 0.01 * one.last.elastic_energy);
@@ -128,7 +128,7 @@ TEST(Strips, ThatAreAlikeAreOneOfTheirWidth) {
     for (const int modes : {1, 2, 3}) {
       // A parabola bulges a little over the gaps where the journal does not hold it.
       const double bulge = modes == 3 ? 1e-3 : 1e-6;
-      const Taken split = taken_to(on_strips(input, modes, Eigen::Vector2d::Zero()), on_the_way);
+      const Taken split = taken_to(on_strips(make_foils(input), modes, Eigen::Vector2d::Zero()), on_the_way);
       expect_same(split.last, whole.last, modes == 3 ? 1e-5 : 1e-7);
       const double each = whole.fields.top_bump.normal_force.sum() / 3.0;
       for (const double load : split.strips) EXPECT_NEAR(load, each, bulge * each) << modes;
@@ -150,7 +150,7 @@ TEST(Strips, HavePointsThatIntegrateOverTheirWidth) {
     const double length = input.bearing.axial_length;
     const double width = strip_width(input);
     EXPECT_NEAR(strips * width + (strips - 1) * input.bump_foil.strip_gap, length, 1e-15);
-    const Foils foils = on_strips(input, 3, Eigen::Vector2d::Zero());
+    const Foils foils = on_strips(make_foils(input), 3, Eigen::Vector2d::Zero());
     ASSERT_EQ(std::ssize(foils.points), 2 * strips);
     double sum = 0.0;
     double first = 0.0;
@@ -180,7 +180,7 @@ TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
   Case input = differing_case(0.0);
   input.top_foil.youngs_modulus *= 1e-7;
   input.bump_foil.strip[2].stagger = 0.0;  // the journal holds the foil over these crests at both sides, too
-  const Taken split = taken_to(on_strips(input, 3, Eigen::Vector2d::Zero()), on_the_way);
+  const Taken split = taken_to(on_strips(make_foils(input), 3, Eigen::Vector2d::Zero()), on_the_way);
   const double length = input.bearing.axial_length;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
@@ -210,9 +210,9 @@ TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
 
 TEST(Strips, AreMirroredWithTheBearing) {
   Case input = differing_case(0.1);
-  const Taken one = taken_to(on_strips(input, 3, some_slope), on_the_way);
+  const Taken one = taken_to(on_strips(make_foils(input), 3, some_slope), on_the_way);
   std::reverse(input.bump_foil.strip.begin(), input.bump_foil.strip.end());
-  const Taken other = taken_to(on_strips(input, 3, -some_slope), on_the_way);
+  const Taken other = taken_to(on_strips(make_foils(input), 3, -some_slope), on_the_way);
   const double force = std::abs(one.last.force_x);
   EXPECT_NEAR(one.last.force_x, other.last.force_x, 1e-8 * force);
   EXPECT_NEAR(one.last.force_y, other.last.force_y, 1e-8 * force);
@@ -226,7 +226,7 @@ TEST(Strips, AnswerWithTheDerivativesOfTheirEnergyWithoutFriction) {
   const Case input = differing_case(0.0);
   const Eigen::Vector2d place = on_the_way.back();
   const auto at = [&](const Eigen::Vector2d& slope, const Eigen::Vector2d& position) {
-    return taken_to(on_strips(input, 3, slope), {position}).last;
+    return taken_to(on_strips(make_foils(input), 3, slope), {position}).last;
   };
   const Increment here = at(some_slope, place);
   const auto difference = [](auto&& energy, double step) { return (energy(step) - energy(-step)) / (2.0 * step); };

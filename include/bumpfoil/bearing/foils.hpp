@@ -85,9 +85,10 @@ struct Foils {
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
-  bool under_film{};              ///< a film presses, and nothing else
-  std::vector<FoilLine> lines{};  ///< under a film or a tilted journal, or of strips that differ, those over the crests
-                                  ///< that are not staggered first; none otherwise: all is uniform over the width
+  bool under_film{};  ///< a film presses, and nothing else
+  std::vector<FoilLine>
+      lines{};  ///< under a film or a tilted journal, or of strips that move apart, those over the
+                ///< crests that are not staggered first; none otherwise: all is uniform over the width
   std::vector<FoilLine> points{};  ///< of strips that do not move alike; none otherwise: all of the foils is on lines
   std::vector<Eigen::Matrix2Xd> strip_normals{};  ///< as `normals`, of each strip where any is staggered
 
@@ -182,8 +183,13 @@ Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d&
 /// tilted by `slope` (rad, towards X and Y) and stays so. The top foil is whole, and given on lines by so many `modes`
 /// over the whole width as under_tilted_journal() has them. Nothing joins the bump foils under the points of the
 /// strips, which slide and lift one by one.
-/// @param design  valid, with a top foil and without an elastic law; where strips are staggered, it is not formed
-Foils on_strips(const BearingDesign& design, int modes, const Eigen::Vector2d& slope);
+/// @param foils  uniform over the width, with a top foil and without an elastic law; where strips are staggered, it is
+///               not formed
+Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope);
+
+/// The foils of a bearing without a journal: of strips that differ on_strips(), to which the top foil answers linearly
+/// and as a parabola over the width, too. The design must be valid.
+Foils foils_without_journal(const BearingDesign& design);
 
 /// A strip of foils between its plate and the base: flat, without clearance. Both must be valid.
 Foils make_foils(const PadDesign& whole, const StripSettings& strip);

@@ -116,6 +116,7 @@ struct BumpFoil {
     for (const FoilStrip& one : strip) most = std::max(most, one.columns() / double{staggers_per_pitch});
     return most;
   }
+  [[nodiscard]] bool is_staggered() const { return most_stagger() > 0.0; }
   bool operator==(const BumpFoil&) const = default;
 };
 
@@ -186,7 +187,18 @@ struct PadDesign {
 struct BearingDesign : PadDesign {
   std::vector<Pad> pads{};  ///< none: the foils of the bearing go round in one
 
+  /// Whether strips of a bump foil differ, that of the bearing or of a pad.
+  [[nodiscard]] bool has_own_strips() const { return any_bump_foil(&BumpFoil::has_own_strips); }
+  /// Whether they are staggered.
+  [[nodiscard]] bool has_staggered_strips() const { return any_bump_foil(&BumpFoil::is_staggered); }
   bool operator==(const BearingDesign&) const = default;
+
+ private:
+  [[nodiscard]] bool any_bump_foil(bool (BumpFoil::*is_so)() const) const {
+    return (bump_foil.*is_so)() || std::any_of(pads.begin(), pads.end(), [is_so](const Pad& pad) {
+             return pad.bump_foil && ((*pad.bump_foil).*is_so)();
+           });
+  }
 };
 
 }  // namespace bumpfoil

@@ -262,14 +262,12 @@ struct Case : BearingDesign {
   std::vector<std::string> remarks{};
 
   /// Whether foils without a film answer differently over the width.
-  [[nodiscard]] bool varies_over_the_width() const {
-    return width.tilts() || bump_foil.has_own_strips() || std::any_of(pads.begin(), pads.end(), [](const Pad& pad) {
-             return pad.bump_foil && pad.bump_foil->has_own_strips();
-           });
-  }
-  /// Whether films and foils are the same on both halves of the width.
+  [[nodiscard]] bool varies_over_the_width() const { return width.tilts() || has_own_strips(); }
+  /// Whether strips of the bump foil move each by itself under a film.
+  [[nodiscard]] bool has_strips_under_film() const { return bump_foil.is_split() && width.modes > 1; }
+  /// Whether films and foils are computed on half the width, as they are the same on both.
   [[nodiscard]] bool has_equal_halves() const {
-    return !width.tilts() && width.conicity == 0.0 && film.has_equal_sides();
+    return !width.tilts() && width.conicity == 0.0 && film.has_equal_sides() && !has_strips_under_film();
   }
   bool operator==(const Case&) const = default;
 };

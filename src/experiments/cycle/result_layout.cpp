@@ -97,7 +97,7 @@ void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
 /// How formed top foils lie without a journal.
 void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (std::none_of(pads.begin(), pads.end(), [](const PlacedPad& pad) { return is_formed(pad.alone); })) return;
-  const Foils foils = make_foils(input);
+  const Foils foils = foils_without_journal(input);
   if (foils.assembly.empty()) return;
   NamedNumbers formed{"formed_radius", "m", "radius that the top foil is formed to before its assembly", {}};
   NamedNumbers hold{"assembled_hold_down", "N", "load of the top foil on its last bump, without a journal", {}};

@@ -66,7 +66,7 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
   const Eigen::Index from_size = from.problem.K.block_size();
   const Eigen::Index to_size = to.problem.K.block_size();
   const Eigen::Index shared = from.first_pressure();
-  const Eigen::Index lines = from.crest_contacts();
+  const Eigen::Index lines = from.journal_contacts();
   const Eigen::Index behind = from_size - shared - from.pads.front().foil.mesh.unknown_rows();  // behind the pressures
   for (std::size_t k = 0; k < from.pads.size(); ++k) {
     const FilmPad& pad = from.pads[k];

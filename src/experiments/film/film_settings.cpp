@@ -282,7 +282,8 @@ void judge_halves(Judge& judge, const Case& input) {
     judge_pair(judge, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
   judge.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
                     "give width.tilt, or run equilibrium");
-  if (input.has_equal_halves()) return;
+  const bool by_strips = !width.tilts() && width.conicity == 0.0 && input.film.has_equal_sides();
+  if (input.has_equal_halves() || by_strips) return;
   const bool by_gas_alone = !width.tilts() && width.conicity == 0.0;
   const char* const key = !width.moment.empty() ? "width.moment"
                           : width.tilts()       ? "width.tilt"
@@ -316,28 +317,25 @@ void judge_profile(Judge& judge, const Case& input) {
 
 /// What is not computed yet of bump foils that are split into strips.
 void judge_strips_in_use(Judge& judge, const Case& input) {
-  const std::string strips = std::to_string(input.bump_foil.strips);
-  judge.require_for("equilibrium", !input.bump_foil.is_split() || input.width.modes == 1, "bump_foil.strips", strips,
-                    "is not supported on a film with foils that vary over the width", "set width.modes = 1");
   const bool apart = input.bump_foil.is_split() && input.varies_over_the_width();
   for (const char* const command : {"cycle", "path", "vibration"}) {
     judge.require_for(command, !apart || input.solver.chosen() != SolverName::uzawa, "solver.name",
                       std::string(name_of(input.solver.chosen())), "does not support strips that move each by itself",
                       "set name = \"newton\" or \"events\"");
   }
-  const bool differ = std::any_of(input.pads.begin(), input.pads.end(),
-                                  [](const Pad& pad) { return pad.bump_foil && pad.bump_foil->has_own_strips(); });
-  if (!input.bump_foil.has_own_strips() && !differ) return;
+  if (!input.has_own_strips()) return;
   judge.require_for("strip", !input.strip, "bump_foil.strip", "",
                     "differs over the width, and the plate presses foils that do not", "remove [[bump_foil.strip]]");
-  for (const char* const command : {"cycle", "path", "vibration"}) {
+  for (const char* const command : {"cycle", "path", "vibration", "equilibrium"}) {
     judge.require_for(command, input.width.modes != 1, "bump_foil.strip", "",
                       "needs a top foil that answers to strips which differ",
                       "set width.modes = 3, or 2 without a parabola");
   }
-  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient", "montecarlo"}) {
+  judge.require_for("equilibrium", !input.has_staggered_strips(), "bump_foil.strip", "",
+                    "staggers strips, which is not supported under a film", "set all staggers to 0");
+  for (const char* const command : {"stability", "unbalance", "transient", "montecarlo"}) {
     judge.require_for(command, false, "bump_foil.strip", "",
-                      "is supported by the commands cycle, path and vibration alone",
+                      "is supported by the commands cycle, path, vibration and equilibrium alone",
                       "remove [[bump_foil.strip]]: the command computes strips that are alike");
   }
 }

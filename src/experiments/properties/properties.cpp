@@ -47,7 +47,7 @@ std::optional<PadAssembly> assembly_of(const PadDesign& pad, const FoilDesign& f
   if (!is_formed(pad) || (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty())) return {};
   BearingDesign alone;
   static_cast<PadDesign&>(alone) = pad;
-  const std::vector<PadAssembly> assembly = make_foils(alone).assembly;
+  const std::vector<PadAssembly> assembly = foils_without_journal(alone).assembly;
   return assembly.empty() ? std::nullopt : std::optional(assembly.front());
 }
 

@@ -97,6 +97,14 @@ TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
   for (const char* const command : {"cycle", "path", "vibration"}) {
     EXPECT_TRUE(find_faults(input, {command}).empty()) << command;
   }
+  ASSERT_EQ(find_faults(input, {"equilibrium"}).size(), 1U);  // staggered
+  Case level = input;
+  for (FoilStrip& strip : level.bump_foil.strip) strip = {.stagger = 0.0, .height_errors = -1e-6};
+  EXPECT_TRUE(find_faults(level, {"equilibrium"}).empty());
+  level.top_foil.formed_radius = {FormedTo::seated};
+  EXPECT_TRUE(find_faults(level, {"equilibrium"}).empty());
+  level.width.modes = 1;
+  ASSERT_EQ(find_faults(level, {"equilibrium"}).size(), 1U);
   for (const char* const command : {"equilibrium", "stability", "unbalance", "transient", "montecarlo"}) {
     const std::vector<Fault> faults = find_faults(input, {command});
     EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [](const Fault& one) {
@@ -110,7 +118,7 @@ TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
   input.bump_foil.strip.clear();
   EXPECT_TRUE(find_faults(input, {"equilibrium"}).empty());
   input.width.modes = 3;
-  EXPECT_EQ(find_faults(input, {"equilibrium"}).front().key, "bump_foil.strips");
+  EXPECT_TRUE(find_faults(input, {"equilibrium"}).empty());
 }
 
 TEST(JudgeStrips, HaveOneStaggerOnAllPads) {

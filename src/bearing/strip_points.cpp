@@ -1,0 +1,122 @@
+#include "bearing/strip_points.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "bearing/foil_lines.hpp"
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const BumpFoil& bump_foil_of(const Foils& foils) {
+  return foils.placed.front().alone.bump_foil;
+}
+
+int station_of(const Foils& foils, int strip) {
+  const BumpFoil& foil = bump_foil_of(foils);
+  return foil.strip.empty() ? 0 : foil.strip[static_cast<std::size_t>(strip)].columns();
+}
+
+/// Adds the bump foil under a point to K, and its tie.
+/// @param strip  of the point
+/// @param tie    N/m: brings its rows to the size of the others
+void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& strip, const WidthLines& width,
+               double tie, BlockTridiagonal& K) {
+  const BumpDofs& dofs = strip.dofs;
+  std::vector<int> own, places;
+  for (int i = 0; i < dofs.size; ++i) {
+    if (i == dofs.top_u || i == dofs.top_moment) continue;
+    own.push_back(i);
+    places.push_back(point.places[static_cast<std::size_t>(i)]);
+  }
+  const int given = point.places[static_cast<std::size_t>(dofs.top_u)];
+  const int force = point.places[static_cast<std::size_t>(dofs.top_moment)];
+  const Vector shapes = width.shapes(point.zeta);
+  const int station = station_of(foils, point.strip);
+  for (int pad = 0; pad < foils.pad_count(); ++pad) {
+    const PadBlocks blocks = strip.blocks_of(pad);
+    for (int b = 0; b < blocks.count; ++b) {
+      const auto from = static_cast<std::size_t>(blocks.first) + static_cast<std::size_t>(b);
+      const auto to = static_cast<std::size_t>(foils.block(blocks.first + b));
+      Matrix& block = K.diagonal[to];
+      block(places, places) += point.weight * strip.K.diagonal[from](own, own);
+      if (b + 1 < blocks.count) K.upper[to](places, places) += point.weight * strip.K.upper[from](own, own);
+      block(given, force) = block(force, given) = -tie;
+      Eigen::Index s = 0;
+      for (const FoilLine& line : foils.lines) {
+        if (station_of(foils, line.strip) != station) continue;
+        const int top_u = line.places[static_cast<std::size_t>(dofs.top_u)];
+        block(top_u, force) = block(force, top_u) = tie * shapes[s++];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<int> strip_stations(const Foils& foils) {
+  std::vector<int> stations;
+  for (int strip = 0; strip < bump_foil_of(foils).strips; ++strip) stations.push_back(station_of(foils, strip));
+  std::sort(stations.begin(), stations.end());
+  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
+  return stations;
+}
+
+std::vector<Foils> strips_of(const Foils& foils) {
+  std::vector<Foils> strips;
+  for (int strip = 0; strip < bump_foil_of(foils).strips; ++strip) {
+    std::vector<PlacedPad> pads;
+    for (const PlacedPad& pad : foils.placed) pads.push_back(strip_of(pad, strip));
+    strips.push_back(make_uniform_foils(std::move(pads)));
+  }
+  return strips;
+}
+
+void lay_out_strips(const WidthLines& width, int further, Foils& foils) {
+  const BumpDofs& dofs = foils.structure.dofs;
+  foils.lines.clear();
+  for (const int station : strip_stations(foils)) {
+    int strip = 0;
+    while (station_of(foils, strip) != station) ++strip;
+    for (Eigen::Index s = 0; s < width.count(); ++s) {
+      const bool first = foils.lines.empty();
+      FoilLine& line =
+          foils.lines.emplace_back(FoilLine{.zeta = width.zeta[s], .weight = width.weight[s], .places = {}});
+      line.places.assign(static_cast<std::size_t>(dofs.size), -1);
+      for (const int unknown : {dofs.top_u, dofs.top_moment}) {
+        line.places[static_cast<std::size_t>(unknown)] = first ? unknown : further++;
+      }
+      line.strip = strip;
+    }
+  }
+  const PadDesign& pad = foils.placed.front().alone;
+  const double from_middle = 0.5 * strip_width(pad) / std::numbers::sqrt3;  // Gauss's rule with two points
+  foils.points.clear();
+  for (int strip = 0; strip < pad.bump_foil.strips; ++strip) {
+    for (const double side : {-1.0, 1.0}) {
+      const bool first = foils.points.empty();
+      FoilLine& point = foils.points.emplace_back();
+      point.zeta = (strip_middle(pad, strip) + side * from_middle) / (0.5 * pad.bearing.axial_length);
+      point.weight = 0.5 / pad.bump_foil.strips;
+      point.strip = strip;
+      point.places.resize(static_cast<std::size_t>(dofs.size));
+      for (int i = 0; i < dofs.size; ++i) {
+        const bool of_lines = i == dofs.top_u || i == dofs.top_moment;
+        point.places[static_cast<std::size_t>(i)] = first && !of_lines ? i : further++;
+      }
+    }
+  }
+}
+
+void add_strips(const Foils& foils, std::span<const Foils> strips, const WidthLines& width, BlockTridiagonal& K) {
+  const double tie = stiffest_of_bump_foils(foils.structure);
+  for (const FoilLine& point : foils.points) {
+    add_point(foils, point, strips[static_cast<std::size_t>(point.strip)].structure, width, tie, K);
+  }
+}
+
+}  // namespace bumpfoil

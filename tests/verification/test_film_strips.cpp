@@ -1,0 +1,169 @@
+// docs/verification/width.md: bump foils that are split into strips, under a film.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bumpfoil/bearing/fields.hpp"
+#include "bumpfoil/bearing/foil_stepper.hpp"
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/motion/load_search.hpp"
+#include "support/film_runs.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const Eigen::Vector2d some_load(80.0, 0.0);
+
+/// The reference bearing with its bump foil in three strips, on a coarse mesh.
+Case split_case(int modes, double friction) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4, .width_modes = modes}, friction);
+  input.bump_foil.strips = 3;
+  input.equilibrium =
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {some_load}, .paths = ComparedPaths::one};
+  return input;
+}
+
+/// Strips whose bumps are not as high as each other.
+Case differing_case(double friction) {
+  Case input = split_case(3, friction);
+  input.bump_foil.strip = {FoilStrip{.stagger = 0.0, .height_errors = PerBump(-4e-6, 3e-6, Grading::linear)},
+                           FoilStrip{}, FoilStrip{.stagger = 0.0, .height_errors = -5e-6}};
+  return input;
+}
+
+RunningState state_of(const Case& input, SharedFilmBearing& bearing) {
+  const EquilibriumResult result = run_equilibrium(input);
+  bearing = result.bearing;
+  EXPECT_TRUE(result.states.front().found());
+  return result.states.front();
+}
+
+/// Slices under the points of strips move as those of a whole bump foil where that moves linearly over the width: the
+/// same bearing by other unknowns.
+TEST(FilmOnStrips, ThatAreAlikeIsThatOnOneOfTheirWidth) {
+  Case split = split_case(2, 0.0);
+  split.width.tilt = {4e-6 / split.bearing.axial_length, 2e-6 / split.bearing.axial_length};
+  Case whole = split;
+  whole.bump_foil.strips = 1;
+  SharedFilmBearing on_strips, on_one;
+  const RunningState found = state_of(split, on_strips);
+  const RunningState reference = state_of(whole, on_one);
+  expect_solved(*on_strips, *found.last);
+  EXPECT_EQ(on_strips->points.size(), 6U);
+  // As each is to the bounds of its solver.
+  EXPECT_LT((found.last->position - reference.last->position).norm(), 1e-7 * on_one->clearance);
+  EXPECT_LT((found.outcome->moment - reference.outcome->moment).norm(), 1e-6 * reference.outcome->moment.norm());
+  EXPECT_LT((bump_loads(*on_strips, *found.last) - bump_loads(*on_one, *reference.last)).norm(),
+            1e-6 * some_load.norm());
+  EXPECT_LT((*found.stiffness - *reference.stiffness).norm(), 1e-5 * reference.stiffness->norm());
+}
+
+/// The same with friction, taken along the same way: aligned, as points slide one by one under a tilt.
+TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
+  Case split = split_case(2, 0.1);
+  split.width.moment = {0.0, 0.0};  // the whole width
+  Case whole = split;
+  whole.bump_foil.strips = 1;
+  FilmBearingOutcome outcome[2];
+  for (const int which : {0, 1}) {
+    const FilmBearing bearing = make_film_bearing(which == 0 ? split : whole);
+    FilmStepper stepper(bearing);
+    BearingState state;
+    const double speed = speed_of_rpm(45000.0);
+    ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
+              Status::converged);
+    OperatingPoint point = point_of(bearing, state, {});
+    for (const double move : {2e-6, 4e-6, -1e-6}) {
+      point.journal.x() += move;
+      ASSERT_EQ(stepper.advance(point, state).status, Status::converged);
+    }
+    expect_solved(bearing, state);
+    outcome[which] = film_bearing_outcome(bearing, state);
+  }
+  EXPECT_LT((outcome[0].force - outcome[1].force).norm(), 1e-6 * outcome[1].force.norm());
+  EXPECT_LT(outcome[0].moment.norm(), 1e-9 * outcome[1].force.norm());
+}
+
+/// At rest peaks that hardly give way hold the journal as the dry bearing does: that is another solver on another
+/// matrix, and touches the foils on three lines over the width instead of at all rows.
+TEST(FilmOnStrips, ThatDifferHoldsAJournalAtRestAsWithoutAFilm) {
+  for (const bool formed : {false, true}) {
+    Case input = differing_case(0.0);
+    if (formed) input.top_foil.formed_radius = {FormedTo::seated};
+    input.asperity = AsperitySettings{.sigma = 0.01e-6, .pressure_factor = 240e6, .friction = 0.2};
+    input.equilibrium->speeds = {0.0};
+    SharedFilmBearing bearing;
+    const RunningState running = state_of(input, bearing);
+
+    FoilStepper dry = make_stepper(make_bearing_foils(input));
+    Step step;
+    advance_to_load(dry, BearingState::unstressed(dry.foils()), some_load, 1e-6, 3.0 * input.bearing.radial_clearance,
+                    step);
+    ASSERT_TRUE(step.converged());
+    // Peaks hold the surfaces 0.03 um apart.
+    EXPECT_LT((running.last->position - step.state.position).norm(), 0.06e-6);
+    const Vector strips = strip_loads(*bearing, running.last->contacts);
+    const Vector dry_strips = strip_loads(dry.foils(), step.state.contacts);
+    ASSERT_EQ(strips.size(), 3);
+    EXPECT_LT((strips - dry_strips).cwiseAbs().maxCoeff(), 5e-3 * some_load.norm());
+    EXPECT_GT(strips[1], 1.2 * strips[2]);  // the lowest carries least
+    const double moment = holding_moment(dry.foils(), step.state.contacts.normal_force).x();
+    EXPECT_NEAR(running.outcome->moment.x(), moment, 5e-3 * std::abs(moment));
+    EXPECT_LT(moment, -0.02);
+  }
+}
+
+/// With the strips of one side exchanged for those of the other the film is the mirror image.
+TEST(FilmOnStrips, IsMirroredWithThem) {
+  Case input = differing_case(0.1);
+  SharedFilmBearing bearing;
+  const RunningState found = state_of(input, bearing);
+  expect_solved(*bearing, *found.last);
+  std::reverse(input.bump_foil.strip.begin(), input.bump_foil.strip.end());
+  SharedFilmBearing other;
+  const RunningState mirrored = state_of(input, other);
+  // The searches end where steps are below 1e-9.
+  EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - found.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((mirrored.outcome->moment + found.outcome->moment).norm(), 1e-7 * found.outcome->moment.norm());
+  EXPECT_LT(
+      (strip_loads(*other, mirrored.last->contacts).reverse() - strip_loads(*bearing, found.last->contacts)).norm(),
+      1e-6 * some_load.norm());
+}
+
+/// Forces and moments by displacements and tilts.
+TEST(FilmOnStrips, HasTheStiffnessOfDifferences) {
+  const FilmBearing bearing = make_film_bearing(differing_case(0.0));
+  FilmStepper stepper(bearing);
+  BearingState state;
+  const double speed = speed_of_rpm(45000.0);
+  ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
+            Status::converged);
+  OperatingPoint point = point_of(bearing, state, {});
+  point.tilt.value = {2e-6, 1e-6};
+  ASSERT_EQ(stepper.advance(point, state).status, Status::converged);
+  expect_solved(bearing, state);
+  const auto motion = stepper.slow_motion(state);
+  ASSERT_TRUE(motion.has_value());
+  const JournalMatrix& K = motion->stiffness;
+  ASSERT_EQ(K.rows(), 4);
+  EXPECT_TRUE(stepper.held_motion(state).has_value());  // its residual in the equations of all unknowns is small
+  constexpr double h = 1e-9;
+  for (Eigen::Index axis = 0; axis < 4; ++axis) {
+    JournalVector force[2];
+    for (const int side : {0, 1}) {
+      BearingState moved = state;
+      OperatingPoint there = point;
+      double& entry = axis < 2 ? there.journal[axis] : there.tilt.value[axis - 2];
+      entry += side == 0 ? -h : h;
+      ASSERT_EQ(stepper.advance(there, moved).status, Status::converged);
+      force[side] = journal_force(bearing, moved.film, speed);
+    }
+    EXPECT_LT(((force[1] - force[0]) / (2.0 * h) - K.col(axis)).norm(), 3e-6 * K.norm()) << axis;
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil
