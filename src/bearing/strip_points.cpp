@@ -60,6 +60,7 @@ void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& s
 
 std::vector<int> strip_stations(const Foils& foils) {
   std::vector<int> stations;
+  stations.reserve(static_cast<std::size_t>(bump_foil_of(foils).strips));
   for (int strip = 0; strip < bump_foil_of(foils).strips; ++strip) stations.push_back(station_of(foils, strip));
   std::sort(stations.begin(), stations.end());
   stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
@@ -68,8 +69,10 @@ std::vector<int> strip_stations(const Foils& foils) {
 
 std::vector<Foils> strips_of(const Foils& foils) {
   std::vector<Foils> strips;
+  strips.reserve(static_cast<std::size_t>(bump_foil_of(foils).strips));
   for (int strip = 0; strip < bump_foil_of(foils).strips; ++strip) {
     std::vector<PlacedPad> pads;
+    pads.reserve(foils.placed.size());
     for (const PlacedPad& pad : foils.placed) pads.push_back(strip_of(pad, strip));
     strips.push_back(make_uniform_foils(std::move(pads)));
   }
