@@ -58,7 +58,9 @@ void add_drawn(const Case& input, Dataset& data, VariableMeaning meaning, std::v
 void add_deviations(const Case& input, Dataset& data) {
   const MonteCarloSettings& ensemble = *input.montecarlo;
   if (ensemble.bump_height) {
-    add_drawn(input, data, {"bump_height_deviation", "m", "deviation of the height of the bump"}, {"sample", "bump"},
+    std::vector<std::string> over{"sample", "bump"};
+    if (strips_drawn_apart(input) > 1) over.insert(over.begin() + 1, "strip");
+    add_drawn(input, data, {"bump_height_deviation", "m", "deviation of the height of the bump"}, std::move(over),
               [](const Sample& sample) { return sample.height_deviations; });
   }
   for (std::size_t i = 0; i < scattered_numbers().size(); ++i) {
@@ -102,6 +104,10 @@ Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const 
        count_pads(input) > 1 ? "number of the bump from the weld, pad after pad" : "number of the bump from the weld",
        whole_number},
       numbers_from(1.0, layout.bumps));
+  if (const std::size_t strips = strips_drawn_apart(input); strips > 1) {
+    data.add_dimension({"strip", "1", "strip of the bump foil, from the side z < 0 on", whole_number},
+                       numbers_from(1.0, strips));
+  }
   for (const NamedNumbers& geometry : make_result_layout(input, Experiment::cycle).at_bumps) {
     data.add_coordinate({geometry.name, geometry.unit, geometry.long_name}, {"bump"}, geometry.values);
   }

@@ -40,10 +40,14 @@ Json sensitivities_json(const Case& input, const std::vector<double>& found) {
   Json json;
   std::size_t next = 0;
   if (input.montecarlo->bump_height) {
-    json["bump_height"] = Json::array();
-    for (; next < static_cast<std::size_t>(total_bumps(input)); ++next) {
-      json["bump_height"].push_back(value_json(found[next]));
+    const std::size_t strips = strips_drawn_apart(input);
+    Json heights = Json::array();
+    for (std::size_t strip = 0; strip < strips; ++strip) {
+      Json of_strip = Json::array();
+      for (int bump = 0; bump < total_bumps(input); ++bump) of_strip.push_back(value_json(found[next++]));
+      heights.push_back(std::move(of_strip));
     }
+    json["bump_height"] = strips == 1 ? heights.front() : heights;
   }
   for (const ScatteredNumber& number : scattered_numbers()) {
     if ((*input.montecarlo).*number.distribution) json[std::string(number.name)] = value_json(found[next++]);

@@ -21,7 +21,7 @@ double correlation(const std::vector<BumpShape>& bumps, std::size_t bump, double
   return std::exp(-0.5 * (bumps[bump - 1].pitch + bumps[bump].pitch) / correlation_length);
 }
 
-/// Puts the heights of a foil behind those of the pads before it, which they do not correlate with.
+/// Puts the heights of a foil behind those of the pads and strips before it, which they do not correlate with.
 void draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace place,
                   std::vector<double>& deviations) {
   const bool correlated = heights.correlation_length > 0.0;
@@ -42,21 +42,39 @@ void draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace 
   }
 }
 
+/// The errors of the heights of all bumps, of a strip or of all.
+std::vector<double>& height_errors_of(BumpFoil& foil, std::size_t strip, std::size_t strips) {
+  const auto bumps = static_cast<std::size_t>(foil.bumps);
+  if (strips == 1) {
+    foil.height_errors.resize(bumps);
+    return foil.height_errors;
+  }
+  foil.strip.resize(strips);
+  PerBump& own = foil.strip[strip].height_errors;
+  own = listed(own, bumps);
+  return own.values;
+}
+
 /// Adds what was drawn to the heights of all bumps: each pad has a bump foil of its own then.
-void raise_bumps(BearingDesign& sampled, const std::vector<double>& deviations) {
+void raise_bumps(BearingDesign& sampled, std::size_t strips, const std::vector<double>& deviations) {
   auto next = deviations.begin();
-  const auto raise = [&next](BumpFoil& foil) {
-    foil.height_errors.resize(static_cast<std::size_t>(foil.bumps));
-    for (double& error : foil.height_errors) error += *next++;
-  };
-  if (sampled.pads.empty()) raise(sampled.bump_foil);
-  for (Pad& pad : sampled.pads) {
-    if (!pad.bump_foil) pad.bump_foil = sampled.bump_foil;
-    raise(*pad.bump_foil);
+  for (std::size_t strip = 0; strip < strips; ++strip) {
+    const auto raise = [&](BumpFoil& foil) {
+      for (double& error : height_errors_of(foil, strip, strips)) error += *next++;
+    };
+    if (sampled.pads.empty()) raise(sampled.bump_foil);
+    for (Pad& pad : sampled.pads) {
+      if (!pad.bump_foil) pad.bump_foil = sampled.bump_foil;
+      raise(*pad.bump_foil);
+    }
   }
 }
 
 }  // namespace
+
+std::size_t strips_drawn_apart(const Case& input) {
+  return input.lets_strips_move_apart() ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
+}
 
 Sample draw_sample(const Case& input, std::uint64_t number) {
   const MonteCarloSettings& ensemble = *input.montecarlo;
@@ -64,8 +82,11 @@ Sample draw_sample(const Case& input, std::uint64_t number) {
       .seed = static_cast<std::uint64_t>(ensemble.seed), .sample = number, .variable = height, .element = 0};
   Sample sample;
   if (ensemble.bump_height) {
-    for (const PlacedPad& pad : place_pads(input)) {
-      draw_heights(*ensemble.bump_height, pad.alone.bump_foil, place, sample.height_deviations);
+    const std::vector<PlacedPad> pads = place_pads(input);
+    for (std::size_t strip = 0; strip < strips_drawn_apart(input); ++strip) {
+      for (const PlacedPad& pad : pads) {
+        draw_heights(*ensemble.bump_height, pad.alone.bump_foil, place, sample.height_deviations);
+      }
     }
   }
   place.variable = waviness;
@@ -93,7 +114,7 @@ std::vector<double> factors_of(const Case& input, const Sample& sample) {
 
 Case sampled_case(const Case& input, const Sample& sample) {
   const auto deviate = [&](BearingDesign& design) {
-    if (!sample.height_deviations.empty()) raise_bumps(design, sample.height_deviations);
+    if (!sample.height_deviations.empty()) raise_bumps(design, strips_drawn_apart(input), sample.height_deviations);
     for (std::size_t i = 0; i < sample.deviations.size(); ++i) {
       scattered_numbers()[i].add(design, sample.deviations[i]);
     }

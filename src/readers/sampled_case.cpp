@@ -32,9 +32,15 @@ Sample read_sample(const NetcdfImage& image, std::size_t number, const Case& sto
   Sample sample;
   if (ensemble.bump_height) {
     const auto bumps = static_cast<std::size_t>(total_bumps(stored));
-    const StoredVariable& heights = image.variable("bump_height_deviation", {"sample", "bump"});
     if (image.size_of("bump") != bumps) image.refuse("bump", "does not have the size of the foil");
-    sample.height_deviations = image.numbers(heights, {number, 0}, {1, bumps});
+    const std::string name = "bump_height_deviation";
+    if (const std::size_t strips = strips_drawn_apart(stored); strips == 1) {
+      sample.height_deviations = image.numbers(image.variable(name, {"sample", "bump"}), {number, 0}, {1, bumps});
+    } else {
+      if (image.size_of("strip") != strips) image.refuse("strip", "does not have the size of the foil");
+      sample.height_deviations =
+          image.numbers(image.variable(name, {"sample", "strip", "bump"}), {number, 0, 0}, {1, strips, bumps});
+    }
   }
   for (const ScatteredNumber& scattered : scattered_numbers()) {
     const bool scatters = (ensemble.*scattered.distribution).has_value();

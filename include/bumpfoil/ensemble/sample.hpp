@@ -12,7 +12,8 @@ namespace bumpfoil {
 
 /// How one bearing of an ensemble differs from its case. A plain value.
 struct Sample {
-  std::vector<double> height_deviations;  ///< m, one per bump; empty where heights do not scatter
+  std::vector<double> height_deviations;  ///< m, one per bump, of strips_drawn_apart() strip after strip; empty
+                                          ///< where heights do not scatter
   std::vector<double> deviations;         ///< SI, one for each of scattered_numbers(); zero where it does not scatter
   double waviness_phase{};                ///< of the waves of the sleeve, rad
 
@@ -29,6 +30,9 @@ struct Sample {
 /// of independent standard normal e, and each height is the quantile of its distribution at the probability of its z.
 /// @pre  the case is valid and has an ensemble
 Sample draw_sample(const Case& input, std::uint64_t number);
+
+/// Strips of the bump foil whose bumps have heights of their own: 1 where all strips have the same.
+std::size_t strips_drawn_apart(const Case& input);
 
 /// Factors that sensitivities are asked for: the heights of the bumps where they scatter, and each of
 /// scattered_numbers() that does. The phase of waves is none, as it has no largest value.

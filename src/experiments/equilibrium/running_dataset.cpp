@@ -210,7 +210,7 @@ void add_fields(const EquilibriumResult& result, const ResultLayout& layout, con
 
 Dataset state_dataset(const Case& input, const EquilibriumResult& result) {
   ResultLayout layout = make_result_layout(input, Experiment::cycle);
-  layout.strips = input.has_strips_under_film() ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
+  layout.strips = input.lets_strips_move_apart() ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
   std::vector<std::size_t> places(result.states.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   StateDataset states(result, {"state"}, places);

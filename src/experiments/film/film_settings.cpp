@@ -291,7 +291,7 @@ void judge_halves(Judge& judge, const Case& input) {
                                                 : "width.conicity";
   const bool by_given_tilt = width.moment.empty() && width.tilts() && width.conicity == 0.0;
   for (const char* const command :
-       {"cycle", "path", "vibration", "stability", "unbalance", "transient", "montecarlo"}) {
+       {"cycle", "path", "vibration", "stability", "unbalance", "transient"}) {
     if (by_gas_alone && is_dry(command)) continue;
     if (by_given_tilt && is_dry(command)) {
       judge_dry_tilt(judge, input, command);
@@ -308,7 +308,7 @@ void judge_profile(Judge& judge, const Case& input) {
   judge_size(judge, "width.conicity", input.width.conicity, most_widening, "m");
   judge_size(judge, "width.crowning", input.width.crowning, most_widening, "m");
   if (input.width.crowning == 0.0) return;
-  for (const char* const command : {"cycle", "path", "vibration", "montecarlo"}) {
+  for (const char* const command : {"cycle", "path", "vibration"}) {
     judge.require_for(command, false, "width.crowning", quantity(input.width.crowning, "m"),
                       "is supported by commands with a film alone",
                       "remove width.crowning: the command presses the foils by a cylinder");
@@ -333,7 +333,7 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
   }
   judge.require_for("equilibrium", !input.has_staggered_strips(), "bump_foil.strip", "",
                     "staggers strips, which is not supported under a film", "set all staggers to 0");
-  for (const char* const command : {"stability", "unbalance", "transient", "montecarlo"}) {
+  for (const char* const command : {"stability", "unbalance", "transient"}) {
     judge.require_for(command, false, "bump_foil.strip", "",
                       "is supported by the commands cycle, path, vibration and equilibrium alone",
                       "remove [[bump_foil.strip]]: the command computes strips that are alike");
@@ -353,7 +353,7 @@ void judge_width(Judge& judge, const Case& input) {
     return;
   }
   const std::string advice = "set width.modes = 1, which computes foils that are uniform over the width";
-  for (const char* const command : {"film", "stability", "unbalance", "transient", "montecarlo"}) {
+  for (const char* const command : {"film", "stability", "unbalance", "transient"}) {
     judge.require_for(command, false, "width.modes", std::to_string(modes),
                       "is supported by the command equilibrium alone", advice);
   }

@@ -97,6 +97,34 @@ TEST(Sample, DrawsEveryBumpOfEveryPad) {
   EXPECT_NEAR(correlated[7], sample.height_deviations[7], 1e-15);
 }
 
+TEST(Sample, DrawsEveryBumpOfEveryStripThatMovesByItself) {
+  Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
+  input.bump_foil.bumps = 5;
+  input.bump_foil.strips = 2;
+  const std::vector<double> common = draw_sample(input, 3).height_deviations;
+  EXPECT_EQ(common.size(), 5U);  // a top foil that is uniform over the width cannot tell strips apart
+  input.width.modes = 2;
+  input.bump_foil.strip = {FoilStrip{}, FoilStrip{.stagger = 0.0, .height_errors = -1e-6}};
+  const Sample sample = draw_sample(input, 3);
+  ASSERT_EQ(sample.height_deviations.size(), 10U);
+  const Case drawn = sampled_case(input, sample);
+  EXPECT_TRUE(drawn.bump_foil.height_errors.empty());
+  ASSERT_EQ(drawn.bump_foil.strip.size(), 2U);
+  for (std::size_t bump = 0; bump < 5; ++bump) {
+    EXPECT_EQ(sample.height_deviations[bump], common[bump]);
+    EXPECT_EQ(drawn.bump_foil.strip[0].height_errors.at(bump, 5), common[bump]);
+    EXPECT_EQ(drawn.bump_foil.strip[1].height_errors.at(bump, 5), -1e-6 + sample.height_deviations[5 + bump]);
+  }
+  // Of two pads all bumps of a strip come before those of the next.
+  input.pads.resize(2);
+  const Sample of_pads = draw_sample(input, 3);
+  ASSERT_EQ(of_pads.height_deviations.size(), 20U);
+  const Case pads = sampled_case(input, of_pads);
+  ASSERT_TRUE(pads.pads[1].bump_foil);
+  EXPECT_EQ(pads.pads[1].bump_foil->strip[0].height_errors.at(2, 5), of_pads.height_deviations[7]);
+  EXPECT_EQ(pads.pads[0].bump_foil->strip[1].height_errors.at(2, 5), -1e-6 + of_pads.height_deviations[12]);
+}
+
 TEST(Sample, HeightsHaveTheMomentsOfTheirDistribution) {
   const Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
   constexpr int samples = 2000;

@@ -1,5 +1,5 @@
 import { countedFromWeld, numberText, tickText, type Counted } from './counted';
-import type { CaseKeys, DistributionData, EnsembleData, Quantity, StatisticsData } from './format';
+import type { CaseKeys, DistributionData, EnsembleData, Quantity, Sensitivities, StatisticsData } from './format';
 import { directionName } from './kinds';
 import { Result } from './result';
 import { capital, Run } from './run';
@@ -96,13 +96,15 @@ export class Ensemble extends Result<EnsembleData> {
 
   /** Of the heights of the bumps one each, from the weld on; none where they do not scatter. */
   get heightFactors(): Factor[] {
-    const heights = (quantity: string, direction: number): number[] => numbersOf(this.sensitivity(quantity, direction)['bump_height']);
-    const count = Math.max(0, ...this.quantities.map(({ name }) => heights(name, 0).length));
-    return Array.from({ length: count }, (_, bump) => ({
-      text: tickText(this.counted(bump)),
-      title: `Height of bump ${numberText(this.counted(bump))}`,
-      correlation: (quantity, direction) => heights(quantity, direction)[bump] ?? NaN,
-    }));
+    const heights = (quantity: string, direction: number): number[][] => listsOf(this.sensitivity(quantity, direction)['bump_height']);
+    const most = this.quantities.map(({ name }) => heights(name, 0)).reduce((a, b) => (b.flat().length > a.flat().length ? b : a), []);
+    return most.flatMap((bumps, strip) =>
+      bumps.map((_, bump) => ({
+        text: (most.length > 1 ? `${strip + 1}: ` : '') + tickText(this.counted(bump)),
+        title: `Height of bump ${numberText(this.counted(bump))}${most.length > 1 ? ` of strip ${strip + 1}` : ''}`,
+        correlation: (quantity: string, direction: number) => heights(quantity, direction)[strip]?.[bump] ?? NaN,
+      })),
+    );
   }
 
   /** Of what is common to a bearing. */
@@ -121,13 +123,19 @@ export class Ensemble extends Result<EnsembleData> {
     return numbersOf(this.distribution(quantity)?.first[direction])[this.numbers.get(run) ?? -1] ?? NaN;
   }
 
-  private sensitivity(quantity: string, direction: number): Record<string, number | null | (number | null)[]> {
+  private sensitivity(quantity: string, direction: number): Sensitivities {
     return this.byDirection(this.data.summary.sensitivities, direction)?.[quantity] ?? {};
   }
 
   private byDirection<T>(table: Record<string, T>, direction: number): T | undefined {
     return Object.values(table)[direction];
   }
+}
+
+/** Of several strips a list each. */
+function listsOf(all: unknown): number[][] {
+  if (!Array.isArray(all) || all.length === 0) return [];
+  return Array.isArray(all[0]) ? all.map(numbersOf) : [numbersOf(all)];
 }
 
 function numbersOf(list: unknown): number[] {

@@ -288,6 +288,9 @@ export interface Summary extends SummaryHead {
   cycles: CycleSummary[];
 }
 
+/** By what scatters: one for each bump for heights, of several strips a list each. */
+export type Sensitivities = Record<string, number | null | (number | null)[] | (number | null)[][]>;
+
 /** By direction: "+X". */
 export interface EnsembleSummary extends SummaryHead {
   samples: number;
@@ -295,8 +298,8 @@ export interface EnsembleSummary extends SummaryHead {
   /** By the keys of quantities. */
   statistics: Record<string, Record<string, StatisticsData>>;
   bump_loads: Record<string, { mean_N?: (number | null)[]; std_N?: (number | null)[] }>;
-  /** By the names of quantities, and of what scatters: one per bump for heights. */
-  sensitivities: Record<string, Record<string, Record<string, number | null | (number | null)[]>>>;
+  /** By the names of quantities. */
+  sensitivities: Record<string, Record<string, Sensitivities>>;
   limits: (YieldData & { limit: string })[];
   yield?: YieldData;
 }
