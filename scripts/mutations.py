@@ -2,10 +2,11 @@
 
 Usage: mutations.py BUILD RESULTS.jsonl [--module NAME]... [--count N] [--seed S] [--jobs N] [--again] [--page PAGE.md]
 
-Mutants are drawn evenly over the lines of a module. The changed source is compiled by itself, beside the tree, and
-linked before the library of BUILD, whose own functions of the same names it hides: a minute for what a build of the
-library would take ten. A function of the library that was inlined elsewhere stays what it was, which can only hide
-mutants from tests, not the other way round. The tests beside the changed source run first, as they notice most.
+Mutants are drawn evenly over the lines of a module. Those of one source are compiled together (mutant_schemata.py),
+beside the tree, and linked before the library of BUILD, whose own functions of the same names they hide: seconds for
+what a build of the library would take minutes. A function of the library that was inlined elsewhere stays what it was,
+which can only hide mutants from tests, not the other way round. The tests beside the changed source run first, as they
+notice most.
 
 Each mutant is a line of RESULTS: where it is, what it changes and what became of it. Those that are there are not tried
 again, so that a stopped run goes on; with --again those that no test noticed are, where tests have been written since.
@@ -27,6 +28,8 @@ import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+from mutant_schemata import HEADER, switched
 
 # Of the films against the prototype, those of less than half a second stand in front; those of minutes are left out.
 FIRST_OF_FILMS = (
@@ -73,10 +76,11 @@ BOUNDS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > ")]
 CONDITIONS = [(" < ", " >= "), (" <= ", " > "), (" > ", " <= "), (" >= ", " < ")]
 NUMBER = re.compile(r"(?<![\w.])(?<!\de-)(\d+\.\d+|\d+(?:\.\d+)?e[-+]?\d+|[1-9]\d*)(?![\w.])")
 STATEMENT = re.compile(r"\s+[\w.\[\]()>-]+ (?:[-+*/]?=) [^;{}]*;")
-# Named constants of iterations, steps and tolerances, which tune how quickly or finely an answer is found; messages.
+# Named constants of iterations, steps and tolerances, which tune how quickly or finely an answer is found; messages;
+# memory that is only taken sooner.
 LEFT_ALONE = re.compile(
     r"^constexpr (?:int|double|Eigen::Index|std::size_t|std::int64_t) \w+ =|"
-    r'^\s*(?://|#|template|using|static_assert|BUMPFOIL_ASSERT|namespace)|"|\bcase\b|<[a-z:_]+>'
+    r'^\s*(?://|#|template|using|static_assert|BUMPFOIL_ASSERT|namespace)|"|\bcase\b|<[a-z:_]+>|\breserve\('
 )
 
 
@@ -89,18 +93,20 @@ def other_number(text):
 
 
 def changes_of(line):
-    """All changes of a line: (description, new line)."""
+    """All changes of a line: (description, new line, place of what changes, old, new)."""
     code = line.split("//")[0]
     if LEFT_ALONE.search(code):
         return
     for old, new in [*SWAPS, *(BOUNDS if BOUND.search(code) else CONDITIONS)]:
         for match in re.finditer(re.escape(old), code):
-            yield f"{old.strip()} -> {new.strip() or 'nothing'}", line[: match.start()] + new + line[match.end() :]
+            changed = line[: match.start()] + new + line[match.end() :]
+            yield f"{old.strip()} -> {new.strip() or 'nothing'}", changed, match.start(), old, new
     for match in NUMBER.finditer(code):
         other = other_number(match[0])
-        yield f"{match[0]} -> {other}", line[: match.start()] + other + line[match.end() :]
+        changed = line[: match.start()] + other + line[match.end() :]
+        yield f"{match[0]} -> {other}", changed, match.start(), match[0], other
     if STATEMENT.fullmatch(code):
-        yield "dropped", re.match(r"\s*", line)[0] + ";"
+        yield "dropped", re.match(r"\s*", line)[0] + ";", 0, "", ""
 
 
 def mutants_of(root, module, count, generator):
@@ -112,7 +118,7 @@ def mutants_of(root, module, count, generator):
             if changes:
                 lines.append((file.relative_to(root).as_posix(), number, line, changes))
     for file, number, line, changes in generator.sample(lines, min(count, len(lines))):
-        change, changed = generator.choice(changes)
+        change, changed, *_ = generator.choice(changes)
         yield {"module": module, "file": file, "line": number, "code": line.strip(), "change": change, "new": changed}
 
 
@@ -120,10 +126,10 @@ def runs(command, folder):
     return subprocess.run(command, cwd=folder, capture_output=True, check=False).returncode == 0
 
 
-def seconds_of(command, folder, temporary, limit=None):
-    """Processor time of a test program and whether it ended well; it is ended after `limit` seconds."""
+def seconds_of(command, folder, temporary, chosen=0, limit=None):
+    """Processor time of a test program and whether it ended well with a mutant; it is ended after `limit` seconds."""
     limits = ["prlimit", f"--as={MOST_MEMORY}", *([f"--cpu={limit:.0f}"] if limit else [])]
-    environment = {**os.environ, "TMPDIR": temporary}
+    environment = {**os.environ, "TMPDIR": temporary, "MUTANT": str(chosen)}
     with subprocess.Popen(
         [*limits, *command], cwd=folder, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     ) as process:
@@ -146,17 +152,19 @@ def commands_of(build, target):
 
 @functools.cache
 def compile_command(build, folder):
-    """How a source of the library is compiled, without the names of the source and of what comes out. Accesses behind
-    the end of what holds them are ended, as under the sanitizers; the header in front is compiled for that anew."""
+    """How a source of the library is compiled, without the names of the source and of what comes out: less optimised, as
+    it takes longer to compile than to run. Accesses behind the end of what holds them are ended, as under the sanitizers;
+    the header in front is compiled for that anew."""
     commands = commands_of(build, "src/libbumpfoil.a")
     line = next(line for line in commands if "/Unity/" in line and " -o src/" in line)
-    words = [*shlex.split(line)[: shlex.split(line).index("-MD")], "-w", "-D_GLIBCXX_ASSERTIONS"]
+    words = [*shlex.split(line)[: shlex.split(line).index("-MD")], "-O1", "-w", "-D_GLIBCXX_ASSERTIONS"]
     place = words.index("-include")
     header = f"{folder}/{Path(words[place + 1]).name}"
     Path(header).write_bytes(Path(words[place + 1]).read_bytes())
     words = [*words[:place], *words[place + 2 :]]
     subprocess.run([*words, "-x", "c++-header", header, "-o", f"{header}.gch"], cwd=build, check=True)
-    return [*words, "-include", header]
+    Path(f"{folder}/mutants.hpp").write_text(HEADER, encoding="utf-8")
+    return [*words, "-include", header, "-include", f"{folder}/mutants.hpp"]
 
 
 def link_command(build, program, mutant, linked):
@@ -176,56 +184,104 @@ def own_suites(root, file):
     return sorted({suite for test in files for suite in SUITE.findall(test.read_text(encoding="utf-8"))})
 
 
-def runs_of(root, build, mutant, stage):
-    """(program, options, most seconds) of its quick tests or of its long ones, those beside the source first."""
-    beside = f"unit_{mutant['module']}"
-    own = ":".join(f"{suite}.*:*/{suite}.*:{suite}/*" for suite in own_suites(root, mutant["file"]))
-    if own and stage == 0:
-        chosen = f"--gtest_filter={own}"
-        yield beside, [chosen], SECONDS_BESIDES + TIMES_AS_LONG * usual_seconds(root, build, beside, chosen)
-    for program, *options in map(str.split, MODULES[mutant["module"]][stage]):
-        others = [f"--gtest_filter=-{own}"] if own and program == beside else options
-        yield program, others, SECONDS_OF_PROGRAM
-
-
-@functools.cache
-def usual_seconds(root, build, program, option):
-    """Processor time of tests of the build as it is."""
-    path = next(path for path in (build / "tests" / program, build / program) if path.exists())
-    with tempfile.TemporaryDirectory() as folder:
-        seconds, passed = seconds_of([path, "--gtest_brief=1", option], root / "tests", folder)
-    if not passed:
-        sys.exit(f"{program} {option}: fails on what is unchanged")
-    return seconds
-
-
 def place_of(lines, mutant):
     """Index of the line that the mutant changes, which may have moved since it was drawn."""
     places = [place for place, line in enumerate(lines) if line.strip() == mutant["code"]]
     return min(places, key=lambda place: abs(place + 1 - mutant["line"]), default=None)
 
 
-def verdict_on(root, build, kept, mutant, stage):
-    """caught (by which program), OPEN, survived, or not compiled."""
-    lines = (root / mutant["file"]).read_text(encoding="utf-8").splitlines()
-    place = place_of(lines, mutant)
-    if place is None:
-        return "gone"
-    lines[place] = mutant["new"]
-    with tempfile.TemporaryDirectory() as folder:
-        source, object_file, linked = (f"{folder}/{name}" for name in ("mutant.cpp", "mutant.o", "tests"))
+class Mutants:
+    """A source with some of its mutants, compiled together, and the test programs that are linked with it."""
+
+    def __init__(self, root, build, kept, mutants):
+        self.root, self.build, self.kept, self.mutants = root, build, kept, mutants
+        self.file, self.module = mutants[0]["file"], mutants[0]["module"]
+        self.lines = (root / self.file).read_text(encoding="utf-8").splitlines()
+        self.together, self.alone = [], []
+        self.limit = SECONDS_OF_PROGRAM
+        for mutant in mutants:
+            place = place_of(self.lines, mutant)
+            others = [place_of(self.lines, other) for other in self.together]
+            if place is None:
+                mutant["verdict"] = "gone"
+            elif place in others or not self.switched_line(mutant, 1):
+                self.alone.append(mutant)
+            else:
+                self.together.append(mutant)
+
+    def switched_line(self, mutant, k):
+        line = self.lines[place_of(self.lines, mutant)]
+        changes = [rest for _, new, *rest in changes_of(line) if new == mutant["new"]]
+        return switched(line, *changes[0], k) if changes else None
+
+    def compiled(self, folder, lines):
+        """Where the compiler sees errors, by line; None if nowhere."""
+        source = f"{folder}/mutant.cpp"
         Path(source).write_text("\n".join(lines) + "\n", encoding="utf-8")
-        if not runs([*compile_command(build, kept), "-c", source, "-o", object_file], build):
-            return "not compiled"
+        command = [*compile_command(self.build, self.kept), "-fno-diagnostics-show-caret", "-c", source]
+        told = subprocess.run(
+            [*command, "-o", f"{folder}/mutant.o"], cwd=self.build, capture_output=True, text=True, check=False
+        )
+        return {int(line) - 1 for line in re.findall(r"mutant\.cpp:(\d+):", told.stderr)} if told.returncode else None
+
+    def try_all(self, stage, report):
+        """Gives all their verdicts: caught (by which program), OPEN, survived, or not compiled."""
+        while self.together:
+            with tempfile.TemporaryDirectory() as folder:
+                lines = list(self.lines)
+                for k, mutant in enumerate(self.together, 1):
+                    lines[place_of(self.lines, mutant)] = self.switched_line(mutant, k)
+                wrong = self.compiled(folder, lines)
+                if wrong is None:
+                    self.meet_tests(folder, self.together, stage, report)
+                    break
+                # What is wrong anywhere else comes of one of them.
+                left = [mutant for mutant in self.together if place_of(self.lines, mutant) not in wrong]
+                left = left if len(left) < len(self.together) else []
+                self.alone += [mutant for mutant in self.together if mutant not in left]
+                self.together = left
+        for mutant in self.alone:
+            with tempfile.TemporaryDirectory() as folder:
+                lines = list(self.lines)
+                lines[place_of(self.lines, mutant)] = mutant["new"]
+                if self.compiled(folder, lines) is None:
+                    self.meet_tests(folder, [mutant], stage, report)
+                else:
+                    mutant["verdict"] = "not compiled"
+                    report(mutant)
+
+    def meet_tests(self, folder, mutants, stage, report):
+        """What is left of the mutants after each test program, those beside the source first."""
+        beside = f"unit_{self.module}"
+        own = ":".join(f"{suite}.*:*/{suite}.*:{suite}/*" for suite in own_suites(self.root, self.file))
+        tests = [(beside, [f"--gtest_filter={own}"])] if own and stage == 0 else []
+        for program, *options in map(str.split, MODULES[self.module][stage]):
+            tests.append((program, [f"--gtest_filter=-{own}"] if own and program == beside else options))
         last = None
-        for program, options, limit in runs_of(root, build, mutant, stage):
-            if program != last and not runs(link_command(build, program, object_file, linked), build):
-                return "not compiled"
+        for place, (program, options) in enumerate(tests):
+            if program != last and not runs(
+                link_command(self.build, program, f"{folder}/mutant.o", f"{folder}/tests"), self.build
+            ):
+                raise RuntimeError(f"{self.file}: {program} does not link")
             last = program
-            command = [linked, "--gtest_brief=1", "--gtest_fail_fast", *options]
-            if not seconds_of(command, root / "tests", folder, limit)[1]:
-                return f"caught by {program}"
-    return "survived" if stage == 1 else OPEN
+            command = [f"{folder}/tests", "--gtest_brief=1", "--gtest_fail_fast", *options]
+            limit = SECONDS_OF_PROGRAM
+            if place == 0 and own and stage == 0:
+                if mutants is self.together:
+                    usual, passed = seconds_of(command, self.root / "tests", folder)
+                    if not passed:
+                        raise RuntimeError(f"{self.file}: {program} fails on what is unchanged")
+                    self.limit = SECONDS_BESIDES + TIMES_AS_LONG * usual
+                limit = self.limit
+            for k, mutant in enumerate(mutants, 1):
+                if "verdict" in mutant or seconds_of(command, self.root / "tests", folder, k, limit)[1]:
+                    continue
+                mutant["verdict"] = f"caught by {program}"
+                report(mutant)
+        for mutant in mutants:
+            if "verdict" not in mutant:
+                mutant["verdict"] = "survived" if stage == 1 else OPEN
+                report(mutant)
 
 
 def key_of(mutant):
@@ -238,8 +294,9 @@ def page_of(results, reasons):
     yield "# Mutations\n"
     yield "One token of the sources is changed at a time, and the short tests of its module run on it (`make mutations`):"
     yield "signs, operators, conditions, constants, loops that go one too far, statements that are dropped. Messages and"
-    yield "named constants of iterations, steps and tolerances are left alone. Lines are drawn evenly over a module."
-    yield "Comparisons outside loops and sizes are turned round, and tolerances grow a thousandfold.\n"
+    yield "named constants of iterations, steps and tolerances are left alone. Lines are drawn evenly over a module;"
+    yield "the sources with most of them come first. Comparisons outside loops and sizes are turned round, and"
+    yield "tolerances grow a thousandfold.\n"
     yield "| module | changes | caught | of these by tests written since | not caught |\n|---|---|---|---|---|"
     rows = []
     for module in MODULES:
@@ -283,25 +340,36 @@ def main():
         unnoticed = [one for one in known.values() if one["verdict"] in ("survived", OPEN)]
         drawn = [{**one, "again": True} for one in unnoticed if one["module"] in modules]
     else:
-        # One of each module in turn, so that a run that is stopped has tried all.
-        every = [mutants_of(root, module, options.count, random.Random(options.seed)) for module in modules]
-        drawn = [one for turn in itertools.zip_longest(*every) for one in turn if one and key_of(one) not in known]
+        every = (mutants_of(root, module, options.count, random.Random(options.seed)) for module in modules)
+        drawn = [one for one in itertools.chain(*every) if key_of(one) not in known]
     known.update({key_of(one): one for one in drawn})
 
-    def try_one(mutant, stage):
-        start = time.monotonic()
-        mutant["verdict"] = verdict_on(root, build, kept, mutant, stage)
-        seconds = time.monotonic() - start
-        place = f"{mutant['file']}:{mutant['line']}"
-        print(f"{place}: {mutant['change']}: {mutant['verdict']} ({seconds:.0f} s)", flush=True)
+    def report(mutant):
+        print(f"{mutant['file']}:{mutant['line']}: {mutant['change']}: {mutant['verdict']}", flush=True)
         with options.results.open("a") as file:
             file.write(json.dumps(mutant) + "\n")
 
+    def try_source(mutants, stage):
+        for mutant in mutants:
+            mutant.pop("verdict", None)
+        try:
+            Mutants(root, build, kept, mutants).try_all(stage, report)
+        except RuntimeError as error:
+            print(error, flush=True)
+
+    def by_source(mutants):
+        """The source with most mutants of each module in turn, so that a run that is stopped has tried many of all."""
+        sources = {module: {} for module in modules}
+        for mutant in mutants:
+            sources[mutant["module"]].setdefault(mutant["file"], []).append(mutant)
+        sizes = [sorted(files.values(), key=len, reverse=True) for files in sources.values()]
+        return [source for turn in itertools.zip_longest(*sizes) for source in turn if source]
+
     with tempfile.TemporaryDirectory() as kept, ThreadPoolExecutor(options.jobs) as jobs:
         compile_command(build, kept)
-        list(jobs.map(try_one, drawn, itertools.repeat(0)))
-        left = [one for one in known.values() if one["verdict"] == OPEN and one["module"] in modules]
-        list(jobs.map(try_one, left, itertools.repeat(1)))
+        list(jobs.map(try_source, by_source(drawn), itertools.repeat(0)))
+        left = [one for one in known.values() if one.get("verdict") == OPEN and one["module"] in modules]
+        list(jobs.map(try_source, by_source(left), itertools.repeat(1)))
     return 0
 
 

@@ -116,7 +116,6 @@ bool ContactTableau::find_rates() {
 /// Builds the matrix of given modes anew.
 bool ContactTableau::restart(const std::vector<ContactMode>& mode) {
   mode_ = mode;
-  has_rates_ = false;
   if (!find_rates()) return false;
   modes_->solve_units(unit_x_, unit_force_);
   scale_.setOnes();

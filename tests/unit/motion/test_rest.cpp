@@ -28,6 +28,18 @@ TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
   expect_solved(bearing, released);
 }
 
+/// The march goes on in steps of any length until hardly anything changes.
+TEST(Rest, ComesLaterWhereLessIsRest) {
+  const FilmBearing bearing = film_reference_bearing(rest_resolution);
+  const auto time_until_rest = [&](double resting_change) {
+    FilmStepper stepper(bearing, {.last_time_step = 0.0, .resting_change = resting_change});
+    BearingState state;
+    EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, Status::converged);
+    return state.time;
+  };
+  EXPECT_GT(time_until_rest(1e-5), 1.1 * time_until_rest(1e-2));
+}
+
 TEST(Rest, StopsWhenTold) {
   const FilmBearing bearing = film_reference_bearing(rest_resolution);
   int solves = 0;

@@ -233,7 +233,9 @@ TEST(LargeDisplacements, OfDifferentBumpsAreSmallNearTheUndeformedFoils) {
 
 TEST(FoilStructure, TakesTheFoilsOfFurtherPads) {
   for (const Geometry geometry : {Geometry::linear, Geometry::nonlinear}) {
-    FoilDesign design = make_bearing_design(reference_case());
+    Case input = reference_case();
+    input.top_foil.formed_radius = {FormedTo::radius, 1.02 * 19.05e-3};
+    FoilDesign design = make_bearing_design(input);
     design.model = BumpFoilModel::frame;
     design.geometry = geometry;
     design.bumps.resize(3);
