@@ -16,7 +16,8 @@ SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>
   require_bearing(input, commands);
   if (!input.varies_over_the_width()) return std::make_shared<const Foils>(make_foils(input));
   const Eigen::Vector2d slope(input.width.tilt[0], input.width.tilt[1]);
-  if (input.bump_foil.is_split()) return std::make_shared<const Foils>(on_strips(make_foils(input), input.width.modes, slope));
+  if (input.bump_foil.is_split())
+    return std::make_shared<const Foils>(on_strips(make_foils(input), input.width.modes, slope));
   return std::make_shared<const Foils>(under_tilted_journal(make_foils(input), input.width.modes, slope));
 }
 
