@@ -399,6 +399,9 @@ Json fit_lists(const FitResult& result) {
 
 std::string fitted_case_text(const FitResult& result) {
   std::string out = "# A case with values that `bumpfoil fit` found from measured data; all numbers are in SI.\n";
+  if (result.status != Status::converged) {
+    out += fmt::format("# The fit did not converge ({}): these values are not final.\n", name_of(result.status));
+  }
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const FittedValue& found = result.parameters[i];
     const std::string unit = result.units[i] == "1" ? "" : " " + result.units[i];
