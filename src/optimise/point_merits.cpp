@@ -8,7 +8,8 @@ namespace bumpfoil {
 namespace {
 
 /// Of a quantity: its size at the first point that has it.
-double size_of(const std::vector<OptimisePoint>& points, std::vector<double> OptimisePoint::*numbers, std::size_t i) {
+double size_at_first(const std::vector<OptimisePoint>& points, std::vector<double> OptimisePoint::*numbers,
+                     std::size_t i) {
   for (const OptimisePoint& point : points) {
     if (point.status != PointStatus::converged) continue;
     if (const double size = std::abs((point.*numbers)[i]); size > 0.0) return size;
@@ -21,12 +22,12 @@ double size_of(const std::vector<OptimisePoint>& points, std::vector<double> Opt
 void PointMerits::take_sizes(const std::vector<OptimisePoint>& points) {
   aim_scales_.reserve(problem_.aims.size());
   for (std::size_t i = 0; i < problem_.aims.size(); ++i) {
-    aim_scales_.push_back(size_of(points, &OptimisePoint::aims, i));
+    aim_scales_.push_back(size_at_first(points, &OptimisePoint::aims, i));
   }
   limit_scales_.reserve(problem_.limits.size());
   for (std::size_t i = 0; i < problem_.limits.size(); ++i) {
     const double bound = std::abs(problem_.limits[i].bound);
-    limit_scales_.push_back(bound > 0.0 ? bound : size_of(points, &OptimisePoint::limits, i));
+    limit_scales_.push_back(bound > 0.0 ? bound : size_at_first(points, &OptimisePoint::limits, i));
   }
 }
 
