@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "bumpfoil/case/case_reader.hpp"
@@ -44,6 +45,17 @@ Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand 
   return read_sampled_case(sample.substr(0, colon), number, input, command);
 }
 
+/// A fit writes a case.toml: results must not overwrite the case that they come from, under any name.
+void require_other_file(const ExperimentOptions& options, const std::vector<std::string>& names) {
+  std::error_code code;
+  for (const std::string& name : names) {
+    const std::filesystem::path path = std::filesystem::path(options.folder) / name;
+    if (!std::filesystem::equivalent(path, options.case_path, code)) continue;
+    throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is the case of this run, which a result would replace",
+                                   "give another folder"}});
+  }
+}
+
 void remove_all(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   for (const std::string& name : names) std::filesystem::remove(folder / name);
 }
@@ -55,6 +67,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
       parse_case(case_text, options.case_path,
                  {.overrides = options.overrides, .commands = {std::string(experiment.name)}, .check = faults_of_run});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
+  require_other_file(options, experiment.files);
   const InterruptionGuard guard;  // before there is anything to clean up
   bool resumes = false;
   for (const std::string& name : experiment.checkpoints) {

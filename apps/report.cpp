@@ -46,10 +46,11 @@ void check_output(const std::filesystem::path& path, const ReportOptions& option
                                    "give the page another name, such as report.html"}});
   }
   for (const std::filesystem::path& folder : options.folders) {
-    for (const char* name : {"summary.json",      "result.nc",     "cycle.csv",     "strip.csv",     "path.csv",
-                             "equilibrium.csv",   "film.csv",      "sweep.nc",      "sweep.csv",     "ensemble.nc",
-                             checkpoint_name,     "vibration.csv", "stability.csv", "unbalance.csv", "coefficients.csv",
-                             "coefficients.toml", "fit.csv",       "fit.nc",        "points.csv",    "case.toml"}) {
+    for (const char* name :
+         {"summary.json",  "result.nc",     "cycle.csv",        "strip.csv",         "path.csv",      "equilibrium.csv",
+          "film.csv",      "sweep.nc",      "sweep.csv",        "ensemble.nc",       checkpoint_name, "vibration.csv",
+          "stability.csv", "unbalance.csv", "coefficients.csv", "coefficients.toml", "transient.csv", "fit.csv",
+          "fit.nc",        "points.csv",    "case.toml"}) {
       if (!std::filesystem::equivalent(path, folder / name, code)) continue;
       throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is one of the results that this report reads",
                                      "give the page another name, such as report.html"}});

@@ -32,6 +32,8 @@ constexpr auto displacements = std::to_array<NamedField>({{"top_displacement", &
                                                           {"foot_u", &FoilFields::foot_u},
                                                           {"foot_v", &FoilFields::foot_v},
                                                           {"compression", &FoilFields::compression},
+                                                          {"top_slope", &FoilFields::top_slope},
+                                                          {"top_parabola", &FoilFields::top_parabola},
                                                           {"crest_u_slope", &FoilFields::crest_u_slope},
                                                           {"crest_v_slope", &FoilFields::crest_v_slope},
                                                           {"foot_u_slope", &FoilFields::foot_u_slope},

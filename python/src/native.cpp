@@ -44,10 +44,22 @@ namespace py = pybind11;
 
 using Files = std::map<std::string, py::bytes>;
 
+/// What the command line calls --force is an argument here.
+Error as_python_says_it(const Error& error) {
+  constexpr std::string_view option = "--force";
+  std::vector<Fault> faults = error.faults();
+  for (Fault& fault : faults) {
+    const std::size_t at = fault.advice.find(option);
+    if (at != std::string::npos) fault.advice.replace(at, option.size(), "force=True");
+  }
+  return {error.kind(), std::move(faults)};
+}
+
 void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): as pybind11 wants it
   try {
     if (thrown) std::rethrow_exception(thrown);
-  } catch (const Error& error) {
+  } catch (const Error& thrown_error) {
+    const Error error = as_python_says_it(thrown_error);
     py::list faults;
     for (const Fault& fault : error.faults()) faults.append(format_fault(fault));
     const py::object type =

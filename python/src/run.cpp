@@ -51,7 +51,8 @@ Sweep read_sweep(const CaseSource& source, const std::string& command, const std
 }
 
 Provenance provenance_of(const std::string& command, const std::string& case_text) {
-  return {.command_line = "bumpfoil.run_" + command + " (Python)", .case_text = case_text};
+  const bool is_verb = command == "fit" || command == "optimise";
+  return {.command_line = (is_verb ? "bumpfoil." : "bumpfoil.run_") + command + " (Python)", .case_text = case_text};
 }
 
 Run run_command(const std::string& command, const Case& input, const std::string& case_text,

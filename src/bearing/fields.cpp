@@ -157,6 +157,8 @@ void record_modes(const Foils& foils, const Vector& x, Eigen::Index increment, F
     }
   };
   const int first_bump = foils.structure.first_bump;
+  put(fields.top_slope, 1, first_bump, {dofs.top_u});
+  put(fields.top_parabola, 2, first_bump, {dofs.top_u});
   put(fields.crest_u_slope, 1, first_bump, {dofs.crest_u});
   put(fields.crest_v_slope, 1, first_bump, {dofs.crest_v});
   put(fields.foot_u_slope, 1, 0, dofs.foot_u);
@@ -196,11 +198,17 @@ void InterfaceFields::truncate(Eigen::Index increments) {
 }
 
 void FoilFields::truncate(Eigen::Index increments) {
-  for (FieldMatrix* field :
-       {&top_displacement, &crest_u,          &crest_v,           &foot_u,           &foot_v,
-        &compression,      &crest_u_slope,    &crest_v_slope,     &foot_u_slope,     &foot_v_slope,
-        &crest_v_parabola, &pad_force_x,      &pad_force_y,       &strip_load,       &stress.top_weld,
-        &stress.top_crest, &stress.bump_weld, &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
+  for (FieldMatrix* field : {&top_displacement, &crest_u,
+                             &crest_v,          &foot_u,
+                             &foot_v,           &compression,
+                             &top_slope,        &crest_u_slope,
+                             &crest_v_slope,    &foot_u_slope,
+                             &foot_v_slope,     &top_parabola,
+                             &crest_v_parabola, &pad_force_x,
+                             &pad_force_y,      &strip_load,
+                             &stress.top_weld,  &stress.top_crest,
+                             &stress.bump_weld, &stress.bump_crest,
+                             &stress.bump_foot, &stress.bump_largest}) {
     field->conservativeResize(increments, Eigen::NoChange);
   }
   for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
@@ -249,10 +257,13 @@ FoilFields make_fields(const Foils& foils, int increments) {
   for (FieldMatrix* field : {&fields.crest_u_slope, &fields.crest_v_slope}) {
     field->resize(increments, has_slope ? bumps : 0);
   }
+  const bool has_pressed_top = foils.has_top_foil() && !foils.under_film;  // films have their own shape of it
+  fields.top_slope.resize(increments, has_pressed_top && has_slope ? bumps : 0);
   for (FieldMatrix* field : {&fields.foot_u_slope, &fields.foot_v_slope}) {
     field->resize(increments, has_slope ? feet : 0);
   }
   const bool has_parabola = foils.points.empty() && foils.crest_contacts() > (has_slope ? 2 : 1);
+  fields.top_parabola.resize(increments, has_pressed_top && has_parabola ? bumps : 0);
   fields.crest_v_parabola.resize(increments, has_parabola ? bumps : 0);
   for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
     field->resize(increments, foils.pad_count() > 1 && !foils.under_film ? foils.pad_count() : 0);

@@ -1,7 +1,5 @@
 #include "bumpfoil/optimise/optimise.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -13,9 +11,10 @@
 #include "bumpfoil/ensemble/draws.hpp"
 #include "bumpfoil/ensemble/parallel_runs.hpp"
 #include "core/even_point.hpp"
-#include "core/number_text.hpp"
 #include "optimise/constrained_search.hpp"
+#include "optimise/key_box.hpp"
 #include "optimise/optimise_model.hpp"
+#include "optimise/point_merits.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -36,14 +35,6 @@ constexpr double least_apart = 0.15;
 constexpr double part_of_tolerance = 0.1;
 /// A limit is active that is met by less than this part of its bound.
 constexpr double active_part = 0.01;
-
-using KeyValues = std::vector<double>;
-
-/// What a search is for: an aim, and how good another is to be at least.
-struct SearchGoal {
-  std::size_t aim{};
-  std::optional<OptimiseLimit> other{};
-};
 
 /// Points that are known, in the order of their evaluation.
 class KnownPoints {
@@ -83,12 +74,10 @@ class Optimiser {
   Optimiser(const Case& input, const ProgressCallback& progress, unsigned threads)
       : model_(input),
         settings_(model_.settings()),
+        box_(settings_.keys),
         progress_(progress),
-        threads_(threads > 0 ? threads : available_threads()) {
-    start_.reserve(settings_.keys.size());
-    for (std::size_t i = 0; i < settings_.keys.size(); ++i) {
-      start_.push_back(short_value(model_.start()[i], settings_.keys[i]));
-    }
+        threads_(threads > 0 ? threads : available_threads()),
+        start_(box_.short_values(model_.start())) {
     result_.settings = settings_;
     result_.key_units = model_.key_units();
     result_.aims = model_.aims();
@@ -117,36 +106,6 @@ class Optimiser {
     return std::min(1 + places_per_key * settings_.keys.size(), most);
   }
 
-  [[nodiscard]] Eigen::VectorXd scaled(const KeyValues& values) const {
-    Eigen::VectorXd x(std::ssize(values));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const OptimisedKey& key = settings_.keys[i];
-      x[static_cast<Eigen::Index>(i)] = key.log ? std::log(values[i] / key.lower) / std::log(key.upper / key.lower)
-                                                : (values[i] - key.lower) / (key.upper - key.lower);
-    }
-    return x;
-  }
-
-  /// With so few digits that a value comes back from its place in the box the same, and is found again.
-  static double short_value(double value, const OptimisedKey& key) {
-    double rounded = value;
-    read_number(fmt::format("{:.12g}", value), rounded);
-    return std::clamp(rounded, key.lower, key.upper);
-  }
-
-  [[nodiscard]] KeyValues values_at(const Eigen::VectorXd& x) const {
-    KeyValues values;
-    values.reserve(settings_.keys.size());
-    for (std::size_t i = 0; i < settings_.keys.size(); ++i) {
-      const OptimisedKey& key = settings_.keys[i];
-      const double part = x[static_cast<Eigen::Index>(i)];
-      const double value =
-          key.log ? key.lower * std::pow(key.upper / key.lower, part) : key.lower + part * (key.upper - key.lower);
-      values.push_back(short_value(part >= 1.0 ? key.upper : value, key));
-    }
-    return values;
-  }
-
   /// Runs some points, or searches, on all threads. @param run  (number, goes_on)
   void run_all(std::size_t runs, std::size_t budget, const NumberedRun& run) {
     const auto before = static_cast<double>(known_.all().size());
@@ -163,12 +122,12 @@ class Optimiser {
 
   void evaluate_places() {
     std::vector<KeyValues> places_due{start_};
-    Eigen::VectorXd shift(std::ssize(settings_.keys));
+    Eigen::VectorXd shift(box_.dimensions());
     for (Eigen::Index i = 0; i < shift.size(); ++i) {
       shift[i] = uniform_draw({static_cast<std::uint64_t>(settings_.seed), 0, 0, static_cast<std::uint32_t>(i)});
     }
     places_due.reserve(places());
-    for (std::size_t k = 1; k < places(); ++k) places_due.push_back(values_at(even_point(k, shift)));
+    for (std::size_t k = 1; k < places(); ++k) places_due.push_back(box_.values_at(even_point(k, shift)));
     std::vector<std::optional<OptimisePoint>> found(places_due.size());
     run_all(places_due.size(), places_due.size(), [&](std::size_t i, const ProgressCallback& goes_on) {
       found[i] = model_.evaluate(places_due[i], goes_on);
@@ -176,61 +135,7 @@ class Optimiser {
     for (auto& point : found) {
       if (point) known_.add(std::move(*point));
     }
-    aim_scales_.reserve(result_.aims.size());
-    for (std::size_t i = 0; i < result_.aims.size(); ++i) aim_scales_.push_back(scale_of(&OptimisePoint::aims, i));
-    limit_scales_.reserve(result_.limits.size());
-    for (std::size_t i = 0; i < result_.limits.size(); ++i) {
-      const double bound = std::abs(result_.limits[i].bound);
-      limit_scales_.push_back(bound > 0.0 ? bound : scale_of(&OptimisePoint::limits, i));
-    }
-  }
-
-  /// Of a quantity: its size at the first place that has it.
-  [[nodiscard]] double scale_of(KeyValues OptimisePoint::*numbers, std::size_t i) const {
-    for (const OptimisePoint& point : known_.all()) {
-      if (point.status != PointStatus::converged) continue;
-      if (const double size = std::abs((point.*numbers)[i]); size > 0.0) return size;
-    }
-    return 1.0;
-  }
-
-  /// Of an aim, to be least, in parts of its size.
-  [[nodiscard]] double scaled_aim(const OptimisePoint& point, std::size_t aim) const {
-    return (result_.aims[aim].maximise ? -1.0 : 1.0) * point.aims[aim] / aim_scales_[aim];
-  }
-
-  /// Limits of a goal, not to be positive.
-  [[nodiscard]] Eigen::VectorXd scaled_limits(const OptimisePoint& point, const SearchGoal& goal) const {
-    const std::size_t count = result_.limits.size();
-    Eigen::VectorXd all(std::ssize(result_.limits) + (goal.other ? 1 : 0));
-    for (std::size_t i = 0; i < count; ++i) {
-      all[static_cast<Eigen::Index>(i)] = -result_.limits[i].margin(point.limits[i]) / limit_scales_[i];
-    }
-    if (goal.other) {
-      const std::size_t other = 1 - goal.aim;
-      all[all.size() - 1] = -goal.other->margin(point.aims[other]) / aim_scales_[other];
-    }
-    return all;
-  }
-
-  [[nodiscard]] bool meets(const OptimisePoint& point, const SearchGoal& goal) const {
-    return result_.is_feasible(point) && (!goal.other || goal.other->margin(point.aims[1 - goal.aim]) >= 0.0);
-  }
-
-  /// What is less is better: first what misses limits the least, then the aim. @pre  the point converged
-  [[nodiscard]] std::pair<double, double> merit(const OptimisePoint& point, const SearchGoal& goal) const {
-    const Eigen::VectorXd missed = scaled_limits(point, goal);
-    const double most = missed.size() > 0 && !meets(point, goal) ? missed.maxCoeff() : 0.0;
-    return {std::max(most, 0.0), scaled_aim(point, goal.aim)};
-  }
-
-  [[nodiscard]] const OptimisePoint* best_of(const std::vector<OptimisePoint>& points, const SearchGoal& goal) const {
-    const OptimisePoint* best = nullptr;
-    for (const OptimisePoint& point : points) {
-      if (!meets(point, goal)) continue;
-      if (best == nullptr || scaled_aim(point, goal.aim) < scaled_aim(*best, goal.aim)) best = &point;
-    }
-    return best;
+    merits_.take_sizes(known_.all());
   }
 
   /// The given start, and the best places that lie apart.
@@ -240,13 +145,13 @@ class Optimiser {
       if (point.status == PointStatus::converged) order.push_back(&point);
     }
     std::stable_sort(order.begin(), order.end(),
-                     [&](const auto* a, const auto* b) { return merit(*a, goal) < merit(*b, goal); });
+                     [&](const auto* a, const auto* b) { return merits_.merit(*a, goal) < merits_.merit(*b, goal); });
     std::vector<KeyValues> starts{start_};
     const auto add = [&](bool apart) {
       for (const OptimisePoint* point : order) {
         if (std::ssize(starts) >= settings_.starts) return;
         const bool near = std::any_of(starts.begin(), starts.end(), [&](const KeyValues& other) {
-          const double far = (scaled(other) - scaled(point->values)).cwiseAbs().maxCoeff();
+          const double far = (box_.place_of(other) - box_.place_of(point->values)).cwiseAbs().maxCoeff();
           return far <= (apart ? least_apart : 0.0);
         });
         if (!near) starts.push_back(point->values);
@@ -269,7 +174,7 @@ class Optimiser {
   [[nodiscard]] std::vector<SearchRun> last_searches() {
     std::vector<SearchRun> runs;
     for (std::size_t aim = 0; aim < result_.aims.size(); ++aim) {
-      const OptimisePoint* const best = best_of(known_.all(), {aim});
+      const OptimisePoint* const best = merits_.best_of(known_.all(), {aim});
       if (best == nullptr || end_of(*best) == OptimiseStatus::converged) continue;
       runs.push_back({.goal = {aim}, .start = best->values, .step = near_step});
     }
@@ -289,7 +194,7 @@ class Optimiser {
     std::optional<OptimisePoint> best_met;
     const double kept = part_of_tolerance * settings_.tolerance;
     const auto evaluate = [&](const Eigen::VectorXd& x, double& aim, Eigen::VectorXd& limits) {
-      const KeyValues values = values_at(x);
+      const KeyValues values = box_.values_at(x);
       const OptimisePoint* point = known_.find(values);
       if (point == nullptr) point = own.find(values);
       if (point == nullptr) {
@@ -309,14 +214,15 @@ class Optimiser {
         limits.setOnes();
         return true;
       }
-      aim = scaled_aim(*point, run.goal.aim);
+      aim = merits_.scaled_aim(*point, run.goal.aim);
       worst = std::max(worst, aim);
-      limits = scaled_limits(*point, run.goal).array() + kept;
-      if (meets(*point, run.goal) && (!best_met || aim < scaled_aim(*best_met, run.goal.aim))) best_met = *point;
+      limits = merits_.scaled_limits(*point, run.goal).array() + kept;
+      if (merits_.meets(*point, run.goal) && (!best_met || aim < merits_.scaled_aim(*best_met, run.goal.aim)))
+        best_met = *point;
       return true;
     };
     const SearchProblem problem{.limits = std::ssize(result_.limits) + (run.goal.other ? 1 : 0), .evaluate = evaluate};
-    const SearchEnd end = search_constrained(problem, scaled(run.start), run.step, settings_.tolerance);
+    const SearchEnd end = search_constrained(problem, box_.place_of(run.start), run.step, settings_.tolerance);
     run.record.by_tolerance = end == SearchEnd::tolerance;
     run.record.by_rounding = end == SearchEnd::rounding;
     if (best_met) run.record.best = best_met->values;
@@ -353,24 +259,12 @@ class Optimiser {
     keep(runs);
   }
 
-  /// Goals between the ends of the front, from the best of one aim on: the other is to be better and better.
-  [[nodiscard]] std::vector<SearchGoal> goals_between(const OptimisePoint& from, const OptimisePoint& to) const {
-    std::vector<SearchGoal> goals;
-    goals.reserve(static_cast<std::size_t>(settings_.front));
-    const bool above = result_.aims[1].maximise;
-    for (int k = 1; k <= settings_.front; ++k) {
-      const double bound = from.aims[1] + (to.aims[1] - from.aims[1]) * k / (settings_.front + 1.0);
-      goals.push_back({0, OptimiseLimit{.text = {}, .quantity = {}, .above = above, .bound = bound}});
-    }
-    return goals;
-  }
-
   /// Two chains of searches from the ends of the front to its middle, each from the best of its neighbour.
   void follow_front() {
-    const OptimisePoint* const first = best_of(known_.all(), {0});
-    const OptimisePoint* const last = best_of(known_.all(), {1});
+    const OptimisePoint* const first = merits_.best_of(known_.all(), {0});
+    const OptimisePoint* const last = merits_.best_of(known_.all(), {1});
     if (first == nullptr || settings_.front == 0 || first->aims[1] == last->aims[1]) return;
-    goals_ = goals_between(*first, *last);
+    goals_ = merits_.goals_between(*first, *last, settings_.front);
     const std::size_t count = goals_.size();
     const std::size_t left = evaluations_left();
     std::vector<SearchRun> runs(count);
@@ -395,50 +289,8 @@ class Optimiser {
     keep(runs);
   }
 
-  /// Best points of all goals along the front, without those that another is better than in both aims.
-  void keep_front() {
-    std::vector<const OptimisePoint*> best;
-    const auto add = [&](const SearchGoal& goal) {
-      const OptimisePoint* const point = best_of(result_.points, goal);
-      if (point != nullptr && std::find(best.begin(), best.end(), point) == best.end()) best.push_back(point);
-    };
-    add({0});
-    for (const SearchGoal& goal : goals_) add(goal);
-    add({1});
-    const auto is_beaten = [&](const OptimisePoint* point) {
-      return std::any_of(best.begin(), best.end(), [&](const OptimisePoint* other) {
-        return other != point && scaled_aim(*other, 0) <= scaled_aim(*point, 0) &&
-               scaled_aim(*other, 1) <= scaled_aim(*point, 1);
-      });
-    };
-    std::vector<const OptimisePoint*> kept;
-    std::copy_if(best.begin(), best.end(), std::back_inserter(kept),
-                 [&](const auto* point) { return !is_beaten(point); });
-    std::stable_sort(kept.begin(), kept.end(),
-                     [&](const auto* a, const auto* b) { return scaled_aim(*a, 0) < scaled_aim(*b, 0); });
-    result_.front.reserve(kept.size());
-    for (const OptimisePoint* point : kept) result_.front.push_back(number_of(point));
-  }
-
   [[nodiscard]] std::size_t number_of(const OptimisePoint* point) const {
     return static_cast<std::size_t>(point - result_.points.data());
-  }
-
-  /// The point of the front that is nearest to the best of both aims, each in parts of its range along the front.
-  [[nodiscard]] std::size_t middle_of_front() const {
-    const OptimisePoint& first = result_.points[result_.front.front()];
-    const OptimisePoint& last = result_.points[result_.front.back()];
-    const auto part = [&](const OptimisePoint& point, std::size_t aim, const OptimisePoint& best,
-                          const OptimisePoint& worst) {
-      const double range = worst.aims[aim] - best.aims[aim];
-      return range == 0.0 ? 0.0 : (point.aims[aim] - best.aims[aim]) / range;
-    };
-    const auto distance = [&](std::size_t number) {
-      const OptimisePoint& point = result_.points[number];
-      return std::hypot(part(point, 0, first, last), part(point, 1, last, first));
-    };
-    return *std::min_element(result_.front.begin(), result_.front.end(),
-                             [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
   }
 
   /// Whether the search that met the best of an aim ended by its tolerance.
@@ -453,7 +305,7 @@ class Optimiser {
   }
 
   void conclude() {
-    const OptimisePoint* best = best_of(result_.points, {0});
+    const OptimisePoint* best = merits_.best_of(result_.points, {0});
     if (best == nullptr) {
       find_nearest();
       result_.status = stopped_          ? OptimiseStatus::interrupted
@@ -462,15 +314,15 @@ class Optimiser {
       return;
     }
     if (two_aims()) {
-      keep_front();
-      best = &result_.points[middle_of_front()];
+      result_.front = merits_.front_of(result_.points, goals_);
+      best = &result_.points[middle_of_front(result_.points, result_.front)];
     }
     result_.best = number_of(best);
     result_.optimised = model_.case_with(best->values);
     result_.status = OptimiseStatus::interrupted;
     if (stopped_) return;
     for (std::size_t aim = 0; aim < result_.aims.size(); ++aim) {
-      result_.status = end_of(*best_of(result_.points, {aim}));
+      result_.status = end_of(*merits_.best_of(result_.points, {aim}));
       if (result_.status != OptimiseStatus::converged) break;
     }
     const auto again = model_.evaluate(best->values, {}, &result_.warnings);
@@ -482,7 +334,7 @@ class Optimiser {
   void find_nearest() {
     for (const OptimisePoint& point : result_.points) {
       if (point.status != PointStatus::converged) continue;
-      if (!result_.nearest || merit(point, {0}) < merit(result_.points[*result_.nearest], {0})) {
+      if (!result_.nearest || merits_.merit(point, {0}) < merits_.merit(result_.points[*result_.nearest], {0})) {
         result_.nearest = number_of(&point);
       }
     }
@@ -490,13 +342,13 @@ class Optimiser {
 
   OptimiseModel model_;
   const OptimiseSettings& settings_;
+  KeyBox box_;
   const ProgressCallback& progress_;
   unsigned threads_;
   OptimiseResult result_;
+  PointMerits merits_{result_};
   KeyValues start_;
   KnownPoints known_;
-  std::vector<double> aim_scales_;
-  std::vector<double> limit_scales_;
   std::vector<SearchGoal> goals_;  ///< between the ends of the front
   bool stopped_{};
 };

@@ -369,6 +369,10 @@ Json optimise_lists(const OptimiseResult& result) {
 std::string optimised_case_text(const OptimiseResult& result) {
   const OptimisePoint& best = result.points[*result.best];
   std::string out = "# A case with values that `bumpfoil optimise` chose; all numbers are in SI.\n";
+  if (result.status != OptimiseStatus::converged) {
+    out +=
+        fmt::format("# The optimisation did not converge ({}): these values are not final.\n", name_of(result.status));
+  }
   for (std::size_t i = 0; i < best.values.size(); ++i) {
     out += fmt::format("#   {} = {}\n", result.settings.keys[i].key, value_text(result, i, best.values[i]));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -12,15 +13,19 @@ namespace {
 /// Points of an arc on either side of its crest, and of the journal over a pad.
 constexpr int half_arc = 4;
 constexpr std::size_t journal_points = 73;
+/// Lines over the width of foils that vary where there is no film.
+constexpr int dry_lines = 9;
 
 /// Fields that shapes are made of, and the last dimension of each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 24> used_fields{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 26> used_fields{{
     {"film_thickness", "column"},
     {"pressure", "column"},
     {"film_top_displacement", "column"},
     {"film_top_slope", "column"},
     {"film_top_parabola", "column"},
     {"top_displacement", "bump"},
+    {"top_slope", "bump"},
+    {"top_parabola", "bump"},
     {"crest_u", "bump"},
     {"crest_v", "bump"},
     {"crest_u_slope", "bump"},
@@ -51,7 +56,12 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
     const bool of_states =
         variable.dims.size() >= states.size() && std::equal(states.begin(), states.end(), variable.dims.begin());
     if (!of_states) continue;
-    fields_[name] = image.numbers(variable);
+    std::vector<double> values = image.numbers(variable);
+    // What foils do not vary by over the width has no numbers.
+    const bool over_width = name.ends_with("_slope") || name.ends_with("_parabola");
+    if (over_width && std::none_of(values.begin(), values.end(), [](double one) { return std::isfinite(one); }))
+      continue;
+    fields_[name] = std::move(values);
     widths_[name] = 1;
     for (std::size_t i = states.size(); i < variable.dims.size(); ++i) widths_[name] *= variable.extents[i];
   }
@@ -60,8 +70,10 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
     if (field != image.variables().end() && field->second.dims.back() != node)
       image.refuse(name, "is over other places");
   }
+  // Without a film the tilt is the same in all states.
   const auto of_states = [this](const std::string& name) {
-    return has(name) ? fields_.at(name) : std::vector<double>(x_.size(), 0.0);
+    if (has(name)) return fields_.at(name);
+    return std::vector<double>(x_.size(), image_.variables().contains(name) ? constant(name).front() : 0.0);
   };
   x_ = fields_.at("x");
   y_ = of_states("y");
@@ -84,8 +96,9 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
     }
     std::sort(rows_.begin(), rows_.end());
   }
-  if (columns_.empty() && has("crest_v_slope")) {
-    image.refuse("crest_v_slope", "varies over the width where there is no film, which is not drawn yet");
+  if (columns_.empty() && has_curved_top()) {
+    for (int line = 0; line < dry_lines; ++line)
+      rows_.emplace_back(half_width_ * (2.0 * line / (dry_lines - 1) - 1.0), 0);
   }
   rises_ = per_bump("bump_rise");
   half_lengths_ = per_bump("bump_half_length");
@@ -126,6 +139,8 @@ void FoilShapes::make_pads() {
   if (bumps_.empty()) image_.refuse("bump", "is empty");
   const bool several = image_.variables().contains("pad_lobe");
   const std::vector<double> lobes = several ? constant("pad_lobe") : std::vector<double>{0.0};
+  const std::vector<double> welds = several ? constant("pad_weld_angle") : std::vector<double>{};
+  const std::vector<double> ends = several ? constant("pad_end_angle") : std::vector<double>{};
   pads_.resize(lobes.size());
   const auto collect = [&](const std::vector<Node>& all, std::vector<std::size_t> ShapedPad::*members) {
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -145,6 +160,10 @@ void FoilShapes::make_pads() {
     const Node& foot = feet_[pad.feet.front()];
     pad.sense = std::sin(foot.polar - crest.polar) * std::sin(foot.along - crest.along) < 0.0 ? -1.0 : 1.0;
     pad.weld = crest.polar - pad.sense * crest.along;
+    if (several) {
+      constexpr double circle = 2.0 * std::numbers::pi;
+      pad.middle = welds[k] + 0.5 * pad.sense * std::fmod(pad.sense * (ends[k] - welds[k]) + circle, circle);
+    }
     const Node& last = bumps_[pad.bumps.back()];
     const double pitch = pad.bumps.size() > 1 ? last.along - bumps_[pad.bumps[pad.bumps.size() - 2]].along : 0.0;
     pad.length = pad.columns.empty() ? last.along + 0.5 * pitch : columns_[pad.columns.back()].along;
@@ -227,33 +246,46 @@ ShapedGrid FoilShapes::top_foil_of_film(std::size_t state, const ShapedPad& pad)
   return grid;
 }
 
+/// Of the top foil of a pad before it is deflected.
+double FoilShapes::undeformed_radius(const ShapedPad& pad, double polar) const {
+  return radius_ - pad.lobe * std::cos(polar - pad.middle);
+}
+
+/// The top foil over a crest. Its gap is the least over the width: where it varies, it lies as it is deflected.
+ShapedPoint FoilShapes::top_over_bump(std::size_t state, const ShapedPad& pad, std::size_t bump, double z) const {
+  const Node& crest = bumps_[bump];
+  const double journal = journal_radius(state, crest.polar, z);
+  const double outward = across("top", "_displacement", state, bump, z);
+  const double gap =
+      has_curved_top() ? undeformed_radius(pad, crest.polar) + outward - journal : at("gap_journal_top", state, bump);
+  return {.along = crest.along, .radius = journal + gap, .outward = outward, .film_thickness = gap};
+}
+
 /// From the weld over the crests to the free end, which moves as the last crest does.
 ShapedGrid FoilShapes::top_foil_of_bumps(std::size_t state, const ShapedPad& pad) const {
-  std::vector<ShapedPoint> line;
-  for (const std::size_t bump : pad.bumps) {
-    const double gap = at("gap_journal_top", state, bump);
-    line.push_back({.along = bumps_[bump].along,
-                    .radius = journal_radius(state, bumps_[bump].polar, 0.0) + gap,
-                    .outward = at("top_displacement", state, bump),
-                    .film_thickness = gap});
-  }
-  ShapedPoint weld = line.front();
-  weld.along = 0.0;
-  weld.radius -= weld.outward;
-  weld.outward = 0.0;
-  ShapedPoint end = line.back();
-  end.along = pad.length;
-  for (ShapedPoint* const beyond : {&weld, &end}) {
-    beyond->film_thickness = beyond->radius - journal_radius(state, pad.weld + pad.sense * beyond->along, 0.0);
-  }
-  line.insert(line.begin(), weld);
-  line.push_back(end);
-  return over_width(ShapedPart::top_foil, false, [&line](double /*z*/) { return line; });
+  return over_width(ShapedPart::top_foil, has_curved_top(), [&](double z) {
+    std::vector<ShapedPoint> line;
+    for (const std::size_t bump : pad.bumps) line.push_back(top_over_bump(state, pad, bump, z));
+    ShapedPoint weld = line.front();
+    weld.along = 0.0;
+    weld.radius -= weld.outward;
+    weld.outward = 0.0;
+    ShapedPoint end = line.back();
+    end.along = pad.length;
+    for (ShapedPoint* const beyond : {&weld, &end}) {
+      beyond->film_thickness = beyond->radius - journal_radius(state, pad.weld + pad.sense * beyond->along, z);
+    }
+    line.insert(line.begin(), weld);
+    line.push_back(end);
+    return line;
+  });
 }
 
 double FoilShapes::crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double z) const {
   const double moved = across("crest_v", "", state, bump, z);
-  if (!has("gap_top_bump")) return radius_ - height_errors_[bump] + moved;
+  if (!has("gap_top_bump") || has_curved_top()) {
+    return undeformed_radius(pad, bumps_[bump].polar) - height_errors_[bump] + moved;
+  }
   return middle_crest_radius(state, pad, bump) + moved - across("crest_v", "", state, bump, 0.0);
 }
 
@@ -329,10 +361,8 @@ std::vector<ShapedGrid> FoilShapes::contacts(std::size_t state, const ShapedPad&
     }
   };
   add(ShapedPart::journal_top, "journal_top", pad.bumps, 1.0, [&](std::size_t bump) {
-    const double gap = at("gap_journal_top", state, bump);
-    return ShapedPoint{.along = bumps_[bump].along,
-                       .radius = journal_radius(state, bumps_[bump].polar, 0.0) + gap,
-                       .outward = at("top_displacement", state, bump)};
+    const ShapedPoint top = top_over_bump(state, pad, bump, 0.0);
+    return ShapedPoint{.along = top.along, .radius = top.radius, .outward = top.outward};
   });
   add(ShapedPart::top_bump, "top_bump", pad.bumps, 1.0, [&](std::size_t bump) {
     const double forward = at("crest_u", state, bump);

@@ -39,6 +39,7 @@ struct ShapedPad {
   double weld{};    ///< polar angle, rad
   double sense{};   ///< 1: the foils run counterclockwise from it, -1: clockwise
   double lobe{};    ///< displacement of its circle away from its middle, m
+  double middle{};  ///< polar angle half way between its weld and its end, rad
   double length{};  ///< angle from the weld to the free end, rad
   std::vector<std::size_t> bumps{}, feet{}, columns{};
 };
@@ -46,8 +47,9 @@ struct ShapedPad {
 /// Shapes of a bearing in the states of its result.nc: of `cycle`, `path`, `equilibrium` and `film`.
 ///
 /// Foils are surfaces without thickness: the top foil lies off the journal by the gap or the film thickness of the
-/// result, the crests off the top foil by their gap. Between foot and crest nothing is known: the arc of a bump is
-/// drawn as one, flatter or higher. Lengths are added to the radius as if they were small, as in the models.
+/// result, or as it is deflected where it varies over the width without a film; the crests lie off the top foil by
+/// their gap. Between foot and crest nothing is known: the arc of a bump is drawn as one, flatter or higher. Lengths
+/// are added to the radius as if they were small, as in the models.
 class FoilShapes {
  public:
   /// The image must outlive it. @throws Error (file) if it lacks what that takes
@@ -78,6 +80,8 @@ class FoilShapes {
   };
 
   [[nodiscard]] bool has(const std::string& name) const { return fields_.contains(name); }
+  /// Whether the top foil varies over the width without a film.
+  [[nodiscard]] bool has_curved_top() const { return has("top_slope") || has("top_parabola"); }
   [[nodiscard]] std::vector<double> constant(const std::string& name) const;
   [[nodiscard]] std::vector<double> per_bump(const std::string& name) const;
   [[nodiscard]] std::vector<Node> nodes(const std::string& prefix, const std::string& dimension) const;
@@ -92,6 +96,8 @@ class FoilShapes {
   [[nodiscard]] double middle_crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const;
   [[nodiscard]] double foot_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double foot_v) const;
   [[nodiscard]] ShapedGrid top_foil_of_film(std::size_t state, const ShapedPad& pad) const;
+  [[nodiscard]] double undeformed_radius(const ShapedPad& pad, double polar) const;
+  [[nodiscard]] ShapedPoint top_over_bump(std::size_t state, const ShapedPad& pad, std::size_t bump, double z) const;
   [[nodiscard]] ShapedGrid top_foil_of_bumps(std::size_t state, const ShapedPad& pad) const;
   [[nodiscard]] ShapedGrid bump_foil(std::size_t state, const ShapedPad& pad) const;
   [[nodiscard]] std::vector<ShapedPoint> bump_foil_at(std::size_t state, const ShapedPad& pad, double z) const;

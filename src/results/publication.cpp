@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -18,31 +17,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of the folder of a set that counts as published, and in it the list of its files, one a line.
+/// Name of the folder of a set that counts as published, and in it the list of its files, one a line; behind a minus
+/// those that it makes stale.
 fs::path set_folder(const fs::path& folder) {
   return work_folder(folder) / "set";
 }
 constexpr const char* list_name = ".files";
+constexpr char stale_mark = '-';
 
-void write_list(const fs::path& staging, const fs::path& folder, const std::vector<std::string>& names) {
+void write_list(const fs::path& staging, const fs::path& folder, const std::vector<std::string>& names,
+                const std::vector<std::string>& stale) {
   std::string list;
+  for (const std::string& name : stale) list += stale_mark + name + '\n';
   for (const std::string& name : names) list += name + '\n';
   write_all(FileDescriptor(staging / list_name, folder, O_WRONLY | O_CREAT | O_TRUNC), list, folder);
 }
 
 std::vector<std::string> read_list(const fs::path& set) {
   std::ifstream file(set / list_name);
-  std::vector<std::string> names;
-  for (std::string name; std::getline(file, name);) names.push_back(name);
-  return names;
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace
 
 void publish_staged(const fs::path& staging, const fs::path& folder, const std::vector<std::string>& names,
-                    const BeforeStep& before) {
+                    const std::vector<std::string>& stale, const BeforeStep& before) {
   before();
-  write_list(staging, folder, names);
+  write_list(staging, folder, names, stale);
   flush(staging / list_name, folder);
   for (const std::string& name : names) flush(staging / name, folder / name);
   flush(staging, folder);
@@ -55,18 +58,17 @@ void publish_staged(const fs::path& staging, const fs::path& folder, const std::
 
 void complete_publication(const fs::path& folder, const BeforeStep& before) {
   const fs::path set = set_folder(folder);
-  const std::vector<std::string> names = read_list(set);
-  if (!names.empty()) {
-    for (const std::string_view name : result_names) {
-      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+  const std::vector<std::string> lines = read_list(set);
+  if (!lines.empty()) {
+    for (const std::string& line : lines) {
       before();
-      ::unlink((folder / name).c_str());
-    }
-    for (const std::string& name : names) {
-      before();
+      if (line.starts_with(stale_mark)) {
+        ::unlink((folder / line.substr(1)).c_str());
+        continue;
+      }
       // What is not there any more was moved before.
-      if (::rename((set / name).c_str(), (folder / name).c_str()) != 0 && errno != ENOENT) {
-        throw_unwritable(folder / name, errno);
+      if (::rename((set / line).c_str(), (folder / line).c_str()) != 0 && errno != ENOENT) {
+        throw_unwritable(folder / line, errno);
       }
     }
     flush(folder, folder);

@@ -24,10 +24,16 @@ namespace {
 /// The dimension of a quantity in this unit; absent where it has none, or one that cases know not.
 std::optional<Dimension> dimension_in(std::string_view unit) {
   for (const Dimension dimension :
-       {Dimension::length, Dimension::force, Dimension::stiffness, Dimension::pressure, Dimension::frequency}) {
+       {Dimension::length, Dimension::force, Dimension::stiffness, Dimension::pressure, Dimension::frequency,
+        Dimension::moment, Dimension::damping, Dimension::mass, Dimension::duration}) {
     if (si_unit(dimension) == unit) return dimension;
   }
   return std::nullopt;
+}
+
+/// The text without this unit at its end, as of a power, which cases know not.
+std::string_view without_unit(std::string_view value, std::string_view unit) {
+  return trimmed(unit != "1" && value.ends_with(unit) ? value.substr(0, value.size() - unit.size()) : value);
 }
 
 std::size_t number_of_quantity(const std::string& name, const std::string& text,
@@ -57,7 +63,7 @@ QuantityLimit parse_quantity_limit(const std::string& text, const std::vector<Li
   const std::string value(trimmed(std::string_view(text).substr(sign + 1)));
   QuantityLimit limit{number_of_quantity(name, text, quantities, words), text[sign] == '>', 0.0};
   const std::string& unit = quantities[limit.quantity].unit;
-  if (const std::optional<double> number = parse<double>(value)) {
+  if (const std::optional<double> number = parse<double>(without_unit(value, unit))) {
     limit.bound = *number;
   } else if (const std::optional<Dimension> dimension = dimension_in(unit)) {
     const auto quantity = parse_quantity(value, *dimension);

@@ -87,7 +87,12 @@ void ResultFolder::publish(const std::function<void()>& before) {
                                    "use a separate folder for each run"}});
   }
   check_places();
-  publish_staged(claimed_->staging, path_, staged_, before);
+  std::vector<std::string> stale(result_names.begin(), result_names.end());
+  stale.insert(stale.end(), names_.begin(), names_.end());
+  std::erase_if(stale, [this](const std::string& name) {
+    return std::find(staged_.begin(), staged_.end(), name) != staged_.end();
+  });
+  publish_staged(claimed_->staging, path_, staged_, stale, before);
 }
 
 void ResultFolder::check_places() const {

@@ -89,16 +89,19 @@ TEST_F(RunInShell, ALimitOfFileSizesIsAFaultOfTheFile) {
   EXPECT_EQ(listing("full"), set);
 }
 
+/// An experiment as quick as it can be, up to the name of its folder.
+std::string small_run_of(const ExperimentInfo& experiment) {
+  std::string command = "$bumpfoil " + std::string(experiment.name) + " case.toml";
+  for (const std::string& key : experiment.small_runs.front()) command += " --set '" + key + "'";
+  return command;
+}
+
 /// All that runs cases into a folder of results, up to its name.
 std::vector<std::string> running_commands() {
   std::vector<std::string> commands{
       "$bumpfoil sweep case.toml --over friction.coefficient=0:0.1:0.1 --set cycle.steps=2",
       "$bumpfoil montecarlo case.toml --samples 2 --set cycle.steps=2 --set montecarlo.bump_height.std=1um"};
-  for (const ExperimentInfo& experiment : experiments()) {
-    std::string command = "$bumpfoil " + std::string(experiment.name) + " case.toml";
-    for (const std::string& key : experiment.small_runs.front()) command += " --set '" + key + "'";
-    commands.push_back(std::move(command));
-  }
+  for (const ExperimentInfo& experiment : experiments()) commands.push_back(small_run_of(experiment));
   return commands;
 }
 
@@ -170,6 +173,28 @@ TEST_F(RunInShell, EveryRunThatIsEndedFlagsItsResults) {
     std::filesystem::remove_all(folder_.path() / "ended");
   }
   EXPECT_TRUE(any);
+}
+
+/// The case of an earlier fit would look like the answer of one that was interrupted before it had any.
+TEST_F(RunInShell, AFitThatIsEndedLeavesNoCaseOfTheOneBefore) {
+  const std::string fit = small_run_of(experiment_named("fit")) + " -o fitted --quiet";
+  ASSERT_EQ(run(fit), 0) << log();
+  ASSERT_EQ(listing("fitted"), "case.toml fit.csv fit.nc summary.json ");
+  // Loops that take long enough for the signal to come before the first minimum.
+  EXPECT_EQ(run(fit + " --force --set solver.name=newton cycle.steps=20000 &\n"
+                      "while ! [ -e fitted/.bumpfoil/claim ]; do :; done; kill -TERM $!; wait $!"),
+            130)
+      << log();
+  EXPECT_EQ(consistent_summary("fitted").at("status"), "interrupted");
+  EXPECT_EQ(listing("fitted"), "fit.csv fit.nc summary.json ");
+}
+
+TEST_F(RunInShell, AFitDoesNotReplaceTheCaseThatItIsOf) {
+  const std::string before = folder_.read("case.toml");
+  EXPECT_EQ(run(small_run_of(experiment_named("fit")) + " -o . --force"), 4);
+  EXPECT_NE(log().find("case.toml: is the case of this run"), std::string::npos) << log();
+  EXPECT_TRUE(folder_.read("case.toml") == before);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "summary.json"));
 }
 
 TEST_F(RunInShell, AFolderThatIsRemovedDuringTheRunIsTold) {

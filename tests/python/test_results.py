@@ -132,7 +132,7 @@ def test_vtk_files_are_those_of_the_program(result, tmp_path):
     assert files == {path.name: path.read_bytes() for path in (tmp_path / "program").iterdir()}
     assert states == 4 * 21 == len([name for name in files if name.startswith("cylinder") and name.endswith(".vtu")])
     assert files["cylinder.pvd"].count(b"<DataSet") == files["unwrapped.pvd"].count(b"<DataSet") == states
-    with pytest.raises(bumpfoil.FileError):
+    with pytest.raises(bumpfoil.FileError, match="exists already; give another name, or force=True to replace it"):
         result.to_vtk(tmp_path / "python")
     assert result.to_vtk(tmp_path / "python", force=True) == states
     strip = bumpfoil.run_strip(EXAMPLES / "strip.toml", strip={"steps": 2})

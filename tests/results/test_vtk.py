@@ -50,9 +50,9 @@ class Vtk(unittest.TestCase):
         self.addCleanup(directory.cleanup)
         self.folder = Path(directory.name)
 
-    def export(self, command, example, *changes):
+    def export(self, command, example, *changes, name="results"):
         """A result, and its files by what lists them."""
-        results = self.folder / "results"
+        results = self.folder / name
         run(command, EXAMPLES / example, "-o", results, "--quiet", *(word for pair in changes for word in ("--set", pair)))
         said = run("export", results, "--to", "vtk")
         files = {}
@@ -164,6 +164,47 @@ class Vtk(unittest.TestCase):
             self.assertGreater(loaded.sum(), 3)
             self.assertGreater(np.ptp(top[:, loaded], axis=0).max(), 5e-7)
             np.testing.assert_allclose(crests[:, loaded], top[:, loaded], atol=1e-8)
+
+    def test_tilted_journals_press_dry_foils_at_one_side(self):
+        at_side = ["width.modes=3", "width.tilt=['0.2 mrad', '0.05 mrad']"]
+        for example in ("gen1.toml", "three_pads.toml"):
+            with self.subTest(example):
+                result, files = self.export("path", example, *at_side, 'path.points=[["40 um", "20 um"]]', name=example)
+                self.assertGreater(float(abs(result.top_slope).max()), 1e-6)
+                radius, clearance = float(result.bearing_radius), float(result.radial_clearance)
+                meshes = files["cylinder"]
+                for k in (0, len(meshes) - 1):
+                    mesh, state = meshes[k], result.isel(increment=k)
+                    x, y, z = mesh.mesh.points[mesh.nodes(TOP)].T
+                    polar = np.arctan2(y, x)
+                    gap = mesh.data(TOP, "film_thickness")
+                    journal = radius - clearance + (float(state.x) + 2e-4 * z) * np.cos(polar) + (float(state.y) + 5e-5 * z) * np.sin(polar)
+                    np.testing.assert_allclose(np.hypot(x, y) - journal, gap, atol=1e-12)
+                    bumps = len(result.bump) // (3 if "pad_lobe" in result else 1)
+                    shape = (-1, 9, bumps + 2)
+                    over = gap.reshape(shape)[:, :, 1:-1]
+                    least = state.gap_journal_top.values.reshape(-1, bumps)
+                    # The gap of the result is the least at lines inside, at +-0.775 of half the width.
+                    zeta = np.linspace(-1, 1, 9)
+                    lines = [[np.interp([-0.6**0.5, 0.0, 0.6**0.5], zeta, line).min() for line in pad.T] for pad in over]
+                    np.testing.assert_allclose(lines, least, atol=2e-8)
+                # Some bumps touch at a part of the width alone.
+                self.assertTrue(((over.min(axis=1) < 1e-8) & (over.max(axis=1) > 1e-7)).any())
+                # Crests follow the top foil where they carry it.
+                crests = np.hypot(*mesh.points(BUMP)[:, :2].T).reshape(-1, 9, 1 + 9 * bumps)[:, :, 1 + 4 :: 9]
+                top = np.hypot(x, y).reshape(shape)[:, :, 1:-1]
+                carried = state.normal_force_top_bump.values.reshape(-1, bumps) > 5.0
+                self.assertGreater(carried.sum(), 3)
+                np.testing.assert_allclose((crests - top)[:, 4][carried], 0.0, atol=1e-7)
+                self.assertAlmostEqual(np.ptp(z), float(result.axial_length))
+
+    def test_strips_under_a_whole_top_foil_have_no_parabola(self):
+        result, files = self.export("cycle", "gen2-three-strips.toml", "cycle.directions=['+X']", "cycle.steps=2")
+        self.assertTrue(result.top_parabola.isnull().all())
+        for mesh, x in zip(files["cylinder"], result.x.values.ravel(), strict=True):
+            self.assertTrue(np.isfinite(mesh.mesh.points).all())
+            gap = mesh.data(TOP, "film_thickness").min()
+            self.assertAlmostEqual(gap, max(0.0, float(result.radial_clearance) - x), delta=1e-7)
 
     def test_films_of_rigid_foils_and_paths(self):
         at = ['equilibrium.positions=[["15 um", "-4 um"]]', 'equilibrium.speeds=["45000 rpm"]', "film.rows=4"]

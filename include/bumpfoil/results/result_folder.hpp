@@ -38,7 +38,8 @@ class ResultFolder {
   /// Forgets a staged file, and removes what was written of it.
   void discard(const std::string& name);
 
-  /// Makes everything staged the results in the folder, flushed to the disk; results of an earlier run are removed.
+  /// Makes everything staged the results in the folder, flushed to the disk; results of an earlier run are removed, and
+  /// files of the given names that were not staged.
   /// @param before  called ahead of every step, for tests that stop there
   /// @throws Error (file); the claim is checked again, and what must not be replaced
   void publish(const std::function<void()>& before = [] {});

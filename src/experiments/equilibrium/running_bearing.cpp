@@ -42,13 +42,6 @@ class ParallelJudges : public StateJudges {
   tbb::task_group& group_;
 };
 
-/// Of states that count by their films alone.
-class NoJudges : public StateJudges {
- public:
-  void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/,
-            const std::function<void()>& /*judge*/) override {}
-};
-
 double minimum_film_thickness(const EquilibriumResult& result, const RunningState& state) {
   return state.last->film.thickness.minCoeff() * result.bearing->scales.thickness;
 }
@@ -95,9 +88,9 @@ EquilibriumResult analyse_running_bearing(const Case& input, const std::function
   }
   if (second) {
     done += 1.0;
-    NoJudges nobody;
+    NoJudges none;
     const EquilibriumResult other =
-        find_states(result.bearing, settings, thickness_floor(input), {second_path(settings)}, part_progress, &nobody);
+        find_states(result.bearing, settings, thickness_floor(input), {second_path(settings)}, part_progress, &none);
     result.other_branches = other_branches(result, other);
   }
   if (settings.limits) {

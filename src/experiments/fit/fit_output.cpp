@@ -168,7 +168,9 @@ std::vector<std::string> fit_warnings(const FitResult& result) {
     if (!result.parameters[i].at_jump) continue;
     lines.push_back(fmt::format(
         "the model jumps beside the value of {}, as other contacts slide there: its standard error is not known, and "
-        "those of the others hold for this value; fit.profile = true shows what the data tell of it",
+        "those of the others hold for this value; beyond the jump a deeper minimum may lie, which more fit.starts "
+        "find, "
+        "and fit.profile = true shows what the data tell of it",
         result.settings.parameters[i].key));
   }
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
@@ -399,6 +401,9 @@ Json fit_lists(const FitResult& result) {
 
 std::string fitted_case_text(const FitResult& result) {
   std::string out = "# A case with values that `bumpfoil fit` found from measured data; all numbers are in SI.\n";
+  if (result.status != Status::converged) {
+    out += fmt::format("# The fit did not converge ({}): these values are not final.\n", name_of(result.status));
+  }
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const FittedValue& found = result.parameters[i];
     const std::string unit = result.units[i] == "1" ? "" : " " + result.units[i];

@@ -18,13 +18,6 @@
 namespace bumpfoil {
 namespace {
 
-/// Leaves states as they were found: their stability is not measured.
-class NoStateJudges final : public StateJudges {
- public:
-  void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/,
-            const std::function<void()>& /*judge*/) override {}
-};
-
 /// A place of measurement.
 struct PlaceOfRow {
   double speed{};
@@ -81,7 +74,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
     std::vector<std::vector<double>> values(quantities_.size(), std::vector<double>(places_.size(), absent));
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
       const EquilibriumSettings settings = settings_of(*input.equilibrium, groups[i]);
-      NoStateJudges none;
+      NoJudges none;
       EquilibriumResult result = find_states(bearing, settings, thickness_floor(input), {settings.path}, {}, &none);
       for (RunningState& state : result.states) add_answers(bearing, settings, state);
       for (std::size_t k = 0; k < result.states.size(); ++k) {

@@ -49,6 +49,25 @@ TEST(ResultFolder, PublishesEverythingAtOnce) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path), {}), 2);
 }
 
+/// A run that has nothing to write to one of its files leaves none of an earlier run there; other files stay.
+TEST(ResultFolder, LeavesNothingOfAnEarlierRun) {
+  const TemporaryFolder outer;
+  for (const char* name : {"summary.json", "fit.csv", "case.toml", "transient.csv", "notes.txt", "-notes"}) {
+    outer.write(name, "old");
+  }
+  const auto publish = [&outer](std::vector<std::string> of_command) {
+    ResultFolder folder(outer.path(), Existing::replace, std::move(of_command));
+    folder.stage("summary.json", "new");
+    folder.publish();
+  };
+  // case.toml is of the user where the command has no such file.
+  publish({"cycle.csv", "summary.json"});
+  EXPECT_EQ(outer.listing(), "-notes case.toml notes.txt summary.json ");
+  publish({"case.toml", "fit.csv", "summary.json"});
+  EXPECT_EQ(outer.listing(), "-notes notes.txt summary.json ");
+  EXPECT_EQ(outer.read("summary.json"), "new");
+}
+
 TEST(ResultFolder, TakesBackWhatWasNotPublished) {
   const TemporaryFolder outer;
   {

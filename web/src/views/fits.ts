@@ -14,7 +14,7 @@ function sectionsOf(fit: Fit, id: string, title: (text: string) => string, caseK
   const compared = { several: false, focus: [fit], shown: [fit], names: fit.label, onChange: () => undefined };
   return [
     part(`${id}-values`, title('Fitted parameters'), el('div', { class: 'multiples of-tables' }, valueTable(fit), ...(fit.parameters.length > 1 ? [correlationTable(fit)] : []))),
-    part(`${id}-data`, title('Measured and fitted'), el('div', { class: 'multiples' }, ...charts)),
+    ...(charts.length > 0 ? [part(`${id}-data`, title('Measured and fitted'), el('div', { class: 'multiples' }, ...charts))] : []),
     ...(profiles.length > 0 ? [part(`${id}-profiles`, title('Profiles'), el('div', { class: 'multiples' }, ...profiles))] : []),
     part(
       `${id}-case`,

@@ -152,6 +152,13 @@ class StateJudges {
   virtual void finish() {}
 };
 
+/// Judges none: states count by where they lie and by their films alone.
+class NoJudges final : public StateJudges {
+ public:
+  void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/,
+            const std::function<void()>& /*judge*/) override {}
+};
+
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
 ///
 /// A path begins with a cold start of the journal held at 0.6 C_r along the first load, or on the way to the first

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 
@@ -177,6 +178,64 @@ TEST(FitTables, FindClearanceAndOriginFromEquilibria) {
   EXPECT_EQ(measured.points[3].at, 50.0);
   EXPECT_NE(fit_csv(result).find("1,0,\"45000 rpm, load towards 0 deg\",h_min,m,Load,N,1,40,"), std::string::npos);
   EXPECT_NE(fit_table(result).find("equilibrium 1, torque: residual"), std::string::npos);
+}
+
+/// Damping of a running bearing in which contacts slide, over their friction.
+FitData damping_at(double friction) {
+  Case truth = film_reference_case({.columns_per_pitch = 4, .rows = 3}, friction);
+  truth.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{40.0, 0.0}}, .steps = 1};
+  const EquilibriumResult result = run_equilibrium(truth);
+  const FilmWhirl& whirl = result.states.at(0).whirls.front();
+  FitData data;
+  data.experiment = FittedExperiment::equilibrium;
+  data.column(FitColumn::speed).values = truth.equilibrium->speeds;
+  data.column(FitColumn::load_x).values = {40.0};
+  data.column(FitColumn::cyy).values = {(*whirl.impedance)(1, 1).imag() / whirl.frequency};
+  data.column(FitColumn::cyy).std = 1.0;
+  return data;
+}
+
+FitResult friction_of(const FitData& damping, double start) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, start);
+  input.equilibrium = EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}, .steps = 1};
+  input.settings.set(
+      FitSettings{.data = {damping}, .parameters = {fitted("friction.coefficient", start, 0.09, 0.12)}, .starts = 1});
+  return run_fit(input);
+}
+
+/// Where contacts begin to slide, damping jumps: what lies beside it, differences over it do not tell, and all outputs
+/// say so.
+TEST(FitTables, TellNoStandardErrorAtAJump) {
+  const auto damping = [](double friction) { return damping_at(friction).column(FitColumn::cyy).values.front(); };
+  double before = 0.095;
+  double beyond = 0.1;
+  const double low = damping(before);
+  const double high = damping(beyond);
+  ASSERT_GT(high, 1.05 * low);
+  while (beyond - before > 1e-6) {
+    const double middle = 0.5 * (before + beyond);
+    (damping(middle) < 0.5 * (low + high) ? before : beyond) = middle;
+  }
+  const FitResult at_jump = friction_of(damping_at(before), before);
+  ASSERT_EQ(at_jump.parameters.size(), 1U);
+  EXPECT_NEAR(at_jump.parameters[0].value, before, 1e-5);
+  EXPECT_TRUE(at_jump.parameters[0].at_jump);
+  EXPECT_FALSE(at_jump.parameters[0].at_bound);
+  EXPECT_FALSE(at_jump.parameters[0].standard_error || at_jump.parameters[0].lower_95);
+  ASSERT_EQ(fit_warnings(at_jump).size(), 1U);
+  EXPECT_TRUE(fit_warnings(at_jump)[0].starts_with("the model jumps beside the value of friction.coefficient"));
+  EXPECT_NE(fit_table(at_jump).find("at a jump"), std::string::npos);
+  EXPECT_NE(fitted_case_text(at_jump).find(", at a jump\n"), std::string::npos);
+  const auto told = fit_lists(at_jump).at("parameters").at(0);
+  EXPECT_EQ(told.at("at_jump"), true);
+  EXPECT_TRUE(told.at("standard_error").is_null());
+
+  // A hundredth of the bounds away the model is smooth.
+  const double beside = before - 3e-4;
+  const FitResult smooth = friction_of(damping_at(beside), beside);
+  EXPECT_FALSE(smooth.parameters.at(0).at_jump);
+  EXPECT_TRUE(smooth.parameters[0].standard_error);
+  EXPECT_TRUE(fit_warnings(smooth).empty());
 }
 
 /// Message of what reading a table says is wrong; empty where nothing is.

@@ -388,7 +388,8 @@ TEST(PathExperiment, HoldsATilt) {
     const auto named = [name](const Variable& variable) { return variable.meaning.name == name; };
     return std::any_of(data.variables.begin(), data.variables.end(), named);
   };
-  for (const char* const name : {"moment_x", "moment_y", "crest_v_slope", "foot_u_slope", "crest_v_parabola"}) {
+  for (const char* const name :
+       {"moment_x", "moment_y", "top_slope", "top_parabola", "crest_v_slope", "foot_u_slope", "crest_v_parabola"}) {
     EXPECT_TRUE(has(name)) << name;
   }
 }
