@@ -239,7 +239,7 @@ TEST_F(RunInShell, SignalsOfBatchSystemsAreInterruptions) {
   for (const std::string signal : {"INT", "TERM", "HUP", "XCPU"}) {
     SCOPED_TRACE(signal);
     // A shell without job control starts what runs in the background with SIGINT ignored; env gives it back.
-    EXPECT_EQ(run("env --default-signal=INT $bumpfoil cycle case.toml -o long --force --set cycle.steps=80000 &\n"
+    EXPECT_EQ(run("env --default-signal=INT $bumpfoil cycle case.toml -o long --force --set cycle.steps=20000 &\n"
                   "while ! [ -e long/.bumpfoil/claim ]; do sleep 0.01; done; sleep 0.1\n"
                   "kill -" +
                   signal + " $!; wait $!"),

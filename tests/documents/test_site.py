@@ -114,7 +114,7 @@ class Site(unittest.TestCase):
     @unittest.skipUnless("BUMPFOIL_WEB" in os.environ, "without the page of reports there is no axe-core")
     def test_axe_finds_nothing(self):
         """Of each kind of page one, in light and dark."""
-        pages = ("docs/index", "docs/tutorial", "docs/theory/gas_film", "docs/notebooks/first_steps", "search")
+        pages = ("docs/index", "docs/tutorial", "docs/theory/energies", "docs/notebooks/first_steps", "search")
         script = ROOT / "tests/documents/axe_of_site.mjs"
         command = [os.environ["BUMPFOIL_NODE"], script, self.html, *(f"{page}.html" for page in pages)]
         looked = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -22,15 +22,14 @@ def texts(figure):
     return [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip()]
 
 
-def shown(figure, text):
-    """Whether a text is drawn: labels of ticks beyond the limits of an axis are not."""
+def hidden(figure):
+    """Labels of ticks beyond the limits of an axis, which are not drawn."""
     for ax in figure.axes:
-        for axis in (ax.xaxis, ax.yaxis):
-            if text in axis.get_ticklabels():
-                low, high = sorted(axis.get_view_interval())
-                place = text.get_position()[0 if axis is ax.xaxis else 1]
-                return low - 1e-9 <= place <= high + 1e-9
-    return True
+        for axis, along in ((ax.xaxis, 0), (ax.yaxis, 1)):
+            low, high = sorted(axis.get_view_interval())
+            for label in axis.get_ticklabels():
+                if not low - 1e-9 <= label.get_position()[along] <= high + 1e-9:
+                    yield label
 
 
 def inspect(figure, *, width, panels):
@@ -39,19 +38,20 @@ def inspect(figure, *, width, panels):
     assert figure.get_size_inches()[0] == pytest.approx(width * MM)
     assert figure.get_size_inches()[1] <= 220.01 * MM  # a page of 234 mm with a caption of three lines
     assert len(figure.axes) == panels
-    drawn = [text for text in texts(figure) if shown(figure, text)]
+    beyond = set(hidden(figure))
+    drawn = {text: text.get_window_extent() for text in texts(figure) if text not in beyond}
     assert min(text.get_fontsize() for text in drawn) >= 7
     page = figure.bbox.padded(0.5)
-    for text in drawn:
-        box = text.get_window_extent()
+    for text, box in drawn.items():
         assert page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1, text
         assert "-" not in text.get_text().replace("mid-surface", "")  # a minus is one
     if panels > 1:
         letters = [text.get_text() for text in drawn if text.get_text().startswith("(") and len(text.get_text()) == 3]
         assert letters == [f"({chr(ord('a') + i)})" for i in range(panels)]
     for ax in figure.axes:
-        for one, other in itertools.combinations([text for text in drawn if text in ax.findobj(Text)], 2):
-            assert not one.get_window_extent().overlaps(other.get_window_extent()), (one, other)
+        own = set(ax.findobj(Text))
+        for one, other in itertools.combinations([text for text in drawn if text in own], 2):
+            assert not drawn[one].overlaps(drawn[other]), (one, other)
     # Of a panel all that belongs to it: labels, ticks, titles.
     boxes = [ax.get_tightbbox(figure.canvas.get_renderer()) for ax in figure.axes]
     boxes += [legend.get_window_extent() for legend in figure.legends]

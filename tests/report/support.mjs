@@ -19,10 +19,20 @@ const prefixes = { p: 1e-12, n: 1e-9, µ: 1e-6, m: 1e-3, k: 1e3, M: 1e6, G: 1e9 
 /** Of results and reports; removed at the end. */
 export let folder;
 let browser;
+let page;
+let url;
+let faults = [];
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'bumpfoil-report-'));
   browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+  page = await browser.newPage();
+  page.on('pageerror', (error) => faults.push(String(error)));
+  page.on('console', (message) => faults.push(message.text()));
+  page.on('dialog', (dialog) => faults.push(`dialog: ${dialog.message()}`));
+  page.on('request', (request) => {
+    if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) faults.push(request.url());
+  });
 });
 
 after(async () => {
@@ -56,28 +66,18 @@ export function rowsOf(csv) {
   return lines.map((line) => Object.fromEntries(cells(line).map((cell, i) => [names[i], cell])));
 }
 
-/** A report, and everything that goes wrong or out while it is shown. */
-export async function open(file, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
-  const page = await context.newPage();
-  const url = pathToFileURL(join(folder, file)).href;
-  const faults = [];
-  page.on('pageerror', (error) => faults.push(String(error)));
-  page.on('console', (message) => faults.push(message.text()));
-  page.on('dialog', (dialog) => faults.push(`dialog: ${dialog.message()}`));
-  page.on('request', (request) => {
-    if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) faults.push(request.url());
-  });
+/** Shows a report as one that was just opened, and fails where anything goes wrong or out meanwhile. All are shown by one page: that a
+browser makes another costs more than most reports. */
+export async function withReport(file, check, { viewport = { width: 1280, height: 900 }, colorScheme = 'light' } = {}) {
+  await page.goto('about:blank');
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({ media: null, colorScheme });
+  url = pathToFileURL(join(folder, file)).href;
+  faults = [];
   await page.goto(url);
   await page.locator('html[data-drawn]').waitFor();
-  return { page, faults, close: () => context.close() };
-}
-
-export async function withReport(file, check, options) {
-  const { page, faults, close } = await open(file, options);
   await check(page);
   assert.deepEqual(faults, []);
-  await close();
 }
 
 /** Goes to a part that is folded at first. */
@@ -157,13 +157,21 @@ export async function print(page) {
   assert.equal(await page.locator('select').evaluateAll((all) => all.filter((one) => one.getClientRects().length > 0).length), 0);
 }
 
-/** What axe-core finds, be it minor. */
-export async function axeFindings(page) {
+/** What axe-core finds by these rules, be it minor; by all of them unless given. */
+export async function axeFindings(page, rules) {
   await page.evaluate(readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8'));
-  // Pictures are one thing for readers of the screen, and by far the most elements.
-  const { violations, passes } = await page.evaluate(() => globalThis.axe.run({ exclude: [['.plot'], ['.round > *'], ['.unwrapped > *']] }));
-  assert.ok(passes.length > 20);
+  // Pictures are one thing for readers of the screen, and by far the most elements. What passes is only counted.
+  const options = { resultTypes: ['violations'], ...(rules && { runOnly: rules }) };
+  const { violations, passes } = await page.evaluate((given) => globalThis.axe.run({ exclude: [['.plot'], ['.round > *'], ['.unwrapped > *']] }, given), options);
+  assert.ok(passes.length > (rules ? 0 : 20));
   return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`);
+}
+
+/** Axe-core finds nothing, in light and in dark, which differ by their colours alone. */
+export async function assertAccessible(file) {
+  for (const [colorScheme, rules] of [['light'], ['dark', ['color-contrast', 'link-in-text-block']]]) {
+    await withReport(file, async (page) => assert.deepEqual(await axeFindings(page, rules), [], `${file}, ${colorScheme}`), { colorScheme });
+  }
 }
 
 /** Whether the page has room for all that is on it, at widths from that of a phone to that of a large screen. */

@@ -6,7 +6,7 @@ import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { assertLoopsInSight, caseFile, cycle, folder, laptop, moveTo, near, program, quantity, report, rowsOf, run, saved, state, stripFile, summaryOf, withReport } from './support.mjs';
+import { assertFits, assertLoopsInSight, caseFile, cycle, folder, laptop, moveTo, near, program, quantity, report, rowsOf, run, saved, state, stripFile, summaryOf, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> {a|b} \u2028 & <b>bold</b>';
 const steps = 100;
@@ -263,17 +263,15 @@ test('a failed run says why and where', async () => {
 
 test('it fits every width, in light and dark, and on paper', async () => {
   const colours = new Set();
-  for (const width of [360, 768, 1366, 1920, 2560]) {
-    for (const colorScheme of ['light', 'dark']) {
-      await withReport(
-        'one.html',
-        async (page) => {
-          assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
-          colours.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor));
-        },
-        { viewport: { width, height: 800 }, colorScheme },
-      );
-    }
+  for (const colorScheme of ['light', 'dark']) {
+    await withReport(
+      'one.html',
+      async (page) => {
+        await assertFits(page);
+        colours.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor));
+      },
+      { viewport: { width: 360, height: 800 }, colorScheme },
+    );
   }
   assert.equal(colours.size, 2);
   await withReport('one.html', async (page) => {

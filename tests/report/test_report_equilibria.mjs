@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, assertPanelsFitPaper, axeFindings, folder, near, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
+import { assertAccessible, assertFits, assertPanelsFitPaper, folder, near, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=6'];
 
@@ -294,9 +294,7 @@ test('a click on a curve looks at its state, and pictures are complete', () =>
   }));
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
-  for (const colorScheme of ['light', 'dark']) {
-    await withReport('grid.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
-  }
+  await assertAccessible('grid.html');
   await withReport('grid.html', assertFits);
   await withReport('grid.html', async (page) => {
     await assertPanelsFitPaper(page);

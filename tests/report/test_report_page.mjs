@@ -243,7 +243,8 @@ async function atAnyMagnification(page, increments, check) {
   assert.ok(names.includes('×1000'));
   for (const factor of names) {
     await factors.selectOption(factor);
-    for (const increment of increments) {
+    // All along the way at the least and at the most.
+    for (const increment of factor === names[0] || factor === names.at(-1) ? increments : increments.slice(-1)) {
       await moveTo(page, increment);
       await check(`${factor}, increment ${increment}`);
     }
@@ -392,14 +393,10 @@ test('fifty runs stay usable: searched, chosen, in the colours of what differs',
   }, laptop);
 });
 
-test('the demo is painted at once', async () => {
-  const times = [];
-  for (let i = 0; i < 3; i += 1) {
-    await withReport('one.html', async (page) => {
-      times.push(await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime));
-    });
-  }
-  console.log(`first paint of the demo: ${times.map((time) => Math.round(time)).join(', ')} ms`);
-  // A second on a machine at rest; one that is busy with other tests is no judge of it.
-  assert.ok(Math.min(...times) < 10000, String(times));
-});
+test('the demo is painted at once', () =>
+  withReport('one.html', async (page) => {
+    const took = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
+    console.log(`first paint of the demo: ${Math.round(took)} ms`);
+    // A second on a machine at rest; one that is busy with other tests is no judge of it.
+    assert.ok(took < 10000, `${took} ms`);
+  }));

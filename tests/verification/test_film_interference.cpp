@@ -22,7 +22,7 @@ RunningState state_of(double clearance, double load, const FilmResolution& resol
 TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
   double before = 0.0;
   for (const double clearance : {-0.05e-6, -0.01e-6, 0.0, 1e-9, 0.01e-6, 0.02e-6, 0.05e-6, 0.07e-6, 0.1e-6}) {
-    const RunningState state = state_of(clearance, 50.0, {.columns_per_pitch = 6, .rows = 8});
+    const RunningState state = state_of(clearance, 50.0, {.columns_per_pitch = 4, .rows = 6});
     ASSERT_TRUE(state.found()) << clearance;
     EXPECT_EQ(state.last->opening, 0.0) << clearance;
     const double h = film_thickness_scale(clearance) * state.last->film.thickness.minCoeff();

@@ -233,8 +233,9 @@ TEST(Equilibrium, ClosesAClearanceThatWasOpened) {
   for (const std::size_t i : {0U, 1U}) positions.positions.push_back(ramped.states[i].last->position);
   for (const FilmPath path : {FilmPath::load_ramp, FilmPath::position_ray, FilmPath::speed_ramp}) {
     for (const EquilibriumSettings& settings : {loads, positions}) {
-      if (path == FilmPath::load_ramp && settings.loads.empty()) continue;
-      const EquilibriumResult result = states(path, settings);
+      const bool is_ramp = path == FilmPath::load_ramp;
+      if (is_ramp && settings.loads.empty()) continue;
+      const EquilibriumResult result = is_ramp ? ramped : states(path, settings);
       ASSERT_EQ(result.states.size(), 4U);
       for (const RunningState& state : result.states) {
         ASSERT_EQ(state.report.status, Status::converged) << static_cast<int>(path);
