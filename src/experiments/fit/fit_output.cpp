@@ -168,8 +168,8 @@ std::vector<std::string> fit_warnings(const FitResult& result) {
     if (!result.parameters[i].at_jump) continue;
     lines.push_back(fmt::format(
         "the model jumps beside the value of {}, as other contacts slide there: its standard error is not known, and "
-        "those of the others hold for this value; beyond the jump a deeper minimum may lie, which more fit.starts find, "
-        "and fit.profile = true shows what the data tell of it",
+        "those of the others hold for this value; more fit.starts may find a deeper minimum beyond the jump, and "
+        "fit.profile = true shows what the data tell of it",
         result.settings.parameters[i].key));
   }
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
