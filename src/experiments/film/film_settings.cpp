@@ -290,8 +290,7 @@ void judge_halves(Judge& judge, const Case& input) {
                           : by_gas_alone        ? "film.side_pressure"
                                                 : "width.conicity";
   const bool by_given_tilt = width.moment.empty() && width.tilts() && width.conicity == 0.0;
-  for (const char* const command :
-       {"cycle", "path", "vibration", "stability", "unbalance", "transient"}) {
+  for (const char* const command : {"cycle", "path", "vibration", "stability", "unbalance", "transient"}) {
     if (by_gas_alone && is_dry(command)) continue;
     if (by_given_tilt && is_dry(command)) {
       judge_dry_tilt(judge, input, command);
