@@ -8,6 +8,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/ensemble/running_sample.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
@@ -118,7 +119,7 @@ void lay_out_rotor(const Case& input, EnsembleLayout& layout) {
   }
 }
 
-std::size_t places_run(const SampleResult& result) {
+[[maybe_unused]] std::size_t places_run(const SampleResult& result) {  // by assertions alone
   if (const auto* cycles = std::get_if<CycleResult>(&result)) return cycles->cycles.size();
   if (const auto* running = std::get_if<EquilibriumResult>(&result)) return running->states.size();
   return 1;

@@ -7,6 +7,7 @@
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/ensemble/ensemble_table.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "ensemble/statistics_json.hpp"
