@@ -24,7 +24,7 @@ missing_packages() {
   installed="$(dpkg-query -W -f='${db:Status-Abbrev},${Package},${Provides}\n' | awk -F',' '$1 ~ /^ii/ {
     for (i = 2; i <= NF; i++) { split($i, words, " "); print words[1] } }')"
   for package in "${wanted[@]}"; do
-    if ! grep -qxF -- "${package//|/$'\n'}" <<< "$installed"; then echo "${package%%|*}"; fi
+    if ! grep -qxF -- "$package" <<< "$installed"; then echo "$package"; fi
   done
 }
 

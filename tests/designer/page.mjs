@@ -14,16 +14,12 @@ const { chromium } = modules('playwright-core');
 export let folder;
 export let file;
 let browser;
-let context;
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'bumpfoil-designer-'));
   file = join(folder, 'designer.html');
   run('designer', '-o', file);
   browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
-  context = await browser.newContext();
-  // Vibrations take seconds, and many of them beside other tests.
-  context.setDefaultTimeout(120000);
 });
 
 after(async () => {
@@ -49,30 +45,23 @@ export async function answeredIn(page, view, act = () => Promise.resolve()) {
   await page.waitForFunction(([one, before]) => Number(document.querySelector(one).dataset.answered ?? 0) > before, [view, count]);
 }
 
-/** Pages that are not in use: that a browser makes another costs more than to load the designer. */
-const idle = [];
-
-/** Shows the designer as it is just opened, and fails where anything goes wrong or out meanwhile. */
-export async function withPage(check, { fragment = '', viewport = { width: 1366, height: 768 }, colorScheme = 'light' } = {}) {
-  const page = idle.pop() ?? (await context.newPage());
-  await page.goto('about:blank');
-  await page.setViewportSize(viewport);
-  await page.emulateMedia({ colorScheme });
+/** The page, and everything that goes wrong or out while it is shown. */
+export async function withPage(check, { fragment = '', ...options } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1366, height: 768 }, ...options });
+  // Vibrations take seconds, and many of them beside other tests.
+  context.setDefaultTimeout(120000);
+  const page = await context.newPage();
   const faults = [];
-  const listeners = {
-    pageerror: (error) => faults.push(String(error)),
-    console: (message) => faults.push(message.text()),
-    request: (request) => {
-      if (!/^(file|data|blob):/.test(request.url())) faults.push(request.url());
-    },
-  };
-  for (const [name, listener] of Object.entries(listeners)) page.on(name, listener);
+  page.on('pageerror', (error) => faults.push(String(error)));
+  page.on('console', (message) => faults.push(message.text()));
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) faults.push(request.url());
+  });
   await page.goto(pathToFileURL(file).href + fragment);
   await page.waitForFunction(() => document.documentElement.dataset.answered);
   await check(page);
   assert.deepEqual(faults, []);
-  for (const [name, listener] of Object.entries(listeners)) page.off(name, listener);
-  idle.push(page);
+  await context.close();
 }
 
 export const field = (page, key) => page.locator(`[data-key="${key}"] input:not([type="range"])`);
