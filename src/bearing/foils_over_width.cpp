@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <numeric>
 #include <utility>
 #include <vector>
 

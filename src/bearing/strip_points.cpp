@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "bearing/foil_lines.hpp"

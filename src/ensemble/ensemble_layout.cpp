@@ -87,8 +87,7 @@ void add_sampled(const Quantities& quantities, const Add& add) {
 void lay_out_cycles(const Case& input, EnsembleLayout& layout) {
   for (const double direction : input.cycle.directions) layout.places.push_back({direction_name(direction), direction});
   const Wording wording = wording_of(input, Experiment::cycle);
-  const bool over_width =
-      input.varies_over_the_width() || (input.montecarlo->bump_height && strips_drawn_apart(input) > 1);
+  const bool over_width = input.varies_over_the_width() || strips_drawn_apart(input) > 1;
   add_sampled(cycle_quantities(Experiment::cycle, over_width),
               [&](const CycleQuantity& quantity) { layout.columns.push_back(column_of(quantity, wording)); });
   const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);

@@ -73,7 +73,9 @@ void raise_bumps(BearingDesign& sampled, std::size_t strips, const std::vector<d
 }  // namespace
 
 std::size_t strips_drawn_apart(const Case& input) {
-  return input.lets_strips_move_apart() ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
+  return input.montecarlo->bump_height && input.lets_strips_move_apart()
+             ? static_cast<std::size_t>(input.bump_foil.strips)
+             : 1;
 }
 
 Sample draw_sample(const Case& input, std::uint64_t number) {

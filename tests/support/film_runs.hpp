@@ -54,6 +54,27 @@ inline void expect_solved(const FilmBearing& bearing, const BearingState& state)
   EXPECT_TRUE(residuals.within(1e-7, 1e-11)) << residuals.equilibrium << ' ' << residuals.penetration;
 }
 
+/// Forces and moments by displacements and tilts, N/m: central differences of the force at states a nanometre away.
+/// @param state  at `point`
+inline JournalMatrix stiffness_by_differences(FilmStepper& stepper, const OperatingPoint& point,
+                                              const BearingState& state) {
+  constexpr double h = 1e-9;
+  JournalMatrix K(4, 4);
+  for (Eigen::Index axis = 0; axis < 4; ++axis) {
+    JournalVector force[2];
+    for (const int side : {0, 1}) {
+      BearingState moved = state;
+      OperatingPoint there = point;
+      double& entry = axis < 2 ? there.journal[axis] : there.tilt.value[axis - 2];
+      entry += side == 0 ? -h : h;
+      EXPECT_EQ(stepper.advance(there, moved).status, Status::converged);
+      force[side] = journal_force(stepper.bearing(), moved.film, point.speed);
+    }
+    K.col(axis) = (force[1] - force[0]) / (2.0 * h);
+  }
+  return K;
+}
+
 /// Expects a run of the prototype on one of its meshes: cold start at 0.7 C_r at most, then along the ray.
 inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level) {
   SCOPED_TRACE(testing::Message() << run.position.transpose() << ", " << level.resolution.columns_per_pitch << 'x'

@@ -88,7 +88,8 @@ struct FilmPad {
 /// places of the foils' unknowns, the others, and what is unknown of the membrane, behind the pressures. What is the
 /// same on both halves varies at top foil and crest alone; what is linear over the width, as under a tilted journal, at
 /// all of the bump foil, which is independent slices then. Against modes of a higher order the crest has springs of
-/// held_crest_stiffness(), and all else that is not uniform all but rigid ones.
+/// held_crest_stiffness(), and all else that is not uniform all but rigid ones. Where the bump foil is split into
+/// strips it is on points of its own instead (Foils), and the lines are those of the top foil alone.
 ///
 /// K of the contact problem is that of the bump foils alone, which holds what means nothing in the last blocks.
 struct FilmBearing : Foils {

@@ -85,10 +85,9 @@ struct Foils {
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
-  bool under_film{};  ///< a film presses, and nothing else
-  std::vector<FoilLine>
-      lines{};  ///< under a film or a tilted journal, or of strips that move apart, those over the
-                ///< crests that are not staggered first; none otherwise: all is uniform over the width
+  bool under_film{};               ///< a film presses, and nothing else
+  std::vector<FoilLine> lines{};   ///< where foils vary over the width, those over the crests that are not staggered
+                                   ///< first; none where all is uniform
   std::vector<FoilLine> points{};  ///< of strips that do not move alike; none otherwise: all of the foils is on lines
   std::vector<Eigen::Matrix2Xd> strip_normals{};  ///< as `normals`, of each strip where any is staggered
 

@@ -31,7 +31,7 @@ struct Sample {
 /// @pre  the case is valid and has an ensemble
 Sample draw_sample(const Case& input, std::uint64_t number);
 
-/// Strips of the bump foil whose bumps have heights of their own: 1 where all strips have the same.
+/// Strips of the bump foil whose bumps have heights drawn of their own: 1 where all strips have the same.
 std::size_t strips_drawn_apart(const Case& input);
 
 /// Factors that sensitivities are asked for: the heights of the bumps where they scatter, and each of
