@@ -80,6 +80,44 @@ Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, double start, st
   return found;
 }
 
+/// The space of one motion while it grows.
+class Reduction {
+ public:
+  Reduction(const FilmAnswer& moved, const std::vector<std::complex<double>>& excess)
+      : start_(moved.content.norm()),
+        moved_(moved.force),
+        space_(moved.content, std::min<Eigen::Index>(most_directions, moved.content.size())),
+        forces_(moved.force.size(), 0) {
+    last_.reserve(excess.size());
+    for (const std::complex<double> e : excess) last_.emplace_back(start_, e);
+  }
+
+  [[nodiscard]] bool can_grow() const { return space_.can_grow(); }
+  [[nodiscard]] auto direction() const { return space_.direction(); }
+  /// @param answer  to direction()
+  void add(FilmAnswer answer) {
+    space_.add(std::move(answer.content));
+    forces_.conservativeResize(Eigen::NoChange, space_.size());
+    forces_.col(space_.size() - 1) = answer.force;
+  }
+  /// Whether the residual is small at every s asked for.
+  [[nodiscard]] bool solves() {
+    return std::all_of(last_.begin(), last_.end(), [&](LastCoordinate& of_one) {
+      return std::abs(of_one.excess() * of_one.of(space_.hessenberg())) * space_.next() <= tolerance * start_;
+    });
+  }
+  [[nodiscard]] ReducedForces forces() const {
+    return {.moved = moved_, .start = start_, .hessenberg = space_.hessenberg(), .forces = forces_};
+  }
+
+ private:
+  double start_;
+  JournalVector moved_;
+  KrylovSpace space_;
+  Matrix forces_;
+  std::vector<LastCoordinate> last_;
+};
+
 }  // namespace
 
 JournalVectorC ReducedForces::at(std::complex<double> excess) const {
@@ -121,27 +159,30 @@ Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& ra
   return residual;
 }
 
-std::optional<ReducedForces> reduce_forces(const FilmAnswer& moved,
-                                           const std::function<FilmAnswer(const Vector&)>& stored,
-                                           const std::vector<std::complex<double>>& excess) {
-  const double start = moved.content.norm();
-  KrylovSpace space(moved.content, std::min<Eigen::Index>(most_directions, moved.content.size()));
-  Matrix forces(moved.force.size(), 0);
-  std::vector<LastCoordinate> last;
-  last.reserve(excess.size());
-  for (const std::complex<double> e : excess) last.emplace_back(start, e);
-  const auto solves = [&](LastCoordinate& of_one) {
-    return std::abs(of_one.excess() * of_one.of(space.hessenberg())) * space.next() <= tolerance * start;
-  };
-  while (space.can_grow()) {
-    FilmAnswer answer = stored(space.direction());
-    space.add(std::move(answer.content));
-    forces.conservativeResize(Eigen::NoChange, space.size());
-    forces.col(space.size() - 1) = answer.force;
-    if (!std::all_of(last.begin(), last.end(), solves)) continue;
-    return ReducedForces{.moved = moved.force, .start = start, .hessenberg = space.hessenberg(), .forces = forces};
+std::optional<std::vector<ReducedForces>> reduce_forces(
+    const std::vector<FilmAnswer>& moved,
+    const std::function<std::vector<FilmAnswer>(const std::vector<Vector>& rates)>& stored,
+    const std::vector<std::complex<double>>& excess) {
+  std::vector<Reduction> reductions;
+  reductions.reserve(moved.size());
+  for (const FilmAnswer& of_motion : moved) reductions.emplace_back(of_motion, excess);
+  std::vector<Reduction*> growing;
+  for (Reduction& reduction : reductions) growing.push_back(&reduction);
+  std::vector<Vector> directions;
+  while (!growing.empty()) {
+    directions.clear();
+    for (const Reduction* reduction : growing) {
+      if (!reduction->can_grow()) return std::nullopt;
+      directions.emplace_back(reduction->direction());
+    }
+    std::vector<FilmAnswer> answers = stored(directions);
+    for (std::size_t i = 0; i < growing.size(); ++i) growing[i]->add(std::move(answers[i]));
+    std::erase_if(growing, [](Reduction* reduction) { return reduction->solves(); });
   }
-  return std::nullopt;
+  std::vector<ReducedForces> found;
+  found.reserve(reductions.size());
+  for (const Reduction& reduction : reductions) found.push_back(reduction.forces());
+  return found;
 }
 
 }  // namespace bumpfoil

@@ -41,14 +41,17 @@ struct FilmAnswer {
 ///     w - (s - shift) C w = S X_0 + a q,      C w = -S (J + shift S)^-1 w
 ///
 /// C is real, and its Krylov space on the right-hand side is the same for all s: Arnoldi's method [Saad2011] builds a
-/// basis of it until the residual of the Galerkin solution is small at every s asked for.
+/// basis of it until the residual of the Galerkin solution is small at every s asked for. The spaces of all motions
+/// grow together: answers at once cost less than one by one.
 ///
-/// @param moved   of X_0, for a unit displacement
-/// @param stored  C: the answer to rates of storage at the nodes whose pressure is unknown
+/// @param moved   of X_0, for a unit displacement in each motion of the journal
+/// @param stored  C: the answers to rates of storage at the nodes whose pressure is unknown, to as many as there are
+///                motions at most
 /// @param excess  s - shift, for all s
-/// @return what answers at all s; nothing if the space does not grow to hold the solution
-std::optional<ReducedForces> reduce_forces(const FilmAnswer& moved,
-                                           const std::function<FilmAnswer(const Vector&)>& stored,
-                                           const std::vector<std::complex<double>>& excess);
+/// @return what answers to each motion at all s; nothing if a space does not grow to hold the solution
+std::optional<std::vector<ReducedForces>> reduce_forces(
+    const std::vector<FilmAnswer>& moved,
+    const std::function<std::vector<FilmAnswer>(const std::vector<Vector>& rates)>& stored,
+    const std::vector<std::complex<double>>& excess);
 
 }  // namespace bumpfoil

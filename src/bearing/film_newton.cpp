@@ -48,8 +48,7 @@ Eigen::Index unknown_pressures_of(const FilmMesh& mesh) {
 
 }  // namespace
 
-FilmNewton::Part::Part(const FilmPad& of_pad)
-    : pad(of_pad), system(of_pad.foil), support_step(system.block_size(), system.blocks()) {}
+FilmNewton::Part::Part(const FilmPad& of_pad) : pad(of_pad), system(of_pad.foil), residuals(1), changes(1) {}
 
 FilmNewton::FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options)
     : shared_(std::move(bearing)),
@@ -111,6 +110,7 @@ void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balanc
 double FilmNewton::find_residual() {
   const BearingState& state = trial_;
   const ContactState& contact = state.contacts;
+  set_sides(1);
   Vector& forces = find_bump_forces(contact);
   forces -= contact_forces(bearing_.problem, contact.normal_force, contact.friction_force);
   const Eigen::Index size = bump_K_.block_size();
@@ -119,7 +119,7 @@ double FilmNewton::find_residual() {
     Part& part = parts_[k];
     const FilmPad& pad = part.pad;
     const FilmMesh& mesh = pad.foil.mesh;
-    FoilFilmResidual& residual = part.residual;
+    FoilFilmResidual& residual = part.residuals.front();
     read_part(pad, state.film, part.state);
     foil_film_residual(pad.foil, equations_[k], part.state, residual);
     square += film_square(mesh, residual.film);
@@ -158,50 +158,76 @@ void FilmNewton::assemble() {
   }
 }
 
-/// Adds the condensed residuals to the loads of the contact problem.
-void FilmNewton::load_condensed() {
+/// How many residuals are taken to zero together.
+void FilmNewton::set_sides(std::size_t count) {
   for (Part& part : parts_) {
+    part.residuals.resize(count);
+    part.changes.resize(count);
+  }
+}
+
+void FilmNewton::condense() {
+  for (Part& part : parts_) part.system.condense(part.residuals);
+}
+
+/// Adds condensed residuals to the loads of the contact problem.
+void FilmNewton::load_condensed(std::size_t side) {
+  for (const Part& part : parts_) {
     const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
-    const Matrix& condensed = part.system.condense(part.residual);
-    for (int b = 0; b < part.system.blocks(); ++b) {
+    const int blocks = part.system.blocks();
+    const Matrix& condensed = part.system.condensed();
+    for (int b = 0; b < blocks; ++b) {
       const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+      const Eigen::Index column = static_cast<Eigen::Index>(side) * blocks + b;
       for_each_place(part.pad, b, [&](int place, int film_place) {
-        loading_.load[first + place] -= unit * condensed(film_place, b);
+        loading_.load[first + place] -= unit * condensed(film_place, column);
       });
     }
   }
 }
 
 /// Changes of the blocks, as the contact problem found them, and of what lies in between.
-void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
-  const int rows = bearing_.pads.front().foil.mesh.rows + 1;
-  change.pressure.resize(rows, bearing_.columns());
-  change.thickness.resize(rows, bearing_.columns());
+void FilmNewton::expand(std::span<Step> changes) {
   const FoilFilm& foil = bearing_.pads.front().foil;
-  change.lift.resize(foil.lines.count(), bearing_.columns());
-  change.moment.resize(foil.lines.count(), bearing_.columns());
-  change.membrane.resize(2 * foil.stretching.rows(), bearing_.columns());
+  for (Step& change : changes) {
+    change.film.pressure.resize(foil.mesh.rows + 1, bearing_.columns());
+    change.film.thickness.resize(foil.mesh.rows + 1, bearing_.columns());
+    change.film.lift.resize(foil.lines.count(), bearing_.columns());
+    change.film.moment.resize(foil.lines.count(), bearing_.columns());
+    change.film.membrane.resize(2 * foil.stretching.rows(), bearing_.columns());
+  }
   for (Part& part : parts_) {
-    part.support_step.setZero();
-    for (int b = 0; b < part.system.blocks(); ++b) {
-      const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
-      for_each_place(part.pad, b, [&](int place, int film_place) {
-        part.support_step(film_place, b) = x[first + place] / bearing_.scales.thickness;
-      });
+    const int blocks = part.system.blocks();
+    part.support_steps.setZero(part.system.block_size(), std::ssize(changes) * blocks);
+    for (std::size_t side = 0; side < changes.size(); ++side) {
+      const Vector& x = changes[side].contact.x;
+      for (int b = 0; b < blocks; ++b) {
+        const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+        const Eigen::Index column = static_cast<Eigen::Index>(side) * blocks + b;
+        for_each_place(part.pad, b, [&](int place, int film_place) {
+          part.support_steps(film_place, column) = x[first + place] / bearing_.scales.thickness;
+        });
+      }
     }
-    part.system.expand(part.support_step, part.change);
-    write_part(part.pad, part.change, change);
+    part.system.expand(part.support_steps, part.changes);
+    for (std::size_t side = 0; side < changes.size(); ++side) {
+      write_part(part.pad, part.changes[side], changes[side].film);
+    }
   }
 }
 
-/// Change of all unknowns that takes the residuals of the films and foils to zero: where the system was linearised
-/// last, with the modes that were set last.
-void FilmNewton::answer(Step& change) {
+/// Changes of all unknowns that take the residuals of the films and foils to zero, one for each: where the system was
+/// linearised last, with the modes that were set last.
+void FilmNewton::answer(std::span<Step> changes) {
+  condense();
   loading_.initial_gap.setZero();
-  loading_.load.setZero();
-  load_condensed();
-  modes_->solve(loading_, Vector::Zero(K_.rows()), change.contact);
-  expand(change.contact.x, change.film);
+  const Vector none = Vector::Zero(K_.rows());
+  for (std::size_t side = 0; side < changes.size(); ++side) {
+    loading_.load.setZero();
+    load_condensed(side);
+    modes_->solve(loading_, none, changes[side].contact);
+  }
+  expand(changes);
 }
 
 /// Change of the force on the journal with pressure and asperities, where the system was linearised last.
@@ -221,27 +247,31 @@ JournalVector FilmNewton::asperity_force_of(const FoilFilmState& change) const {
   return asperity_force(bearing_, pressures, friction_);
 }
 
-/// Rates of all unknowns to `rigid`, the rate of H with foils that do not give way, 1/m: where the system was
-/// linearised last, with the modes that were set last. @return that of the force on the journal, N/m
-JournalVector FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
+/// Rates of all unknowns to each `rigid`, a rate of H with foils that do not give way, 1/m: where the system was
+/// linearised last, with the modes that were set last.
+void FilmNewton::find_rates(std::span<const Matrix> rigid, std::span<Step> rates) {
+  set_sides(rigid.size());
   for (Part& part : parts_) {
     const FoilFilm& foil = part.pad.foil;
-    const Matrix change = part_of(part.pad, rigid);
-    part.residual.film = stencil_product(foil.mesh, part.system.film_jacobian().by_thickness, change);
-    set_zero(foil, part.residual);
-    part.residual.balance = asperity_change(part, change);
+    for (std::size_t side = 0; side < rigid.size(); ++side) {
+      FoilFilmResidual& residual = part.residuals[side];
+      const Matrix change = part_of(part.pad, rigid[side]);
+      residual.film = stencil_product(foil.mesh, part.system.film_jacobian().by_thickness, change);
+      set_zero(foil, residual);
+      residual.balance = asperity_change(part, change);
+    }
   }
-  answer(rate);
-  rate.film.thickness += rigid;
-  return force_of(rate.film);
+  answer(rates);
+  for (std::size_t side = 0; side < rigid.size(); ++side) rates[side].film.thickness += rigid[side];
 }
 
 JournalMatrix FilmNewton::find_rates() {
   const Eigen::Index motions = bearing_.motions();
+  std::vector<Matrix> rigid;
+  for (Eigen::Index i = 0; i < motions; ++i) rigid.push_back(bearing_.thinning(JournalVector::Unit(motions, i)));
+  find_rates(rigid, rates_);
   JournalMatrix K_film(motions, motions);
-  for (Eigen::Index i = 0; i < motions; ++i) {
-    K_film.col(i) = find_rate(bearing_.thinning(JournalVector::Unit(motions, i)), rates_[static_cast<std::size_t>(i)]);
-  }
+  for (Eigen::Index i = 0; i < motions; ++i) K_film.col(i) = force_of(rates_[static_cast<std::size_t>(i)].film);
   return K_film;
 }
 
@@ -314,14 +344,17 @@ Matrix FilmNewton::asperity_change(const Part& part, const Matrix& thickness) {
   return asperity_balance(part.pad.foil, part.system.asperity_slopes().cwiseProduct(thickness));
 }
 
-/// Makes the rates at which the volumes of the nodes store something the residuals of the films.
-void FilmNewton::store(const Vector& rates) {
+/// Makes rates at which the volumes of the nodes store something residuals of the films.
+void FilmNewton::store(std::span<const Vector> rates) {
+  set_sides(rates.size());
   Eigen::Index first = 0;
   for (Part& part : parts_) {
     const FilmMesh& mesh = part.pad.foil.mesh;
     const Eigen::Index size = unknown_pressures_of(mesh);
-    part.residual.film = storage_residual(mesh, rates.segment(first, size));
-    set_zero(part.pad.foil, part.residual);
+    for (std::size_t side = 0; side < rates.size(); ++side) {
+      part.residuals[side].film = storage_residual(mesh, rates[side].segment(first, size));
+      set_zero(part.pad.foil, part.residuals[side]);
+    }
     first += size;
   }
 }
@@ -335,18 +368,21 @@ std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
   const auto told = [&](const FoilFilmState& change) {
     return FilmAnswer{content_of(change, state.film), force_of(change)};
   };
-  Step change;
-  const auto stored = [&](const Vector& content) {
-    store(content);
-    answer(change);
-    return told(change.film);
+  std::vector<Step> changes(rates_.size());
+  const auto stored = [&](const std::vector<Vector>& contents) {
+    const std::span<Step> of_each = std::span(changes).first(contents.size());
+    store(contents);
+    answer(of_each);
+    std::vector<FilmAnswer> answers;
+    for (const Step& change : of_each) answers.push_back(told(change.film));
+    return answers;
   };
   find_rates();
-  for (const Step& rate : rates_) {
-    auto reduced = reduce_forces(told(rate.film), stored, shifted.excess);
-    if (!reduced) return std::nullopt;
-    found.along.push_back(std::move(*reduced));
-  }
+  std::vector<FilmAnswer> moved;
+  for (const Step& rate : rates_) moved.push_back(told(rate.film));
+  auto reduced = reduce_forces(moved, stored, shifted.excess);
+  if (!reduced) return std::nullopt;
+  found.along = std::move(*reduced);
   return found;
 }
 
@@ -376,16 +412,18 @@ double FilmNewton::equation_square(const Step& change) {
   for (Part& part : parts_) {
     const FilmMesh& mesh = part.pad.foil.mesh;
     const FilmJacobian& jacobian = part.system.film_jacobian();
-    read_part(part.pad, change.film, part.change);
-    part.residual.film += stencil_product(mesh, jacobian.by_pressure, part.change.pressure) +
-                          stencil_product(mesh, jacobian.by_thickness, part.change.thickness);
-    part.change.pressure.array() += 1.0;  // foils are loaded by P - 1
-    foil_residual(part.pad.foil, part.change, part.residual);
-    part.residual.balance += asperity_change(part, part.change.thickness);
-    add_supports(part.pad, forces, part.residual.balance);
+    FoilFilmResidual& residual = part.residuals.front();
+    FoilFilmState& own = part.changes.front();
+    read_part(part.pad, change.film, own);
+    residual.film += stencil_product(mesh, jacobian.by_pressure, own.pressure) +
+                     stencil_product(mesh, jacobian.by_thickness, own.thickness);
+    own.pressure.array() += 1.0;  // foils are loaded by P - 1
+    foil_residual(part.pad.foil, own, residual);
+    residual.balance += asperity_change(part, own.thickness);
+    add_supports(part.pad, forces, residual.balance);
     const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
-    square += film_square(mesh, part.residual.film) + part.residual.balance.squaredNorm() +
-              part.residual.compatibility.squaredNorm() + part.residual.membrane.squaredNorm() +
+    square += film_square(mesh, residual.film) + residual.balance.squaredNorm() + residual.compatibility.squaredNorm() +
+              residual.membrane.squaredNorm() +
               forces.segment(part.pad.first_block * size, part.pad.bumps() * size).squaredNorm() / (unit * unit);
   }
   return square;
@@ -398,8 +436,8 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   if (!linearise_at(shift, state, stuck)) return std::nullopt;
   Step change;
   const auto stored = [&](const Vector& rates) {
-    store(rates);
-    answer(change);
+    store({&rates, 1});
+    answer({&change, 1});
     return content_of(change.film, state.film);
   };
   const std::optional<FilmPole> pole = rightmost_pole(stored, unknown_pressures(), frequency_in_speeds * unit);
@@ -408,9 +446,9 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   // The motion itself, and what it leaves of the equations of all unknowns.
   std::array<Step, 2> motion;  // real and imaginary part
   Eigen::MatrixX2d content(unknown_pressures(), 2);
+  store(std::array<Vector, 2>{pole->stored.real(), pole->stored.imag()});
+  answer(motion);
   for (const Eigen::Index i : {0, 1}) {
-    store(i == 0 ? Vector(pole->stored.real()) : Vector(pole->stored.imag()));
-    answer(motion[static_cast<std::size_t>(i)]);
     content.col(i) = content_of(motion[static_cast<std::size_t>(i)].film, state.film);
   }
   const Eigen::Matrix2d times_excess{{pole->excess.real(), pole->excess.imag()},
@@ -419,8 +457,9 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   double square = 0.0;
   double whole = 0.0;
   for (const Eigen::Index i : {0, 1}) {
-    store(more.col(i));
-    for (const Part& part : parts_) whole += film_square(part.pad.foil.mesh, part.residual.film);
+    const Vector of_part = more.col(i);
+    store({&of_part, 1});
+    for (const Part& part : parts_) whole += film_square(part.pad.foil.mesh, part.residuals.front().film);
     square += equation_square(motion[static_cast<std::size_t>(i)]);
   }
   HeldMotion found{.rate = (shift + pole->excess) / T0, .residual = std::sqrt(square / whole)};
@@ -442,7 +481,8 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
   const Vector& x = state.contacts.x;
   // Contact forces are unknowns of the step, and no part of its right-hand side.
   loading_.load = -find_bump_forces(state.contacts);
-  load_condensed();
+  condense();
+  load_condensed(0);
   loading_.initial_gap = contact_gaps(bearing_.problem, bearing_.assembled_gap, x);
   begin_ = state.contacts;
   begin_.x.setZero();
@@ -456,7 +496,7 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
   const SolveReport solved = contacts_.solve(loading_, begin_, step_.contact);
   report.factorisations += solved.cost.factorisations;
   if (!solved.converged()) return false;
-  expand(step_.contact.x, step_.film);
+  expand({&step_, 1});
   step_.displacement.setZero(bearing_.motions());
   step_.opening = 0.0;
   return true;
@@ -483,7 +523,8 @@ void FilmNewton::move_foils() {
   if (opening_ == iterate_.opening) return;
   const double longest = longest_opening * bearing_.scales.thickness;
   step_.opening = std::clamp(opening_ - iterate_.opening, -longest, longest);
-  find_rate(bearing_.field(1.0 / bearing_.scales.thickness), opening_rate_);
+  const Matrix opening = bearing_.field(1.0 / bearing_.scales.thickness);
+  find_rates({&opening, 1}, {&opening_rate_, 1});
   add_to_step(step_.opening, opening_rate_);
 }
 

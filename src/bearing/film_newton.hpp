@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -86,31 +87,33 @@ class FilmNewton {
 
     const FilmPad& pad;
     FoilFilmSystem system;
-    FoilFilmState state;  ///< where the residuals are, or the system was linearised
-    FoilFilmResidual residual;
-    Matrix support_step;
-    FoilFilmState change;
+    FoilFilmState state;                      ///< where the residuals are, or the system was linearised
+    std::vector<FoilFilmResidual> residuals;  ///< that are taken to zero together; the first is the trial's
+    Matrix support_steps;
+    std::vector<FoilFilmState> changes;
   };
 
   Vector& find_bump_forces(const ContactState& state);
   void add_supports(const FilmPad& pad, Vector& forces, Matrix& balance) const;
   void assemble();
-  void load_condensed();
-  void expand(const Vector& x, FoilFilmState& change);
+  void set_sides(std::size_t count);
+  void condense();
+  void load_condensed(std::size_t side);
+  void expand(std::span<Step> changes);
   bool find_step_at_rest(FilmReport& report);
   bool linearise_films(const FilmEquations& equations, const BearingState& state);
   bool linearise(const FilmEquations& equations, const BearingState& state, bool stuck);
   bool linearise_at(double shift, const BearingState& state, bool stuck);
-  void answer(Step& change);
+  void answer(std::span<Step> changes);
   [[nodiscard]] Eigen::Index unknown_pressures() const;
   [[nodiscard]] Vector content_of(const FoilFilmState& change, const FilmState& state) const;
-  void store(const Vector& rates);
+  void store(std::span<const Vector> rates);
   [[nodiscard]] double contact_square(const ContactState& change) const;
   double equation_square(const Step& change);
   [[nodiscard]] JournalVector force_of(const FoilFilmState& change) const;
   [[nodiscard]] JournalVector asperity_force_of(const FoilFilmState& change) const;
   static Matrix asperity_change(const Part& part, const Matrix& thickness);
-  JournalVector find_rate(const Matrix& rigid, Step& rate);
+  void find_rates(std::span<const Matrix> rigid, std::span<Step> rates);
   void move_foils();
   void add_to_step(double way, const Step& rate);
   void take_step(double fraction, const BearingState& from, BearingState& to) const;

@@ -66,13 +66,18 @@ std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Fo
   FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
   LinearWallFilm film(bearing, foundation, state.film);
   if (!film.linearise(state.speed, found.shift)) return std::nullopt;
-  for (Eigen::Index axis = 0; axis < bearing.motions(); ++axis) {
-    const Matrix rigid = bearing.thinning(JournalVector::Unit(bearing.motions(), axis));
-    auto reduced = reduce_forces(
-        film.moved(rigid), [&](const Vector& rates_of) { return film.stored(rates_of); }, shifted.excess);
-    if (!reduced) return std::nullopt;
-    found.along.push_back(std::move(*reduced));
+  std::vector<FilmAnswer> moved;
+  for (Eigen::Index motion = 0; motion < bearing.motions(); ++motion) {
+    moved.push_back(film.moved(bearing.thinning(JournalVector::Unit(bearing.motions(), motion))));
   }
+  const auto stored = [&](const std::vector<Vector>& directions) {
+    std::vector<FilmAnswer> answers;
+    for (const Vector& direction : directions) answers.push_back(film.stored(direction));
+    return answers;
+  };
+  auto reduced = reduce_forces(moved, stored, shifted.excess);
+  if (!reduced) return std::nullopt;
+  found.along = std::move(*reduced);
   return found;
 }
 

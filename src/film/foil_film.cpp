@@ -162,9 +162,9 @@ struct FoilFilmSystem::Workspace {
     int first{};  ///< column
     std::unique_ptr<FoilSpan> columns;
     FoilSpan::Condensed condensed;
-    Matrix right;  ///< minus the residuals
+    Matrix right;  ///< minus the residuals, one behind the other
     Matrix solution;
-    Vector before, after;  ///< the right-hand side, as the neighbours see it
+    Matrix before, after;  ///< the right-hand sides, as the neighbours see them
   };
 
   FoilFilm foil;
@@ -193,9 +193,6 @@ FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
     Span span;
     span.first = first;
     span.columns = make_foil_span(length, rows, of_foil, first > 0);
-    span.right.resize(rows, length);
-    span.before.resize(rows);
-    span.after.resize(rows);
     spans.push_back(std::move(span));
     first = column + 1;
   }
@@ -203,7 +200,6 @@ FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
   lower.assign(columns.size(), zero);
   diagonal = upper = lower;
   nothing.resize(rows, of_foil);
-  condensed.resize(rows, static_cast<Eigen::Index>(columns.size()));
 }
 
 /// Rows of column k: the film per area of a cell, balances, compatibilities, the membrane. Where an unknown is given,
@@ -348,6 +344,10 @@ const FoilFilmSystem::Block& FoilFilmSystem::upper(int i) const {
   return workspace_->upper[static_cast<std::size_t>(i)];
 }
 
+const Matrix& FoilFilmSystem::condensed() const {
+  return workspace_->condensed;
+}
+
 bool FoilFilmSystem::linearise(const ReynoldsEquation& equation, const FoilFilmState& state) {
   Workspace& w = *workspace_;
   linearise_reynolds(equation, state, w.film_residual, w.jacobian);
@@ -389,47 +389,68 @@ void FoilFilmSystem::Workspace::read_column(int k, const FoilFilmResidual& resid
   values.tail(residual.membrane.rows()) = residual.membrane.col(k);
 }
 
-const Matrix& FoilFilmSystem::condense(const FoilFilmResidual& residual) {
+void FoilFilmSystem::condense(std::span<const FoilFilmResidual> residuals) {
   Workspace& w = *workspace_;
+  const auto sides = std::ssize(residuals);
+  w.condensed.resize(w.rows, sides * blocks());
   for (std::size_t i = 0; i < w.columns.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
     Workspace::Span& span = w.spans[i];
-    for (int c = 0; c < span.columns->columns(); ++c) w.read_column(span.first + c, residual, span.right.col(c));
+    const int length = span.columns->columns();
+    span.right.resize(w.rows, sides * length);
+    span.before.resize(w.rows, sides);
+    span.after.resize(w.rows, sides);
+    for (Eigen::Index s = 0; s < sides; ++s) {
+      const FoilFilmResidual& residual = residuals[static_cast<std::size_t>(s)];
+      for (int c = 0; c < length; ++c) w.read_column(span.first + c, residual, span.right.col(s * length + c));
+      w.read_column(w.columns[i], residual, w.condensed.col(s * blocks() + static_cast<Eigen::Index>(i)));
+    }
     span.right *= -1.0;
     span.columns->condense(span.right, span.before, span.after);
-    w.read_column(w.columns[i], residual, w.condensed.col(at));
-    w.condensed.col(at) -= span.after;
-    if (i > 0) w.condensed.col(at - 1) -= span.before;
+    for (Eigen::Index s = 0; s < sides; ++s) {
+      const Eigen::Index at = s * blocks() + static_cast<Eigen::Index>(i);
+      w.condensed.col(at) -= span.after.col(s);
+      if (i > 0) w.condensed.col(at - 1) -= span.before.col(s);
+    }
   }
-  return w.condensed;
 }
 
-void FoilFilmSystem::expand(const Matrix& support_step, FoilFilmState& step) {
+void FoilFilmSystem::expand(const Matrix& support_steps, std::span<FoilFilmState> steps) {
   Workspace& w = *workspace_;
   const FilmMesh& mesh = w.foil.mesh;
   const int n = mesh.unknown_rows();
-  step.pressure.setZero(mesh.rows + 1, mesh.nodes());
   const Eigen::Index lines = w.foil.lines.count();
   const Eigen::Index of_membrane = 2 * w.foil.stretching.rows();
-  step.lift.setZero(lines, mesh.nodes());
-  step.moment.setZero(lines, mesh.nodes());
-  step.membrane.setZero(of_membrane, mesh.nodes());
-  const auto set_column = [&](int k, const auto& values) {
+  for (FoilFilmState& step : steps) {
+    step.pressure.setZero(mesh.rows + 1, mesh.nodes());
+    step.lift.setZero(lines, mesh.nodes());
+    step.moment.setZero(lines, mesh.nodes());
+    step.membrane.setZero(of_membrane, mesh.nodes());
+  }
+  const auto set_column = [&](std::size_t side, int k, const auto& values) {
+    FoilFilmState& step = steps[side];
     step.pressure.col(k).segment(mesh.first_unknown_row(), n) = values.head(n);
     step.lift.col(k) = values.segment(n, lines);
     step.moment.col(k) = values.segment(n + lines, lines);
     step.membrane.col(k) = values.tail(of_membrane);
   };
   for (std::size_t i = 0; i < w.columns.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
     Workspace::Span& span = w.spans[i];
-    span.after = support_step.col(at);
-    set_column(w.columns[i], span.after);
-    if (i > 0) span.before = support_step.col(at - 1);
+    const int length = span.columns->columns();
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      const auto side = static_cast<Eigen::Index>(s);
+      const Eigen::Index at = side * blocks() + static_cast<Eigen::Index>(i);
+      span.after.col(side) = support_steps.col(at);
+      set_column(s, w.columns[i], support_steps.col(at));
+      if (i > 0) span.before.col(side) = support_steps.col(at - 1);
+    }
     span.columns->expand(span.before, span.after, span.solution);
-    for (int c = 0; c < span.columns->columns(); ++c) set_column(span.first + c, span.solution.col(c));
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      for (int c = 0; c < length; ++c) {
+        set_column(s, span.first + c, span.solution.col(static_cast<Eigen::Index>(s) * length + c));
+      }
+    }
   }
-  step.thickness = w.foil.shapes * step.lift;
+  for (FoilFilmState& step : steps) step.thickness = w.foil.shapes * step.lift;
 }
 
 }  // namespace bumpfoil

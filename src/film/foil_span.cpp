@@ -23,12 +23,11 @@ class FoilSpanOf final : public FoilSpan {
       for (LineVector* block : {&column.G, &column.X, &column.Y, &column.W}) {
         block->resize(static_cast<std::size_t>(block_size * stride_));
       }
-      for (LineVector* row : {&column.g, &column.x}) row->resize(static_cast<std::size_t>(stride_));
     }
     of_before_.resize(stride_, of_foil);
     of_after_.resize(stride_, of_foil);
     for (LineVector* block : {&carried_, &added_}) block->resize(columns_.front().G.size());
-    for (LineVector* row : {&left_, &right_, &scratch_}) row->resize(static_cast<std::size_t>(stride_));
+    scratch_.resize(static_cast<std::size_t>(stride_));
   }
 
   [[nodiscard]] int columns() const override { return static_cast<int>(columns_.size()); }
@@ -45,40 +44,55 @@ class FoilSpanOf final : public FoilSpan {
     return regular;
   }
 
-  void condense(const Matrix& right, Eigen::Ref<Vector> before, Eigen::Ref<Vector> after) override {
+  void condense(const Matrix& right, Eigen::Ref<Matrix> before, Eigen::Ref<Matrix> after) override {
+    set_sides(after.cols());
     with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
       const DenseKernels<B, decltype(lanes)::value> kernels(n_);
       fill(left_);
       for (std::size_t i = 0; i < columns_.size(); ++i) {
         Column& column = columns_[i];
-        std::copy_n(right.data() + static_cast<Eigen::Index>(i) * n_, n_, right_.data());
-        if (i > 0) couple(kernels, column.to_before, columns_[i - 1].g.data(), right_.data());
-        kernels.template products<Products::assign>(right_.data(), 0, column.G.data(), n_, column.g.data(), 1);
-        if (has_before_) kernels.products(right_.data(), 0, column.W.data(), n_, left_.data(), 1);
+        for (Eigen::Index s = 0; s < sides_; ++s) {
+          double* own = right_.data() + s * stride_;
+          std::copy_n(right.data() + (s * columns() + static_cast<Eigen::Index>(i)) * n_, n_, own);
+          if (i > 0) couple(kernels, column.to_before, columns_[i - 1].g.data() + s * stride_, own);
+        }
+        kernels.template products<Products::assign>(right_.data(), stride_, column.G.data(), n_, column.g.data(),
+                                                    sides_);
+        if (has_before_) kernels.products(right_.data(), stride_, column.W.data(), n_, left_.data(), sides_);
       }
-      couple<Products::negate>(kernels, of_after_, columns_.back().g.data(), right_.data());
+      for (Eigen::Index s = 0; s < sides_; ++s) {
+        couple<Products::negate>(kernels, of_after_, columns_.back().g.data() + s * stride_,
+                                 right_.data() + s * stride_);
+      }
     });
-    std::copy_n(left_.data(), n_, before.data());
-    std::copy_n(right_.data(), n_, after.data());
+    for (Eigen::Index s = 0; s < sides_; ++s) {
+      std::copy_n(left_.data() + s * stride_, n_, before.col(s).data());
+      std::copy_n(right_.data() + s * stride_, n_, after.col(s).data());
+    }
   }
 
-  void expand(const Vector& before, const Vector& after, Matrix& solution) override {
-    std::copy_n(before.data(), n_, left_.data());
-    std::copy_n(after.data(), n_, right_.data());
+  void expand(const Matrix& before, const Matrix& after, Matrix& solution) override {
+    for (Eigen::Index s = 0; s < sides_; ++s) {
+      std::copy_n(before.col(s).data(), n_, left_.data() + s * stride_);
+      std::copy_n(after.col(s).data(), n_, right_.data() + s * stride_);
+    }
     with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
       const DenseKernels<B, decltype(lanes)::value> kernels(n_);
       const double* next = right_.data();
       for (std::size_t i = columns_.size(); i-- > 0;) {
         Column& column = columns_[i];
-        std::copy_n(column.g.data(), stride_, column.x.data());
-        kernels.products(next, 0, column.X.data(), n_, column.x.data(), 1);
-        if (has_before_) kernels.products(left_.data(), 0, column.Y.data(), n_, column.x.data(), 1);
+        std::copy(column.g.begin(), column.g.end(), column.x.begin());
+        kernels.products(next, stride_, column.X.data(), n_, column.x.data(), sides_);
+        if (has_before_) kernels.products(left_.data(), stride_, column.Y.data(), n_, column.x.data(), sides_);
         next = column.x.data();
       }
     });
-    solution.resize(n_, columns());
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      std::copy_n(columns_[i].x.data(), n_, solution.col(static_cast<Eigen::Index>(i)).data());
+    solution.resize(n_, sides_ * columns());
+    for (Eigen::Index s = 0; s < sides_; ++s) {
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        std::copy_n(columns_[i].x.data() + s * stride_, n_,
+                    solution.col(s * columns() + static_cast<Eigen::Index>(i)).data());
+      }
     }
   }
 
@@ -88,9 +102,19 @@ class FoilSpanOf final : public FoilSpan {
     ColumnCoupling to_before, to_after;
     LineVector G;  ///< D, then its inverse
     LineVector X, Y;
-    LineVector W;  ///< coupling of the neighbour before to this column, times G
-    LineVector g, x;
+    LineVector W;     ///< coupling of the neighbour before to this column, times G
+    LineVector g, x;  ///< of all right-hand sides
   };
+
+  void set_sides(Eigen::Index count) {
+    if (count == sides_) return;
+    sides_ = count;
+    const auto size = static_cast<std::size_t>(count * stride_);
+    for (Column& column : columns_) {
+      for (LineVector* rows : {&column.g, &column.x}) rows->assign(size, 0.0);
+    }
+    for (LineVector* rows : {&left_, &right_}) rows->assign(size, 0.0);
+  }
 
   [[nodiscard]] BUMPFOIL_ALWAYS_INLINE Eigen::Index of_foil() const { return T == Eigen::Dynamic ? of_foil_ : T; }
   Block map(LineVector& block) { return {block.data(), n_, n_, Eigen::OuterStride<>(stride_)}; }
@@ -171,8 +195,9 @@ class FoilSpanOf final : public FoilSpan {
   VectorInstructions instructions_;
   std::vector<Column> columns_;
   ColumnCoupling of_before_, of_after_;
-  LineVector carried_;  ///< coupling of this column and the neighbour before
-  LineVector added_;    ///< to the equations of a neighbour
+  LineVector carried_;    ///< coupling of this column and the neighbour before
+  LineVector added_;      ///< to the equations of a neighbour
+  Eigen::Index sides_{};  ///< right-hand sides
   LineVector left_, right_, scratch_;
   std::vector<int> pivots_;
 };

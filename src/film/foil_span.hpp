@@ -53,15 +53,15 @@ class FoilSpan {
   /// @return false if their equations are singular
   [[nodiscard]] virtual bool eliminate(Condensed& condensed) = 0;
 
-  /// The same for a right-hand side.
-  /// @param right   a column for each of the span's
-  /// @param before  what is added to that of the neighbour before, if there is one
+  /// The same for right-hand sides, all in one pass through the factors, which take longer to read than to use.
+  /// @param right   one behind the other, with a column for each of the span's
+  /// @param before  what is added to those of the neighbour before, if there is one: a column for each
   /// @param after   of the one after
-  virtual void condense(const Matrix& right, Eigen::Ref<Vector> before, Eigen::Ref<Vector> after) = 0;
+  virtual void condense(const Matrix& right, Eigen::Ref<Matrix> before, Eigen::Ref<Matrix> after) = 0;
 
-  /// The unknowns of the columns for the right-hand side that was condensed last.
+  /// The unknowns of the columns for the right-hand sides that were condensed last, in their order.
   /// @param before, after  unknowns of the neighbours
-  virtual void expand(const Vector& before, const Vector& after, Matrix& solution) = 0;
+  virtual void expand(const Matrix& before, const Matrix& after, Matrix& solution) = 0;
 };
 
 /// Some block sizes, those of usual meshes, are faster than others.

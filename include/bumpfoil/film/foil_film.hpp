@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bumpfoil/film/asperities.hpp"
@@ -120,13 +121,15 @@ class FoilFilmSystem {
   [[nodiscard]] const Block& lower(int i) const;
   [[nodiscard]] const Block& diagonal(int i) const;
   [[nodiscard]] const Block& upper(int i) const;
-  /// Condensed residuals of `residual`: a column for each block. With the film's per area of a cell.
-  [[nodiscard]] const Matrix& condense(const FoilFilmResidual& residual);
+  /// Condenses residuals, all in one pass through the factors. With the film's per area of a cell.
+  void condense(std::span<const FoilFilmResidual> residuals);
+  /// What was condensed last: one behind the other, with a column for each block.
+  [[nodiscard]] const Matrix& condensed() const;
 
-  /// The step that takes the residuals that were condensed last to zero wherever nothing supports the foil.
-  /// @param support_step  steps of the blocks, a column for each
-  /// @param step          result: P, U (also as that of H), M and the membrane's unknowns of all columns
-  void expand(const Matrix& support_step, FoilFilmState& step);
+  /// The steps that take the residuals that were condensed last to zero wherever nothing supports the foil.
+  /// @param support_steps  steps of the blocks, in the order of the condensed residuals
+  /// @param steps          result: P, U (also as that of H), M and the membrane's unknowns of all columns
+  void expand(const Matrix& support_steps, std::span<FoilFilmState> steps);
 
  private:
   struct Workspace;

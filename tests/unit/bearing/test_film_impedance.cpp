@@ -26,34 +26,47 @@ TEST(ReducedForces, SolveTheEquationsAtEveryRate) {
   const Matrix J = drawn(n, n) + 8.0 * Matrix::Identity(n, n);
   const Matrix S = drawn(n, n) + 4.0 * Matrix::Identity(n, n);
   const Matrix f = drawn(2, n);
-  const Vector r = drawn(n, 1);
-  const Vector a = drawn(n, 1);
+  const Matrix r = drawn(n, 2);  // of two motions
+  const Matrix a = drawn(n, 2);
 
   const Eigen::PartialPivLU<Matrix> at_shift(J + shift * S);
   const auto force = [&](const Vector& X) -> Eigen::Vector2d { return f * X; };
-  const Vector X0 = at_shift.solve(-(r + shift * a));
-  const auto stored = [&](const Vector& w) {
-    const Vector X = at_shift.solve(-w);
-    return FilmAnswer{S * X, force(X)};
+  std::vector<FilmAnswer> moved;
+  for (const Eigen::Index i : {0, 1}) {
+    const Vector X0 = at_shift.solve(-(r.col(i) + shift * a.col(i)));
+    moved.push_back({S * X0 + a.col(i), force(X0)});
+  }
+  const auto stored = [&](const std::vector<Vector>& rates) {
+    std::vector<FilmAnswer> answers;
+    for (const Vector& w : rates) {
+      const Vector X = at_shift.solve(-w);
+      answers.push_back({S * X, force(X)});
+    }
+    return answers;
   };
   const std::vector<Complex> rates{{0.0, 0.0}, {0.0, 3.0}, {0.0, -0.2}, {0.0, 40.0}, {2.0, 1.0}, {shift, 0.0}};
   std::vector<Complex> excess;
   for (const Complex s : rates) excess.push_back(s - shift);
-  const auto found = reduce_forces({S * X0 + a, force(X0)}, stored, excess);
+  const auto found = reduce_forces(moved, stored, excess);
   ASSERT_TRUE(found.has_value());
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const Eigen::MatrixXcd system = J.cast<Complex>() + rates[i] * S.cast<Complex>();
-    const Eigen::VectorXcd X = system.partialPivLu().solve(-(r.cast<Complex>() + rates[i] * a.cast<Complex>()));
-    const Eigen::Vector2cd expected = f.cast<Complex>() * X;
-    EXPECT_LT((found->at(excess[i]) - expected).norm(), 1e-8 * expected.norm()) << rates[i];
+    const Eigen::MatrixXcd X = system.partialPivLu().solve(-(r.cast<Complex>() + rates[i] * a.cast<Complex>()));
+    for (const Eigen::Index motion : {0, 1}) {
+      const Eigen::Vector2cd expected = f.cast<Complex>() * X.col(motion);
+      const JournalVectorC of_motion = (*found)[static_cast<std::size_t>(motion)].at(excess[i]);
+      EXPECT_LT((of_motion - expected).norm(), 1e-8 * expected.norm()) << rates[i] << ", motion " << motion;
+    }
   }
 }
 
 TEST(ReducedForces, AreNotGivenWhereTheSpaceCannotHoldThem) {
   // What is stored at a third node never shows, and yet one direction is all that there is: no solution at s = shift
   // + 1.
-  const auto stored = [](const Vector& w) { return FilmAnswer{w, Eigen::Vector2d::Zero()}; };
-  EXPECT_FALSE(reduce_forces({Vector::Ones(3), Eigen::Vector2d(1.0, 0.0)}, stored, {{1.0, 0.0}}).has_value());
+  const auto stored = [](const std::vector<Vector>& rates) {
+    return std::vector<FilmAnswer>{{rates.front(), Eigen::Vector2d::Zero()}};
+  };
+  EXPECT_FALSE(reduce_forces({{Vector::Ones(3), Eigen::Vector2d(1.0, 0.0)}}, stored, {{1.0, 0.0}}).has_value());
 }
 
 /// The journal whirls by a nanometre, and the equations themselves are marched in time by BDF2. In steps dt the

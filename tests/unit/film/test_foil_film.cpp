@@ -98,7 +98,8 @@ TEST(FoilFilmSystem, FindsNewtonsStep) {
     foil_film_residual(foil, equation, state, residual);
     ASSERT_TRUE(system.linearise(equation, state));
     FoilFilmState step;
-    system.expand(solve_condensed(foil, system, system.condense(residual)), step);
+    system.condense({&residual, 1});
+    system.expand(solve_condensed(foil, system, system.condensed()), {&step, 1});
     EXPECT_EQ(step.lift.col(0).norm(), 0.0);
     EXPECT_EQ(step.moment.col(foil.mesh.columns).norm(), 0.0);
 

@@ -84,21 +84,23 @@ void expect_like_dense(int columns, const Sizes& sizes, bool has_before, VectorI
   expect_near(condensed.after_by_before, outer(end, 0));
   expect_near(condensed.after, outer(end, end));
 
-  for (const double scale : {1.0, -2.0}) {  // nothing is left of the right-hand side before
-    const Matrix right = scale * Vector::LinSpaced(inside, -1.0, 2.0).reshaped(n, columns);
-    Vector before(n), after(n);
-    span->condense(right, before, after);
-    const Vector held = own.solve(right.reshaped());
+  for (const Eigen::Index sides : {1, 3, 2}) {  // nothing is left of the right-hand sides before
+    const Vector ramp = Vector::LinSpaced(inside, -1.0, 2.0);
+    const Matrix right = ramp * Vector::LinSpaced(sides, 1.0, -2.0).transpose();
+    Matrix before(n, sides), after(n, sides);
+    span->condense(right.reshaped(n, sides * columns), before, after);
+    const Matrix held = own.solve(right);
     expect_near(before, -A.block(0, n, n, inside) * held);
     expect_near(after, -A.block(end, n, n, inside) * held);
 
-    const Vector x_before = has_before ? Vector(Vector::LinSpaced(n, 0.5, 1.0)) : Vector::Zero(n);
-    const Vector x_after = Vector::LinSpaced(n, -0.5, 1.0);
+    Matrix x_before = Matrix::Zero(n, sides);
+    if (has_before) x_before = Vector::LinSpaced(n, 0.5, 1.0) * Vector::LinSpaced(sides, 2.0, 1.0).transpose();
+    const Matrix x_after = Vector::LinSpaced(n, -0.5, 1.0) * Vector::LinSpaced(sides, 1.0, 3.0).transpose();
     Matrix solution;
     span->expand(x_before, x_after, solution);
-    const Vector expected = own.solve(Vector(right.reshaped()) - A.block(n, 0, inside, n) * x_before -
-                                      A.block(n, end, inside, n) * x_after);
-    expect_near(solution.reshaped(), expected);
+    const Matrix expected =
+        own.solve(right - A.block(n, 0, inside, n) * x_before - A.block(n, end, inside, n) * x_after);
+    expect_near(solution.reshaped(inside, sides), expected);
   }
 }
 
