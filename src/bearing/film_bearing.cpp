@@ -304,18 +304,17 @@ namespace {
 /// Force against a pressure at all nodes where it exceeds `outside`.
 JournalVector pad_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure, double outside) {
   const FilmMesh& mesh = pad.foil.mesh;
-  JournalVector force = JournalVector::Zero(bearing.motions());
-  for (int k = 0; k < mesh.nodes(); ++k) {
-    const int column = pad.first_column + k;
-    double excess = 0.0;
-    double lever = 0.0;
-    for (int j = 0; j <= mesh.rows; ++j) {
-      const double part = mesh.row_weight(j) * (pressure(j, column) - outside);
-      excess += part;
-      lever += part * mesh.zeta(j);
-    }
-    force.head<2>() += mesh.column_weight(k) * excess * bearing.column_normals.col(column);
-    if (bearing.tilts()) force.tail<2>() += mesh.column_weight(k) * lever * bearing.column_normals.col(column);
+  const Matrix excess = pressure(Eigen::all, pad.columns()).array() - outside;
+  const auto sum = [&](const Vector& of_rows) -> Eigen::Vector2d {
+    return bearing.column_normals(Eigen::all, pad.columns()) * mesh.weights.cwiseProduct(excess.transpose() * of_rows);
+  };
+  Vector of_rows(mesh.rows + 1);
+  for (int j = 0; j <= mesh.rows; ++j) of_rows[j] = mesh.row_weight(j);
+  JournalVector force(bearing.motions());
+  force.head<2>() = sum(of_rows);
+  if (bearing.tilts()) {
+    for (int j = 0; j <= mesh.rows; ++j) of_rows[j] *= mesh.zeta(j);  // the lever
+    force.tail<2>() = sum(of_rows);
   }
   return mesh.copies() * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
 }

@@ -503,12 +503,7 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
 }
 
 JournalVector FilmNewton::stepped_force() const {
-  JournalVector force = film_force(bearing_, iterate_.film.pressure + step_.film.pressure);
-  if (bearing_.surroundings.asperities) {
-    force += asperity_force(bearing_, asperity_pressures(bearing_, iterate_.film.thickness), friction_) +
-             asperity_force_of(step_.film);
-  }
-  return force;
+  return force_ + force_of(step_.film);
 }
 
 void FilmNewton::move_journal(const JournalVector& displacement) {

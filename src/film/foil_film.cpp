@@ -59,14 +59,11 @@ Matrix asperity_pressures(const FoilFilm& foil, const Matrix& thickness) {
 
 Matrix asperity_balance(const FoilFilm& foil, const Matrix& pressures) {
   const FilmMesh& mesh = foil.mesh;
-  Matrix balance = Matrix::Zero(foil.lines.count(), mesh.nodes());
-  if (!foil.asperities) return balance;
-  for (int k = 1; k < mesh.nodes(); ++k) {  // the weld carries its own
-    for (int j = 0; j <= mesh.rows; ++j) {
-      balance.col(k) -= foil.load_scale * mesh.column_weight(k) * mesh.row_weight(j) * pressures(j, k) *
-                        foil.shapes.row(j).transpose();
-    }
-  }
+  if (!foil.asperities) return Matrix::Zero(foil.lines.count(), mesh.nodes());
+  Matrix of_rows = -foil.load_scale * foil.shapes.transpose();
+  for (int j = 0; j <= mesh.rows; ++j) of_rows.col(j) *= mesh.row_weight(j);
+  Matrix balance = of_rows * pressures * mesh.weights.asDiagonal();
+  balance.col(0).setZero();  // the weld carries its own
   return balance;
 }
 
@@ -291,10 +288,13 @@ template <typename Own>
 void FoilFilmSystem::Workspace::assemble_asperities(int k, Own&& own) const {
   const FilmMesh& mesh = foil.mesh;
   const Eigen::Index lines = foil.lines.count();
-  auto by_lift = own.block(mesh.unknown_rows(), mesh.unknown_rows(), lines, lines);
+  const Eigen::Index first = mesh.unknown_rows();
   for (int j = 0; j <= mesh.rows; ++j) {
     const double slope = foil.load_scale * mesh.column_weight(k) * mesh.row_weight(j) * asperity_slopes(j, k);
-    by_lift -= slope * foil.shapes.row(j).transpose() * foil.shapes.row(j);
+    for (Eigen::Index a = 0; a < lines; ++a) {
+      for (Eigen::Index b = 0; b < lines; ++b)
+        own(first + a, first + b) -= slope * foil.shapes(j, a) * foil.shapes(j, b);
+    }
   }
 }
 
