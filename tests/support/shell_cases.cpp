@@ -18,7 +18,7 @@ const nlohmann::json& shell_file() {
 }
 
 /// An array of arrays; none if there is no such key.
-Matrix read_matrix(const nlohmann::json& row, const std::string& key) {
+Matrix read_lines(const nlohmann::json& row, const std::string& key) {
   if (!row.contains(key)) return {};
   const nlohmann::json& lines = row.at(key);
   Matrix matrix(static_cast<Eigen::Index>(lines.size()), static_cast<Eigen::Index>(lines.at(0).size()));
@@ -36,11 +36,10 @@ FilmBearing bearing_of(int bumps, int modes, WidthPart width) {
                            {.columns_per_pitch = columns_per_pitch, .rows = 32, .width_modes = modes, .width = width});
 }
 
-/// P under the lobe of the file, its middle at an angle from the weld.
-Matrix lobe(const FilmBearing& bearing, double middle) {
+/// P under a lobe of 1 bar. @param middle, extent  rad
+Matrix lobe(const FilmBearing& bearing, double middle, double extent) {
   const FilmMesh& mesh = bearing.pads.front().foil.mesh;
-  const double peak = shell_file().at("peak_pressure_Pa").get<double>() / bearing.scales.gas.ambient_pressure;
-  const double extent = shell_file().at("extent_rad");
+  const double peak = 1e5 / bearing.scales.gas.ambient_pressure;
   const Vector theta = mesh.angles();
   Matrix pressure = mesh.field(1.0);
   for (int k = 0; k < mesh.nodes(); ++k) {
@@ -73,22 +72,23 @@ std::vector<int> spans_behind(int first, int last) {
   return columns;
 }
 
+double extent_in_file() {
+  return shell_file().at("extent_rad");
+}
+
 ShellNumbers held_crests(int modes) {
   const FilmBearing bearing = bearing_of(26, modes, WidthPart::half);
   const BondedAnswer answer =
-      bonded_answer(bearing, {.pressure = lobe(bearing, std::numbers::pi),
+      bonded_answer(bearing, {.pressure = lobe(bearing, std::numbers::pi, extent_in_file()),
                               .crest_lift = Matrix::Zero(bearing.pads.front().foil.lines.count(), bearing.bumps())});
   return {.crest_w = {}, .span_w = displacements(bearing, answer, spans_behind(11, 15)), .moments = {}};
 }
 
 ShellNumbers nine_bumps(bool feet_slide, int modes) {
-  const FilmBearing bearing = bearing_of(9, modes, WidthPart::half);
+  const FilmBearing bearing = bearing_of(9, 1, WidthPart::half);
   const FoilFilm& foil = bearing.pads.front().foil;
-  const BondedAnswer answer = bonded_answer(
-      bearing, {.feet_slide = feet_slide, .pressure = lobe(bearing, foil.mesh.angles()[foil.supports[4]])});
-  return {.crest_w = displacements(bearing, answer, foil.supports),
-          .span_w = displacements(bearing, answer, spans_behind(1, 8)),
-          .moments = {}};
+  const double fifth_crest = foil.mesh.angles()[foil.supports[4]];
+  return press_bumps({.bumps = 9, .middle = fifth_crest, .extent = extent_in_file(), .feet_slide = feet_slide}, modes);
 }
 
 ShellNumbers tilted(bool feet_slide, int modes) {
@@ -109,8 +109,8 @@ std::vector<FeShells> read_shells() {
     shells.push_back({.name = row.at("case"),
                       .feet = row.at("feet"),
                       .refined = row.at("refined"),
-                      .found = {.crest_w = read_matrix(row, "crest_w_m"),
-                                .span_w = read_matrix(row, "span_w_m"),
+                      .found = {.crest_w = read_lines(row, "crest_w_m"),
+                                .span_w = read_lines(row, "span_w_m"),
                                 .moments = row.contains("moments_N_m") ? to_vector(row.at("moments_N_m")) : Vector()}});
   }
   return shells;
@@ -126,6 +126,15 @@ const std::vector<FeShells>& fe_shells() {
 const std::vector<double>& shell_zeta() {
   static const auto zeta = shell_file().at("zeta").get<std::vector<double>>();
   return zeta;
+}
+
+ShellNumbers press_bumps(const PressedBumps& pressed, int modes) {
+  const FilmBearing bearing = bearing_of(pressed.bumps, modes, WidthPart::half);
+  const BondedAnswer answer = bonded_answer(
+      bearing, {.feet_slide = pressed.feet_slide, .pressure = lobe(bearing, pressed.middle, pressed.extent)});
+  return {.crest_w = displacements(bearing, answer, bearing.pads.front().foil.supports),
+          .span_w = displacements(bearing, answer, spans_behind(1, pressed.bumps - 1)),
+          .moments = {}};
 }
 
 ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes) {

@@ -29,8 +29,20 @@ const std::vector<FeShells>& fe_shells();
 /// Where over the half width displacements are compared.
 const std::vector<double>& shell_zeta();
 
-/// The same case by the program: a frame for the bump foil, the foils on a film's mesh.
+/// A top foil bonded to the bumps of the reference bearing, or to as many, under a lobe of 1 bar, cos along the foil
+/// and 1 - zeta^2 over the width. A plain value.
+struct PressedBumps {
+  int bumps{};
+  double middle{};  ///< of the lobe, from the weld, rad
+  double extent{};  ///< rad
+  bool feet_slide{};
+};
+
+/// Its crests and all spans between them by the program: a frame for the bump foil, the foils on a film's mesh.
 /// @param modes  of the displacement over the width (width.modes)
+ShellNumbers press_bumps(const PressedBumps& pressed, int modes);
+
+/// A case of the file by the program, in the same way.
 ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes);
 
 }  // namespace bumpfoil

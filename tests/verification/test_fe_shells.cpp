@@ -23,14 +23,14 @@ double largest_difference(const Matrix& one, const Matrix& other, Eigen::Index c
   return (one - other).leftCols(columns).cwiseAbs().maxCoeff();
 }
 
-/// What the page states, rounded up: in the mid-plane, inside, and over the whole width. On feet that slide the sheet of the bump foil
-/// gives way, which the program holds: theory/width.md. Elsewhere it is bending of a higher order than the parabola,
-/// and that layer.
+/// What the page states, rounded up: in the mid-plane, inside, and over the whole width. On feet that slide the sheet
+/// of the bump foil gives way, which the program holds: theory/width.md. Elsewhere it is bending of a higher order than
+/// the parabola, and that layer.
 struct ShellBounds {
   double mid_plane{}, inside{}, everywhere{};
 };
 
-ShellBounds bounds_for(const FeShells& shells) {
+ShellBounds shell_bounds(const FeShells& shells) {
   if (shells.feet == "sliding") return {0.38 * micrometre, 0.55 * micrometre, 0.61 * micrometre};
   return {0.065 * micrometre, 0.13 * micrometre, 0.58 * micrometre};
 }
@@ -43,7 +43,7 @@ TEST(FeShells, ParabolaIsWithinThePagesBoundsAndUniformFoilIsNot) {
     const ShellNumbers uniform = shells_by_program(shells.name, shells.feet, 1);
     const ShellNumbers parabola = shells_by_program(shells.name, shells.feet, 3);
     const auto all = static_cast<Eigen::Index>(shell_zeta().size());
-    const ShellBounds bounds = bounds_for(shells);
+    const ShellBounds bounds = shell_bounds(shells);
     for (const auto place : {&ShellNumbers::crest_w, &ShellNumbers::span_w}) {
       EXPECT_LT(largest_difference(parabola.*place, shells.found.*place, 1), bounds.mid_plane);
       EXPECT_LT(largest_difference(parabola.*place, shells.found.*place, columns_inside()), bounds.inside);
