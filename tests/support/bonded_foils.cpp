@@ -15,23 +15,22 @@ class BondedUnknowns {
       : foil_(bearing.pads.front().foil), of_top_foil_(foil_.unknowns() * foil_.mesh.nodes()) {
     const BumpDofs& dofs = bearing.dofs();
     const BlockTridiagonal& K = bearing.problem.K;
-    of_bump_foils_.assign(static_cast<std::size_t>(K.rows()), -1);
+    of_bumps_.assign(static_cast<std::size_t>(K.rows()), -1);
     for (int b = 0; b < bearing.structure.K.blocks(); ++b) {
       const Eigen::Index first = Eigen::Index{bearing.block(b)} * K.block_size();
       for (Eigen::Index s = 0; s < foil_.lines.count(); ++s) {
         for (int i = 0; i < dofs.size - dofs.unused; ++i) {
           if (i == dofs.top_u || i == dofs.top_moment) continue;
           const Eigen::Index row = first + bearing.place(s, i);
-          of_bump_foils_[static_cast<std::size_t>(row)] = of_top_foil_ + row;
+          of_bumps_[static_cast<std::size_t>(row)] = of_top_foil_ + row;
         }
         const int bump = b - bearing.structure.first_bump;
-        if (bump >= 0)
-          of_bump_foils_[static_cast<std::size_t>(first + bearing.place(s, dofs.crest_v))] = crest(s, bump);
+        if (bump >= 0) of_bumps_[static_cast<std::size_t>(first + bearing.place(s, dofs.crest_v))] = crest(s, bump);
       }
     }
   }
 
-  [[nodiscard]] Eigen::Index count() const { return of_top_foil_ + std::ssize(of_bump_foils_); }
+  [[nodiscard]] Eigen::Index count() const { return of_top_foil_ + std::ssize(of_bumps_); }
   [[nodiscard]] Eigen::Index lift(Eigen::Index line, int column) const { return foil_.unknowns() * column + line; }
   [[nodiscard]] Eigen::Index moment(Eigen::Index line, int column) const {
     return lift(line, column) + foil_.lines.count();
@@ -43,15 +42,13 @@ class BondedUnknowns {
     return lift(line, foil_.supports[static_cast<std::size_t>(bump)]);
   }
   /// Of an unknown of K; -1 if it means nothing.
-  [[nodiscard]] Eigen::Index of_bump_foils(Eigen::Index row) const {
-    return of_bump_foils_[static_cast<std::size_t>(row)];
-  }
+  [[nodiscard]] Eigen::Index of_bumps(Eigen::Index row) const { return of_bumps_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] Eigen::Index behind_top_foil() const { return of_top_foil_; }
 
  private:
   const FoilFilm& foil_;
   Eigen::Index of_top_foil_;
-  std::vector<Eigen::Index> of_bump_foils_;
+  std::vector<Eigen::Index> of_bumps_;
 };
 
 /// The residuals of the top foil, each at the place of the unknown whose row it is.
@@ -93,7 +90,7 @@ BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& load
   const Matrix K = bearing.problem.K.dense() / foil.stiffness;
   for (Eigen::Index i = 0; i < K.rows(); ++i) {
     for (Eigen::Index j = 0; j < K.cols(); ++j) {
-      if (at.of_bump_foils(i) >= 0 && at.of_bump_foils(j) >= 0) A(at.of_bump_foils(i), at.of_bump_foils(j)) += K(i, j);
+      if (at.of_bumps(i) >= 0 && at.of_bumps(j) >= 0) A(at.of_bumps(i), at.of_bumps(j)) += K(i, j);
     }
   }
 
@@ -102,7 +99,7 @@ BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& load
   const auto give = [&](Eigen::Index place) { given[static_cast<std::size_t>(place)] = true; };
   Vector z = nothing;
   for (Eigen::Index place = at.behind_top_foil(); place < at.count(); ++place) {
-    if (at.of_bump_foils(place - at.behind_top_foil()) != place) give(place);  // a crest, or nothing
+    if (at.of_bumps(place - at.behind_top_foil()) != place) give(place);  // a crest, or nothing
   }
   for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
     give(at.lift(s, 0));
@@ -114,8 +111,7 @@ BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& load
     const BumpDofs& dofs = bearing.dofs();
     for (int b = 0; b < bearing.structure.K.blocks(); ++b) {
       const auto hold = [&](int unknown) {
-        give(at.of_bump_foils(Eigen::Index{bearing.block(b)} * bearing.problem.K.block_size() +
-                              bearing.place(s, unknown)));
+        give(at.of_bumps(Eigen::Index{bearing.block(b)} * bearing.problem.K.block_size() + bearing.place(s, unknown)));
       };
       for (const int foot : dofs.foot_v) hold(foot);
       if (loading.feet_slide) continue;
