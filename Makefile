@@ -131,9 +131,11 @@ bench-peers: ## time other solvers on the same problems; ratios in results/bench
 	/usr/bin/python3 -B bench/peers/compare.py build/bench/bumpfoil_peers results/bench
 
 verify-fe: ## compare with finite elements of CalculiX; writes docs/verification/fe_*.md and their data
-	@scripts/require_packages.sh build verify
-	$(call BUILD,release)
-	/usr/bin/python3 -B tests/verification/fe/verify_fe.py build/release/bumpfoil results/verify-fe
+	@scripts/require_packages.sh build plot test verify
+	cmake --log-level=WARNING --preset release-audit > /dev/null
+	cmake --build --preset release-audit --parallel $(JOBS) --target bumpfoil shells_study
+	programs=(build/release-audit/bumpfoil build/release-audit/shells_study)
+	/usr/bin/python3 -B tests/verification/fe/verify_fe.py "$${programs[@]}" results/verify-fe
 
 verify-siconos: ## compare with the contact solvers of Siconos on random problems; writes tests/data/siconos.json
 	@scripts/require_packages.sh build plot test verify

@@ -2,15 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/held_crests.hpp"
 #include "bumpfoil/structure/membrane.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
+#include "bumpfoil/structure/width_lines.hpp"
+#include "support/shell_cases.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -150,6 +155,97 @@ TEST(WidthOfTheTopFoil, IsSlicesWithoutAMembraneAndUniformWithAStiffOne) {
   EXPECT_GT(slices.w.cwiseAbs().maxCoeff(), 1.2 * whole.w.cwiseAbs().maxCoeff());
   const Eigen::Index n = stiff.w.size() - 1;
   EXPECT_LT(stiff.w.head(n).cwiseAbs().maxCoeff(), 1e-6 * whole.w.cwiseAbs().maxCoeff());
+}
+
+/// Radial displacement of shells by an independent program, at zeta = 0, 0.5 and 0.9, um.
+struct BondedShells {
+  double extent{};  ///< of the lobe, deg
+  bool feet_slide{};
+  double bound{};  ///< of the parabola's error, um: as the page states it
+  double crest_13[3], span_13[3], span_11[3];
+};
+constexpr BondedShells bonded_shells[]{
+    {60.0, true, 0.46, {5.6191, 5.2228, 4.549}, {11.491, 10.048, 7.3792}, {-0.71308, 0.11729, 1.566}},
+    {60.0, false, 0.14, {0.57084, 0.46448, 0.25909}, {5.9642, 4.8088, 2.5951}, {-1.3338, -0.74253, 0.32484}},
+    {100.0, true, 0.12, {5.7747, 5.6133, 5.3279}, {10.692, 9.8305, 8.1733}, {6.6539, 6.1529, 5.1429}},
+    {100.0, false, 0.05, {0.57501, 0.48665, 0.31435}, {5.3896, 4.548, 2.9189}, {3.3269, 2.8717, 1.9423}}};
+
+TEST(WidthOfTheTopFoil, IsNearShells) {
+  ASSERT_EQ(shell_zeta()[2], 0.5);
+  ASSERT_EQ(shell_zeta()[4], 0.9);
+  for (const BondedShells& shells : bonded_shells) {
+    SCOPED_TRACE(testing::Message() << shells.extent << " degrees, feet slide " << shells.feet_slide);
+    const ShellNumbers found = press_bumps({.bumps = 26,
+                                            .middle = std::numbers::pi,
+                                            .extent = shells.extent * std::numbers::pi / 180.0,
+                                            .feet_slide = shells.feet_slide},
+                                           3);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      EXPECT_NEAR(1e6 * found.crest_w(12, 2 * i), shells.crest_13[i], shells.bound);
+      EXPECT_NEAR(1e6 * found.span_w(12, 2 * i), shells.span_13[i], shells.bound);
+      EXPECT_NEAR(1e6 * found.span_w(10, 2 * i), shells.span_11[i], shells.bound);
+    }
+  }
+}
+
+/// Nine bumps of the frame without a top foil: crests (m) under a load of 1 N/mm along each.
+Vector loaded_crests(bool feet_slide) {
+  Case input = reference_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.bump_foil.bumps = 9;
+  const FoilStructure structure = make_foil_structure(make_bearing_design(PadDesign(input)));
+  const BumpDofs& dofs = structure.dofs;
+  std::vector<Eigen::Index> free;
+  std::vector<Eigen::Index> crests;
+  for (int bump = 0; bump < structure.bumps(); ++bump) {
+    for (int i = 0; i < dofs.size - dofs.unused; ++i) {
+      const auto is_one_of = [i](const std::vector<int>& feet) { return std::ranges::find(feet, i) != feet.end(); };
+      if (i == dofs.top_u || i == dofs.top_moment || is_one_of(dofs.foot_v)) continue;
+      if (!feet_slide && is_one_of(dofs.foot_u)) continue;
+      if (i == dofs.crest_v) crests.push_back(std::ssize(free));
+      free.push_back(Eigen::Index{bump} * dofs.size + i);
+    }
+  }
+  Vector load = Vector::Zero(std::ssize(free));
+  load(crests).setConstant(1e3 * input.bearing.axial_length);
+  const Matrix K = structure.K.dense()(free, free);
+  const Vector displaced = K.partialPivLu().solve(load);
+  return displaced(crests);
+}
+
+/// Bumps 1, 5 and 9 of shells without a top foil by the independent program, um: under 1 N/mm in the mid-plane, and
+/// under zeta N/mm at zeta = 0.9. Each slice of the shells is the frame; the last millimetre at the side edge is
+/// softer.
+TEST(BumpFoilOverTheWidth, IsSlicesAsInShellsUnderLoadsThatAreUniformOrLinear) {
+  struct Loaded {
+    bool feet_slide{};
+    double uniform[3], linear[3];
+  };
+  constexpr Loaded reference[]{{true, {16.441, 19.187, 27.278}, {14.715, 17.171, 24.364}},
+                               {false, {1.538, 1.5735, 1.6269}, {1.3894, 1.4207, 1.4674}}};
+  for (const Loaded& shells : reference) {
+    const Vector v = 1e6 * loaded_crests(shells.feet_slide);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      SCOPED_TRACE(testing::Message() << "bump " << 4 * i + 1 << ", feet slide " << shells.feet_slide);
+      EXPECT_NEAR(shells.uniform[i], v[4 * i], 5e-3 * v[4 * i]);
+      EXPECT_NEAR(shells.linear[i], 0.9 * v[4 * i], 1e-2 * v[4 * i]);
+    }
+  }
+}
+
+/// The same under P_2 N/mm on feet that are stuck, at zeta = 0 and 0.9.
+TEST(BumpFoilOverTheWidth, IsHeldAsInShellsUnderAParabola) {
+  Case input = reference_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.bump_foil.bumps = 9;
+  const Matrix K = held_crest_stiffness(make_foil_structure(make_bearing_design(PadDesign(input))), 0);
+  const Vector v = 1e6 * K.ldlt().solve(Vector::Constant(9, 1e3 * input.bearing.axial_length));
+  constexpr double middle[3]{-0.76616, -0.78363, -0.80972};
+  constexpr double near_edge[3]{1.1054, 1.1301, 1.1664};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    EXPECT_NEAR(middle[i], legendre(2, 0.0) * v[4 * i], 5e-3 * v[4 * i]);
+    EXPECT_NEAR(near_edge[i], legendre(2, 0.9) * v[4 * i], 1e-2 * v[4 * i]);
+  }
 }
 
 }  // namespace

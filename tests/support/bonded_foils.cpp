@@ -1,0 +1,141 @@
+#include "support/bonded_foils.hpp"
+
+#include <Eigen/LU>
+#include <cstddef>
+#include <vector>
+
+namespace bumpfoil {
+namespace {
+
+/// Places of all unknowns in one vector, without dimension: those of the top foil column by column, then those of K. A
+/// crest has that of the top foil over it.
+class BondedUnknowns {
+ public:
+  explicit BondedUnknowns(const FilmBearing& bearing)
+      : foil_(bearing.pads.front().foil), of_top_foil_(foil_.unknowns() * foil_.mesh.nodes()) {
+    const BumpDofs& dofs = bearing.dofs();
+    const BlockTridiagonal& K = bearing.problem.K;
+    of_bumps_.assign(static_cast<std::size_t>(K.rows()), -1);
+    for (int b = 0; b < bearing.structure.K.blocks(); ++b) {
+      const Eigen::Index first = Eigen::Index{bearing.block(b)} * K.block_size();
+      for (Eigen::Index s = 0; s < foil_.lines.count(); ++s) {
+        for (int i = 0; i < dofs.size - dofs.unused; ++i) {
+          if (i == dofs.top_u || i == dofs.top_moment) continue;
+          const Eigen::Index row = first + bearing.place(s, i);
+          of_bumps_[static_cast<std::size_t>(row)] = of_top_foil_ + row;
+        }
+        const int bump = b - bearing.structure.first_bump;
+        if (bump >= 0) of_bumps_[static_cast<std::size_t>(first + bearing.place(s, dofs.crest_v))] = crest(s, bump);
+      }
+    }
+  }
+
+  [[nodiscard]] Eigen::Index count() const { return of_top_foil_ + std::ssize(of_bumps_); }
+  [[nodiscard]] Eigen::Index lift(Eigen::Index line, int column) const { return foil_.unknowns() * column + line; }
+  [[nodiscard]] Eigen::Index moment(Eigen::Index line, int column) const {
+    return lift(line, column) + foil_.lines.count();
+  }
+  [[nodiscard]] Eigen::Index membrane(Eigen::Index row, int column) const {
+    return lift(row, column) + 2 * foil_.lines.count();
+  }
+  [[nodiscard]] Eigen::Index crest(Eigen::Index line, int bump) const {
+    return lift(line, foil_.supports[static_cast<std::size_t>(bump)]);
+  }
+  /// Of an unknown of K; -1 if it means nothing.
+  [[nodiscard]] Eigen::Index of_bumps(Eigen::Index row) const { return of_bumps_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] Eigen::Index behind_top_foil() const { return of_top_foil_; }
+
+ private:
+  const FoilFilm& foil_;
+  Eigen::Index of_top_foil_;
+  std::vector<Eigen::Index> of_bumps_;
+};
+
+/// The residuals of the top foil, each at the place of the unknown whose row it is.
+Vector residuals(const FoilFilm& foil, const BondedUnknowns& at, const Vector& unknowns, const Matrix& pressure) {
+  FoilFilmState state = undeformed(foil, foil.mesh.field(1.0));
+  state.pressure = pressure;
+  FoilFilmResidual residual;
+  Vector found = Vector::Zero(unknowns.size());
+  const auto each = [&](auto&& visit) {
+    for (int k = 0; k < foil.mesh.nodes(); ++k) {
+      for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
+        visit(at.lift(s, k), state.lift(s, k), residual.balance, s, k);
+        visit(at.moment(s, k), state.moment(s, k), residual.compatibility, s, k);
+      }
+      for (Eigen::Index i = 0; i < state.membrane.rows(); ++i) {
+        visit(at.membrane(i, k), state.membrane(i, k), residual.membrane, i, k);
+      }
+    }
+  };
+  each([&](Eigen::Index place, double& value, Matrix&, Eigen::Index, int) { value = unknowns[place]; });
+  foil_residual(foil, state, residual);
+  each([&](Eigen::Index place, double&, Matrix& rows, Eigen::Index i, int k) { found[place] = rows(i, k); });
+  return found;
+}
+
+}  // namespace
+
+BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& loading) {
+  const FoilFilm& foil = bearing.pads.front().foil;
+  const FilmMesh& mesh = foil.mesh;
+  const double unit = bearing.scales.thickness;
+  const BondedUnknowns at(bearing);
+  const Vector nothing = Vector::Zero(at.count());
+  const Vector load = residuals(foil, at, nothing, loading.pressure);
+  Matrix A = Matrix::Zero(at.count(), at.count());
+  for (Eigen::Index i = 0; i < at.behind_top_foil(); ++i) {
+    A.col(i) = residuals(foil, at, Vector::Unit(at.count(), i), mesh.field(1.0));
+  }
+  const Matrix K = bearing.problem.K.dense() / foil.stiffness;
+  for (Eigen::Index i = 0; i < K.rows(); ++i) {
+    for (Eigen::Index j = 0; j < K.cols(); ++j) {
+      if (at.of_bumps(i) >= 0 && at.of_bumps(j) >= 0) A(at.of_bumps(i), at.of_bumps(j)) += K(i, j);
+    }
+  }
+
+  // What is unknown, and what is given.
+  std::vector<bool> given(static_cast<std::size_t>(at.count()), false);
+  const auto give = [&](Eigen::Index place) { given[static_cast<std::size_t>(place)] = true; };
+  Vector z = nothing;
+  for (Eigen::Index place = at.behind_top_foil(); place < at.count(); ++place) {
+    if (at.of_bumps(place - at.behind_top_foil()) != place) give(place);  // a crest, or nothing
+  }
+  for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
+    give(at.lift(s, 0));
+    give(at.moment(s, mesh.columns));
+    for (int bump = 0; loading.crest_lift && bump < bearing.bumps(); ++bump) {
+      give(at.crest(s, bump));
+      z[at.crest(s, bump)] = (*loading.crest_lift)(s, bump) / unit;
+    }
+    const BumpDofs& dofs = bearing.dofs();
+    for (int b = 0; b < bearing.structure.K.blocks(); ++b) {
+      const auto hold = [&](int unknown) {
+        give(at.of_bumps(Eigen::Index{bearing.block(b)} * bearing.problem.K.block_size() + bearing.place(s, unknown)));
+      };
+      for (const int foot : dofs.foot_v) hold(foot);
+      if (loading.feet_slide) continue;
+      for (const int foot : dofs.foot_u) hold(foot);
+    }
+  }
+  for (Eigen::Index i = 0; i < 2 * foil.stretching.rows(); ++i) give(at.membrane(i, mesh.columns));
+
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < at.count(); ++i) {
+    if (!given[static_cast<std::size_t>(i)]) free.push_back(i);
+  }
+  const Vector right = -(load + A * z)(free);
+  const Vector found = Matrix(A(free, free)).partialPivLu().solve(right);
+  z(free) = found;
+  const Vector held = load + A * z;
+  BondedAnswer answer{Matrix(foil.lines.count(), mesh.nodes()), Matrix(foil.lines.count(), bearing.bumps())};
+  for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
+    for (int k = 0; k < mesh.nodes(); ++k) answer.lift(s, k) = unit * z[at.lift(s, k)];
+    for (int bump = 0; bump < bearing.bumps(); ++bump) {
+      answer.crest_force(s, bump) = foil.stiffness * unit * held[at.crest(s, bump)];
+    }
+  }
+  return answer;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+
+namespace bumpfoil {
+
+/// What of foils is compared with shells: rows of tests/data/fe/shells.json, which tests/verification/fe/shells.py
+/// describes. Of a case without one of these it is empty.
+struct ShellNumbers {
+  Matrix crest_w;  ///< radial displacement of the top foil over the crests, a column for each of shell_zeta(), m
+  Matrix span_w;   ///< the same in the middle of spans
+  Vector moments;  ///< on each crest about the mid-plane, N m
+};
+
+/// A case as shells.
+struct FeShells {
+  std::string name;  ///< held crests, nine bumps, tilt
+  std::string feet;  ///< sliding, stuck; "none" under held crests
+  int refined{};     ///< of the mesh: 1, coarse, or 2
+  ShellNumbers found;
+};
+
+/// All cases of the file, on both meshes.
+const std::vector<FeShells>& fe_shells();
+
+/// Where over the half width displacements are compared.
+const std::vector<double>& shell_zeta();
+
+/// A top foil bonded to the bumps of the reference bearing, or to as many, under a lobe of 1 bar, cos along the foil
+/// and 1 - zeta^2 over the width. A plain value.
+struct PressedBumps {
+  int bumps{};
+  double middle{};  ///< of the lobe, from the weld, rad
+  double extent{};  ///< rad
+  bool feet_slide{};
+};
+
+/// Its crests and all spans between them by the program: a frame for the bump foil, the foils on a film's mesh.
+/// @param modes  of the displacement over the width (width.modes)
+ShellNumbers press_bumps(const PressedBumps& pressed, int modes);
+
+/// A case of the file by the program, in the same way.
+ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes);
+
+}  // namespace bumpfoil
