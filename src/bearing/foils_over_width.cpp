@@ -90,7 +90,7 @@ Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d&
 Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
-  const std::vector<int> stations = strip_stations(foils);
+  const std::vector<int> stations = foils.placed.front().alone.bump_foil.stations();
   const std::vector<Foils> strips = strips_of(foils);
   Foils split = foils;
   lay_out_strips(width, foils.structure.dofs.size, split);

@@ -1,6 +1,5 @@
 #include "bearing/strip_points.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -17,7 +16,7 @@ const BumpFoil& bump_foil_of(const Foils& foils) {
 
 int station_of(const Foils& foils, int strip) {
   const BumpFoil& foil = bump_foil_of(foils);
-  return foil.strip.empty() ? 0 : foil.strip[static_cast<std::size_t>(strip)].columns();
+  return foil.strip.empty() ? 0 : foil.strip[static_cast<std::size_t>(strip)].sixths();
 }
 
 /// Adds the bump foil under a point to K, and its tie.
@@ -57,15 +56,6 @@ void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& s
 
 }  // namespace
 
-std::vector<int> strip_stations(const Foils& foils) {
-  std::vector<int> stations;
-  stations.reserve(static_cast<std::size_t>(bump_foil_of(foils).strips));
-  for (int strip = 0; strip < bump_foil_of(foils).strips; ++strip) stations.push_back(station_of(foils, strip));
-  std::sort(stations.begin(), stations.end());
-  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
-  return stations;
-}
-
 std::vector<Foils> strips_of(const Foils& foils) {
   std::vector<Foils> strips;
   strips.reserve(static_cast<std::size_t>(bump_foil_of(foils).strips));
@@ -81,7 +71,7 @@ std::vector<Foils> strips_of(const Foils& foils) {
 void lay_out_strips(const WidthLines& width, int further, Foils& foils) {
   const BumpDofs& dofs = foils.structure.dofs;
   foils.lines.clear();
-  for (const int station : strip_stations(foils)) {
+  for (const int station : bump_foil_of(foils).stations()) {
     int strip = 0;
     while (station_of(foils, strip) != station) ++strip;
     for (Eigen::Index s = 0; s < width.count(); ++s) {

@@ -8,9 +8,6 @@
 
 namespace bumpfoil {
 
-/// Columns of a pitch of the top foil by which strips of the bump foil are staggered: different ones, rising from 0.
-std::vector<int> strip_stations(const Foils& foils);
-
 /// For each strip of the bump foil, foils that are as it is all over the width.
 std::vector<Foils> strips_of(const Foils& foils);
 

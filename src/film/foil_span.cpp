@@ -27,7 +27,7 @@ class FoilSpanOf final : public FoilSpan {
     }
     of_before_.resize(stride_, of_foil);
     of_after_.resize(stride_, of_foil);
-    for (LineVector* block : {&carried_, &added_}) block->resize(columns_.front().G.size());
+    for (LineVector* block : {&carried_, &added_}) block->resize(static_cast<std::size_t>(block_size * stride_));
     for (LineVector* row : {&left_, &right_, &scratch_}) row->resize(static_cast<std::size_t>(stride_));
   }
 
@@ -56,7 +56,11 @@ class FoilSpanOf final : public FoilSpan {
         kernels.template products<Products::assign>(right_.data(), 0, column.G.data(), n_, column.g.data(), 1);
         if (has_before_) kernels.products(right_.data(), 0, column.W.data(), n_, left_.data(), 1);
       }
-      couple<Products::negate>(kernels, of_after_, columns_.back().g.data(), right_.data());
+      if (columns_.empty()) {
+        fill(right_);
+      } else {
+        couple<Products::negate>(kernels, of_after_, columns_.back().g.data(), right_.data());
+      }
     });
     std::copy_n(left_.data(), n_, before.data());
     std::copy_n(right_.data(), n_, after.data());
@@ -95,6 +99,14 @@ class FoilSpanOf final : public FoilSpan {
   [[nodiscard]] BUMPFOIL_ALWAYS_INLINE Eigen::Index of_foil() const { return T == Eigen::Dynamic ? of_foil_ : T; }
   Block map(LineVector& block) { return {block.data(), n_, n_, Eigen::OuterStride<>(stride_)}; }
   static void fill(LineVector& numbers) { std::fill(numbers.begin(), numbers.end(), 0.0); }
+  [[nodiscard]] Matrix dense(const ColumnCoupling& S) const {
+    const Eigen::Map<const Vector> own(S.own.data(), n_);
+    const Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> by_foil(S.by_foil.data(), n_, of_foil(),
+                                                                    Eigen::OuterStride<>(stride_));
+    Matrix all = own.asDiagonal();
+    all.rightCols(of_foil()) += by_foil;
+    return all;
+  }
 
   /// y -= S x, or another use of the product
   template <Products Use = Products::subtract, typename Kernels>
@@ -135,6 +147,13 @@ class FoilSpanOf final : public FoilSpan {
   template <typename Kernels>
   BUMPFOIL_ALWAYS_INLINE bool eliminate_with(const Kernels& kernels, Condensed& condensed) {
     fill(added_);
+    if (columns_.empty()) {
+      condensed = {.before = map(added_),
+                   .before_by_after = dense(of_before_),
+                   .after_by_before = dense(of_after_),
+                   .after = map(added_)};
+      return true;
+    }
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       Column& column = columns_[i];
       if (i > 0) couple_left(kernels, column.to_before, columns_[i - 1].X, column.G);
@@ -186,7 +205,7 @@ void ColumnCoupling::resize(Eigen::Index length, Eigen::Index of_foil) {
 
 std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, int of_foil, bool has_before,
                                          VectorInstructions instructions) {
-  BUMPFOIL_ASSERT(columns >= 1 && block_size >= of_foil);
+  BUMPFOIL_ASSERT(columns >= (has_before ? 0 : 1) && block_size >= of_foil);
   const auto make = [&]<int B, int T>() -> std::unique_ptr<FoilSpan> {
     return std::make_unique<FoilSpanOf<B, T>>(columns, block_size, of_foil, has_before, instructions);
   };

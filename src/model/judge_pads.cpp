@@ -30,7 +30,7 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
     require_same(pad.bump_foil->strips == input.bump_foil.strips, "bump_foil.strips", "bump_foil.strips for all");
     require_same(pad.bump_foil->strip_gap == input.bump_foil.strip_gap, "bump_foil.strip_gap",
                  "bump_foil.strip_gap for all");
-    const auto same_stagger = [](const FoilStrip& a, const FoilStrip& b) { return a.columns() == b.columns(); };
+    const auto same_stagger = [](const FoilStrip& a, const FoilStrip& b) { return a.sixths() == b.sixths(); };
     require_same(std::equal(pad.bump_foil->strip.begin(), pad.bump_foil->strip.end(), input.bump_foil.strip.begin(),
                             input.bump_foil.strip.end(), same_stagger),
                  "bump_foil.strip", "the stagger of bump_foil.strip for all");

@@ -48,10 +48,10 @@ void judge_heights(Judge& judge, const std::string& key, const PerBump& heights,
 /// True if it is one.
 bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
   if (!judge.finite(key, stagger, "")) return false;
-  const double columns = staggers_per_pitch * stagger;
-  const double nearest = std::round(columns);
+  const double sixths = staggers_per_pitch * stagger;
+  const double nearest = std::round(sixths);
   const bool right = nearest >= 0.0 && nearest < staggers_per_pitch &&
-                     std::abs(columns - nearest) <= staggers_per_pitch * stagger_tolerance;
+                     std::abs(sixths - nearest) <= staggers_per_pitch * stagger_tolerance;
   return judge.require(right, key, quantity(stagger, ""), "is not a number of sixths of a pitch below a whole one",
                        "give 0, 0.17, 0.33, 0.5, 0.67 or 0.83");
 }
@@ -60,8 +60,8 @@ bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
 void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
   const BumpFoil& foil = pad.bump_foil;
   const auto least = std::min_element(foil.strip.begin(), foil.strip.end(),
-                                      [](const FoilStrip& a, const FoilStrip& b) { return a.columns() < b.columns(); });
-  judge.require(least->columns() == 0, fmt::format("bump_foil.strip[{}].stagger", least - foil.strip.begin() + 1),
+                                      [](const FoilStrip& a, const FoilStrip& b) { return a.sixths() < b.sixths(); });
+  judge.require(least->sixths() == 0, fmt::format("bump_foil.strip[{}].stagger", least - foil.strip.begin() + 1),
                 quantity(least->stagger, ""), "is the least, and not 0",
                 "give strips by how much more they are staggered, and turn bearing.weld_angle instead");
   const std::string key = "bump_foil.strip";

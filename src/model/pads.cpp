@@ -68,7 +68,7 @@ PlacedPad strip_of(const PlacedPad& pad, int strip) {
   const auto bumps = static_cast<std::size_t>(foil.bumps);
   foil.height_errors.resize(bumps);
   for (std::size_t n = 0; n < bumps; ++n) foil.height_errors[n] += own.height_errors.at(n, bumps);
-  const double along = own.columns() * (nominal_bump(foil, 0).pitch / staggers_per_pitch);
+  const double along = own.sixths() * (nominal_bump(foil, 0).pitch / staggers_per_pitch);
   placed.alone.bearing.weld_angle += placed.sense() * along / placed.alone.bearing.radius;
   return placed;
 }
