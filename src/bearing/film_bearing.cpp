@@ -239,6 +239,7 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   const std::vector<Foils> strips = split ? strips_of(foils) : std::vector<Foils>();
   if (split) {
     lay_out_strips(foil.lines, bearing.behind_pressures(), bearing);
+    keep_stress(strips, bearing);
     if (!foils.under_film && !foils.assembly.empty()) {
       bearing.assembly = on_strips(foils, resolution.width_modes, Eigen::Vector2d::Zero()).assembly;
     }

@@ -38,6 +38,7 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
                  "bump_foil.yield_stress for all");
   }
   if (pad.top_foil) {
+    require_same(pad.top_foil->split == input.top_foil.split, "top_foil.split", "top_foil.split for all");
     require_same(pad.top_foil->yield_stress == input.top_foil.yield_stress, "top_foil.yield_stress",
                  "top_foil.yield_stress for all");
   }

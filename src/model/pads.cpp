@@ -65,6 +65,7 @@ PlacedPad strip_of(const PlacedPad& pad, int strip) {
   BumpFoil& foil = placed.alone.bump_foil;
   if (foil.strip.empty()) return placed;
   const FoilStrip& own = foil.strip[static_cast<std::size_t>(strip)];
+  if (own.thickness) foil.thickness = *own.thickness;
   const auto bumps = static_cast<std::size_t>(foil.bumps);
   foil.height_errors.resize(bumps);
   for (std::size_t n = 0; n < bumps; ++n) foil.height_errors[n] += own.height_errors.at(n, bumps);

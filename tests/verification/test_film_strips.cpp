@@ -35,9 +35,11 @@ Case differing_case(double friction) {
   return input;
 }
 
-/// Strips that are staggered, too, one by one column of the mesh, on a foil with room for that.
+/// Strips that are staggered, too, one by one column of the mesh, on a foil with room for that, and one thicker.
 Case staggered_case(double friction) {
   Case input = differing_case(friction);
+  input.bump_foil.truss = {};  // identified from the thickness
+  input.bump_foil.strip[1].thickness = 0.12e-3;
   input.film.columns_per_pitch = 6;
   input.bump_foil.bumps = 25;
   input.bump_foil.strip[0].stagger = 1.0 / 6.0;

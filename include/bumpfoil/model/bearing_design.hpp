@@ -71,11 +71,13 @@ inline constexpr int staggers_per_pitch = 6;
 struct FoilStrip {
   double stagger{};       ///< of the strip along the foil, its weld included, in pitches: a multiple of a sixth
   PerBump height_errors;  ///< m, positive = taller; added to those of the bump foil
+  std::optional<double> thickness{};  ///< e_f of its bumps, m; absent: as of the bump foil
 
   /// Whether it is not as the foil in common.
   [[nodiscard]] bool differs() const {
-    return stagger != 0.0 || std::any_of(height_errors.values.begin(), height_errors.values.end(),
-                                         [](double error) { return error != 0.0; });
+    return stagger != 0.0 || thickness ||
+           std::any_of(height_errors.values.begin(), height_errors.values.end(),
+                       [](double error) { return error != 0.0; });
   }
   /// The stagger in sixths of a pitch.
   [[nodiscard]] int sixths() const { return static_cast<int>(std::lround(staggers_per_pitch * stagger)); }
@@ -159,6 +161,7 @@ struct TopFoil {
   FormedRadius formed_radius{};           ///< R_f
   std::optional<double> seat_pressure{};  ///< Pa: forming, beside that of the radius, that presses on all bumps alike
   std::optional<double> overhang{};       ///< from the last crest to the free end, m; absent: half a pitch
+  bool split{};                           ///< over the width as the bump foil is; else whole
 
   bool operator==(const TopFoil&) const = default;
 };

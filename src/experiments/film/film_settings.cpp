@@ -265,7 +265,7 @@ bool is_dry(std::string_view command) {
 
 /// What a tilted journal needs where there is no film.
 void judge_dry_tilt(Judge& judge, const Case& input, const char* command) {
-  judge.require_for(command, input.width.modes != 1, "width.tilt", "",
+  judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "width.tilt", "",
                     "needs foils that answer to it where there is no film",
                     "set width.modes = 3, or 2 without a parabola");
   judge.require_for(command, input.bump_foil.geometry == Geometry::linear, "width.tilt", "",
@@ -323,11 +323,16 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
                       std::string(name_of(input.solver.chosen())), "does not support strips that move each by itself",
                       "set name = \"newton\" or \"events\"");
   }
+  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
+    judge.require_for(command, !input.top_foil.split, "top_foil.split", "true",
+                      "is not supported under a film, which would leak through the slits",
+                      "remove it: the command computes a whole top foil");
+  }
   if (!input.has_own_strips()) return;
   judge.require_for("strip", !input.strip, "bump_foil.strip", "",
                     "differs over the width, and the plate presses foils that do not", "remove [[bump_foil.strip]]");
   for (const char* const command : {"cycle", "path", "vibration", "equilibrium"}) {
-    judge.require_for(command, input.width.modes != 1, "bump_foil.strip", "",
+    judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "bump_foil.strip", "",
                       "needs a top foil that answers to strips which differ",
                       "set width.modes = 3, or 2 without a parabola");
   }

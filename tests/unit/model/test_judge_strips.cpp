@@ -85,6 +85,38 @@ TEST(JudgeStrips, TellsAllThatIsWrongWithTheirHeights) {
             (Keys{"bump_foil.strip[1].height_errors", "bump_foil.strip[2].height_errors"}));
 }
 
+TEST(JudgeStrips, FitsTheirThicknessToTheBumps) {
+  const auto of_thickness = [](double thickness, const std::function<void(Case&)>& change = {}) {
+    return with([&](Case& input) {
+      input.bump_foil.strip[2].thickness = thickness;
+      if (change) change(input);
+    });
+  };
+  const Keys of_strip{"bump_foil.strip[3].thickness"};
+  EXPECT_EQ(of_thickness(0.127e-3), Keys{});
+  EXPECT_EQ(of_thickness(-1.0), of_strip);
+  EXPECT_EQ(of_thickness(0.6e-3), of_strip);  // more than the bump is high
+  EXPECT_EQ(of_thickness(0.127e-3, [](Case& input) { input.bump_foil.truss.k1 = 1.5e8; }), of_strip);
+  EXPECT_EQ(of_thickness(0.127e-3, [](Case& input) { input.bump_foil.height_reference = HeightReference::midsurface; }),
+            of_strip);
+}
+
+TEST(JudgeStrips, SplitsTheTopFoilOverThemWithoutAFilmAlone) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.split = true; }), Keys{"top_foil.split"});
+  Case input = reference_case();
+  split(input);
+  input.top_foil.split = true;
+  input.width.modes = 1;  // has none
+  for (const char* const command : {"cycle", "path", "vibration"}) {
+    EXPECT_TRUE(find_faults(input, {command}).empty()) << command;
+  }
+  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
+    const std::vector<Fault> faults = find_faults(input, {command});
+    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [](const Fault& one) { return one.key == "top_foil.split"; }))
+        << command;
+  }
+}
+
 TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
   EXPECT_EQ(with([](Case& input) { input.top_foil.formed_radius = {FormedTo::seated}; }), Keys{"bump_foil.strip"});
   EXPECT_EQ(with([](Case& input) {
