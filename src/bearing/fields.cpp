@@ -111,16 +111,14 @@ void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, 
   const auto put_one = [&](FieldMatrix& field, Eigen::Index column, const std::optional<double>& value) {
     if (value) put(field, column, Vector::Constant(1, *value));
   };
-  const Eigen::Index size = foils.structure.dofs.size;
   for (int pad = 0; pad < foils.pad_count(); ++pad) {
-    const auto [first, count] = foils.structure.blocks_of(pad);
-    const FoilStress stress =
-        foil_stress(foils.stress[static_cast<std::size_t>(pad)], x.segment(first * size, count * size));
+    const Eigen::Index first = foils.structure.blocks_of(pad).first;
+    const FoilStress stress = pad_stress(foils, x, pad);
     put_one(fields.top_weld, pad, stress.top_weld);
     put_one(fields.bump_weld, pad, stress.bump_weld);
     put(fields.top_crest, first, stress.top_crest);
     put(fields.bump_crest, first, stress.bump_crest);
-    put(fields.bump_foot, Eigen::Index{first} * foils.feet_per_block(), stress.bump_foot);
+    put(fields.bump_foot, first * foils.feet_per_block(), stress.bump_foot);
     put(fields.bump_largest, first, stress.bump_largest);
   }
 }
@@ -230,6 +228,26 @@ Vector interface_loads(const Foils& foils, const ContactState& state, Interface 
   return loads;
 }
 
+FoilStress pad_stress(const Foils& foils, const Vector& x, int pad) {
+  const auto [first, count] = foils.structure.blocks_of(pad);
+  const Eigen::Index size = foils.structure.dofs.size;
+  const auto stress_of = [&](const std::vector<StressModel>& models, std::optional<int> strip) {
+    const Vector known = foils.foil_unknowns(x, strip);
+    return foil_stress(models[static_cast<std::size_t>(pad)],
+                       known.segment(Eigen::Index{first} * size, Eigen::Index{count} * size));
+  };
+  FoilStress stress = stress_of(foils.stress, {});
+  for (std::size_t strip = 0; strip < foils.strip_stress.size(); ++strip) {
+    const FoilStress one = stress_of(foils.strip_stress[strip], static_cast<int>(strip));
+    const auto take = [&](Vector FoilStress::*places) {
+      stress.*places = strip == 0 ? one.*places : (stress.*places).cwiseMax(one.*places).eval();
+    };
+    for (const auto places : {&FoilStress::bump_crest, &FoilStress::bump_foot, &FoilStress::bump_largest}) take(places);
+    if (one.bump_weld) stress.bump_weld = strip == 0 ? *one.bump_weld : std::max(*stress.bump_weld, *one.bump_weld);
+  }
+  return stress;
+}
+
 Vector strip_loads(const Foils& foils, const ContactState& state) {
   Vector loads = Vector::Zero(foils.points.empty() ? 0 : foils.points.back().strip + 1);
   const double threshold = open_threshold(foils, state);
@@ -318,7 +336,7 @@ void record(const Foils& foils, const BearingState& state, Eigen::Index incremen
     fields.pad_force_y.row(increment) = forces.row(1).unaryExpr(shown);
   }
   if (fields.strip_load.cols() > 0) fields.strip_load.row(increment) = strip_loads(foils, state.contacts);
-  record_stress(foils, x, increment, fields.stress);
+  record_stress(foils, state.contacts.x, increment, fields.stress);
 }
 
 }  // namespace bumpfoil

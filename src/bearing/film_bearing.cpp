@@ -32,19 +32,27 @@ double mean_pitch(const std::vector<BumpShape>& bumps) {
   return first + beyond / static_cast<double>(bumps.size());
 }
 
-FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const FilmResolution& resolution) {
+/// @param stations  of BumpFoil::stations()
+FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const FilmResolution& resolution,
+                   const std::vector<int>& stations) {
   const FoilDesign foils = make_bearing_design(design);
   const auto bumps = static_cast<int>(foils.bumps.size());
   const double pitch = mean_pitch(foils.bumps);
   const int m = resolution.columns_per_pitch;
   BUMPFOIL_ASSERT(m >= 4 && m % 2 == 0);
   std::vector<int> crests;
-  crests.reserve(foils.bumps.size());
-  for (int i = 0; i < bumps; ++i) crests.push_back(m / 2 + i * m);
+  crests.reserve(foils.bumps.size() * stations.size());
+  for (int i = 0; i < bumps; ++i) {
+    for (const int station : stations) {
+      BUMPFOIL_ASSERT(station * m % staggers_per_pitch == 0);
+      crests.push_back(m / 2 + i * m + station * m / staggers_per_pitch);
+    }
+  }
+  const int further = stations.back() * m / staggers_per_pitch;
   const double R = design.bearing.radius;
   const int rows = resolution.width == WidthPart::half ? resolution.rows : 2 * resolution.rows;
-  const FilmMesh mesh = make_slotted_mesh(top_foil_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m), rows,
-                                          0.5 * design.bearing.axial_length / R, resolution.width);
+  const FilmMesh mesh = make_slotted_mesh(top_foil_intervals(foils, m, pitch, further), bumps * pitch / R / (bumps * m),
+                                          rows, 0.5 * design.bearing.axial_length / R, resolution.width);
   return make_foil_film(mesh, scales, make_top_foil_section(foils).bending_stiffness, pitch, std::move(crests),
                         make_forming(foils),
                         {.modes = resolution.width_modes,
@@ -163,10 +171,12 @@ void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& al
 namespace {
 
 /// Puts one more pad behind those there are.
-void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBearing& bearing) {
+void append(const PlacedPad& placed, const FilmResolution& resolution, const std::vector<int>& stations,
+            FilmBearing& bearing) {
   const PadDesign& alone = placed.alone;
   FilmPad pad;
-  pad.foil = make_foil(alone, bearing.scales, resolution);
+  pad.foil = make_foil(alone, bearing.scales, resolution, stations);
+  pad.stations = static_cast<int>(stations.size());
   if (const std::optional<Asperities>& rough = bearing.surroundings.asperities) {
     pad.foil.asperities = Asperities{.pressure_factor = rough->pressure_factor / bearing.scales.gas.ambient_pressure,
                                      .roughness = rough->roughness / bearing.scales.thickness,
@@ -197,16 +207,16 @@ double room_of(const FilmBearing& bearing) {
 
 /// Unknowns of a block.
 int block_size_of(const FilmBearing& bearing) {
-  const FoilFilm& foil = bearing.pads.front().foil;
-  const int of_film = bearing.first_pressure() + foil.mesh.unknown_rows();
-  return std::max(of_film, unknowns_on_lines(bearing)) + 2 * static_cast<int>(foil.stretching.rows());
+  const FilmPad& pad = bearing.pads.front();
+  return std::max(bearing.behind_pressures(), unknowns_on_lines(bearing)) +
+         pad.stations * 2 * static_cast<int>(pad.foil.stretching.rows());
 }
 
 /// What means nothing at the free ends is held, the displacement there is not.
 void hold_free_ends(const FilmBearing& bearing, BlockTridiagonal& K) {
   const double stiffness = stiffest_of_bump_foils(bearing.structure);
   for (const FilmPad& pad : bearing.pads) {
-    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block) + pad.foil.supports.size()];
+    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block + pad.bumps())];
     last.diagonal().setConstant(stiffness);
     last.diagonal().segment(bearing.first_pressure(), pad.foil.lines.count()).setZero();
   }
@@ -221,18 +231,20 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   bearing.under_film = true;
   bearing.surroundings = surroundings;
   bearing.scales = {gas, foils.placed.front().alone.bearing.radius, film_thickness_scale(foils.clearance)};
-  for (const PlacedPad& placed : foils.placed) append(placed, resolution, bearing);
+  const BumpFoil& bump_foil = foils.placed.front().alone.bump_foil;
+  const bool split = resolution.width_modes > 1 && bump_foil.is_split();
+  const std::vector<int> stations = split ? bump_foil.stations() : std::vector<int>{0};
+  for (const PlacedPad& placed : foils.placed) append(placed, resolution, stations, bearing);
   const FoilFilm& foil = bearing.pads.front().foil;
-  const int further = bearing.first_pressure() + foil.mesh.unknown_rows();
-  const bool split = resolution.width_modes > 1 && foils.placed.front().alone.bump_foil.is_split();
   const std::vector<Foils> strips = split ? strips_of(foils) : std::vector<Foils>();
   if (split) {
-    lay_out_strips(foil.lines, further, bearing);
+    lay_out_strips(foil.lines, bearing.behind_pressures(), bearing);
+    keep_stress(strips, bearing);
     if (!foils.under_film && !foils.assembly.empty()) {
       bearing.assembly = on_strips(foils, resolution.width_modes, Eigen::Vector2d::Zero()).assembly;
     }
   } else {
-    bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), further);
+    bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), bearing.behind_pressures());
   }
   bearing.room = room_of(bearing);
   BlockTridiagonal K(foils.structure.K.blocks() + bearing.pad_count(), block_size_of(bearing));

@@ -65,21 +65,23 @@ FilmNewton::FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& optio
 }
 
 template <typename Visitor>
-void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) const {
+void FilmNewton::for_each_place(const FilmPad& pad, int support, Visitor&& visit) const {
   const int n = pad.foil.mesh.unknown_rows();
-  const int first_pressure = bearing_.first_pressure();
-  const int lines = bearing_.journal_contacts();
-  if (b == pad.bumps()) {
+  const int station = pad.station_of(support);
+  const int first_pressure = bearing_.first_pressure(station);
+  const auto lines = static_cast<int>(pad.foil.lines.count());
+  if (support == std::ssize(pad.foil.supports)) {
     for (int s = 0; s < lines; ++s) visit(first_pressure + s, n + s);  // the free end
     return;
   }
   for (int j = 0; j < n; ++j) visit(first_pressure + j, j);
   for (int s = 0; s < lines; ++s) {
-    visit(Foils::place(bearing_.lines, s, bearing_.dofs().top_u), n + s);
-    visit(Foils::place(bearing_.lines, s, bearing_.dofs().top_moment), n + lines + s);
+    const Eigen::Index line = pad.line_over(support, s);
+    visit(Foils::place(bearing_.lines, line, bearing_.dofs().top_u), n + s);
+    visit(Foils::place(bearing_.lines, line, bearing_.dofs().top_moment), n + lines + s);
   }
   const int of_membrane = 2 * static_cast<int>(pad.foil.stretching.rows());
-  for (int i = 0; i < of_membrane; ++i) visit(bump_K_.block_size() - of_membrane + i, n + 2 * lines + i);
+  for (int i = 0; i < of_membrane; ++i) visit(bearing_.first_of_membrane(station) + i, n + 2 * lines + i);
 }
 
 /// Forces that the bump foils take at their displacements, N; what is held in the last blocks takes none.
@@ -95,10 +97,10 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
 /// Moves the forces at the top foil over the crests, N, to the balances of its columns.
 void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balance) const {
   const double unit = pad.foil.stiffness * bearing_.scales.thickness;
-  for (int i = 0; i < pad.bumps(); ++i) {
-    const Eigen::Index block = Eigen::Index{pad.first_block + i} * bump_K_.block_size();
+  for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
+    const Eigen::Index block = Eigen::Index{pad.block_of(i)} * bump_K_.block_size();
     for (Eigen::Index s = 0; s < balance.rows(); ++s) {
-      double& support = forces[block + Foils::place(bearing_.lines, s, bearing_.dofs().top_u)];
+      double& support = forces[block + Foils::place(bearing_.lines, pad.line_over(i, s), bearing_.dofs().top_u)];
       balance(s, pad.foil.supports[static_cast<std::size_t>(i)]) += support / unit;
       support = 0.0;
     }
@@ -150,10 +152,12 @@ void FilmNewton::assemble() {
       });
     };
     for (int b = 0; b < blocks; ++b) {
-      const std::size_t i = static_cast<std::size_t>(part.pad.first_block) + static_cast<std::size_t>(b);
+      const auto i = static_cast<std::size_t>(part.pad.block_of(b));
       add(K_.diagonal[i], b, b, part.system.diagonal(b));
-      if (b > 0) add(K_.lower[i - 1], b, b - 1, part.system.lower(b));
-      if (b + 1 < blocks) add(K_.upper[i], b, b + 1, part.system.upper(b));
+      if (b == 0) continue;
+      const auto before = static_cast<std::size_t>(part.pad.block_of(b - 1));
+      add(before == i ? K_.diagonal[i] : K_.lower[before], b, b - 1, part.system.lower(b));
+      add(before == i ? K_.diagonal[i] : K_.upper[before], b - 1, b, part.system.upper(b - 1));
     }
   }
 }
@@ -177,7 +181,7 @@ void FilmNewton::load_condensed(std::size_t side) {
     const int blocks = part.system.blocks();
     const Matrix& condensed = part.system.condensed();
     for (int b = 0; b < blocks; ++b) {
-      const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+      const Eigen::Index first = Eigen::Index{part.pad.block_of(b)} * K_.block_size();
       const Eigen::Index column = static_cast<Eigen::Index>(side) * blocks + b;
       for_each_place(part.pad, b, [&](int place, int film_place) {
         loading_.load[first + place] -= unit * condensed(film_place, column);
@@ -202,7 +206,7 @@ void FilmNewton::expand(std::span<Step> changes) {
     for (std::size_t side = 0; side < changes.size(); ++side) {
       const Vector& x = changes[side].contact.x;
       for (int b = 0; b < blocks; ++b) {
-        const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+        const Eigen::Index first = Eigen::Index{part.pad.block_of(b)} * K_.block_size();
         const Eigen::Index column = static_cast<Eigen::Index>(side) * blocks + b;
         for_each_place(part.pad, b, [&](int place, int film_place) {
           part.support_steps(film_place, column) = x[first + place] / bearing_.scales.thickness;

@@ -117,10 +117,10 @@ class FilmNewton {
   void move_foils();
   void add_to_step(double way, const Step& rate);
   void take_step(double fraction, const BearingState& from, BearingState& to) const;
-  /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
-  /// film knows.
+  /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns that the film has over a
+  /// support of a pad or, behind the last one, at the free end.
   template <typename Visitor>
-  void for_each_place(const FilmPad& pad, int b, Visitor&& visit) const;
+  void for_each_place(const FilmPad& pad, int support, Visitor&& visit) const;
 
   SharedFilmBearing shared_;
   const FilmBearing& bearing_{*shared_};

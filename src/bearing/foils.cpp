@@ -118,11 +118,12 @@ int Foils::block(int of_structure) const {
 }
 
 std::size_t Foils::unstaggered_lines() const {
+  if (split_top_foil) return lines.size();
   return static_cast<std::size_t>(std::count_if(
       lines.begin(), lines.end(), [&](const FoilLine& line) { return line.strip == lines.front().strip; }));
 }
 
-Vector Foils::foil_unknowns(const Vector& x) const {
+Vector Foils::foil_unknowns(const Vector& x, std::optional<int> strip) const {
   if (!under_film && lines.empty()) return x;
   const Eigen::Index size = structure.dofs.size;
   Vector known(structure.K.rows());
@@ -137,7 +138,8 @@ Vector Foils::foil_unknowns(const Vector& x) const {
       const std::vector<FoilLine>& given = of_top_foil ? lines : crest_lines();
       const std::size_t count = of_top_foil ? unstaggered_lines() : given.size();
       for (std::size_t s = 0; s < count; ++s) {
-        const double part = i == structure.dofs.top_moment ? 1.0 : given[s].weight;
+        double part = i == structure.dofs.top_moment ? 1.0 : given[s].weight;
+        if (strip && !of_top_foil) part = given[s].strip == *strip ? 0.5 : 0.0;  // the rule has two points
         own[i] += part * all[place(given, static_cast<Eigen::Index>(s), i)];
       }
     }

@@ -90,18 +90,27 @@ Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d&
 Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
-  const std::vector<int> stations = strip_stations(foils);
+  const PadDesign& pad_design = foils.placed.front().alone;
+  const std::vector<int> stations = pad_design.bump_foil.stations();
   const std::vector<Foils> strips = strips_of(foils);
   Foils split = foils;
-  lay_out_strips(width, foils.structure.dofs.size, split);
   if (stations.size() > 1) {
     for (const Foils& strip : strips) split.strip_normals.push_back(strip.normals);
   }
-  const int of_membrane = static_cast<int>(stations.size()) * unknowns_of_membrane(width);
-  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(split) + of_membrane);
-  add_strips(split, strips, width, K);
-  for (int pad = 0; pad < split.pad_count(); ++pad) add_top_foil(split, pad, width, stations, K);
-  split.problem.K = std::move(K);
+  BlockTridiagonal& K = split.problem.K;
+  const int blocks = foils.structure.K.blocks();
+  if (pad_design.top_foil.split) {
+    lay_out_split_foils(split);
+    K = BlockTridiagonal(blocks, unknowns_on_lines(split));
+    add_slices(split, strips, K);
+  } else {
+    lay_out_strips(width, foils.structure.dofs.size, split);
+    const int of_membrane = static_cast<int>(stations.size()) * unknowns_of_membrane(width);
+    K = BlockTridiagonal(blocks, unknowns_on_lines(split) + of_membrane);
+    add_strips(split, strips, width, K);
+    for (int pad = 0; pad < split.pad_count(); ++pad) add_top_foil(split, pad, width, stations, K);
+  }
+  keep_stress(strips, split);
   split.forming = forming_on_lines(split);
   put_contacts_on_lines(strips, 0.0, split);
   if (!foils.assembly.empty()) split.assembly = assemble_without_journal(split);

@@ -1,6 +1,7 @@
 #include "bearing/strip_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -17,7 +18,7 @@ const BumpFoil& bump_foil_of(const Foils& foils) {
 
 int station_of(const Foils& foils, int strip) {
   const BumpFoil& foil = bump_foil_of(foils);
-  return foil.strip.empty() ? 0 : foil.strip[static_cast<std::size_t>(strip)].columns();
+  return foil.strip.empty() ? 0 : foil.strip[static_cast<std::size_t>(strip)].sixths();
 }
 
 /// Adds the bump foil under a point to K, and its tie.
@@ -55,16 +56,45 @@ void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& s
   }
 }
 
-}  // namespace
-
-std::vector<int> strip_stations(const Foils& foils) {
-  std::vector<int> stations;
-  stations.reserve(static_cast<std::size_t>(bump_foil_of(foils).strips));
-  for (int strip = 0; strip < bump_foil_of(foils).strips; ++strip) stations.push_back(station_of(foils, strip));
-  std::sort(stations.begin(), stations.end());
-  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
-  return stations;
+/// Adds top foil and bump foil of a strip under a point to K: as much of them as the point stands for. The moment of
+/// the top foil is that of this part.
+void add_slice(const FoilLine& point, const FoilStructure& strip, BlockTridiagonal& K) {
+  Vector part = Vector::Constant(strip.dofs.size, std::sqrt(point.weight));
+  part[strip.dofs.top_moment] = 1.0 / part[strip.dofs.top_moment];
+  const auto add = [&](const Matrix& slice, Matrix& block) {
+    block(point.places, point.places) += part.asDiagonal() * slice * part.asDiagonal();
+  };
+  for (std::size_t b = 0; b < strip.K.diagonal.size(); ++b) {
+    add(strip.K.diagonal[b], K.diagonal[b]);
+    if (b < strip.K.upper.size()) add(strip.K.upper[b], K.upper[b]);
+  }
 }
+
+/// The points of all strips, two of Gauss's rule on each, with unknowns of their own from `further` on; those of the
+/// first point are in the places of the foils', but for the top foil unless it is split.
+std::vector<FoilLine> points_of(const Foils& foils, int further) {
+  const BumpDofs& dofs = foils.structure.dofs;
+  const PadDesign& pad = foils.placed.front().alone;
+  const double from_middle = 0.5 * strip_width(pad) / std::numbers::sqrt3;
+  std::vector<FoilLine> points;
+  for (int strip = 0; strip < pad.bump_foil.strips; ++strip) {
+    for (const double side : {-1.0, 1.0}) {
+      const bool first = points.empty();
+      FoilLine& point = points.emplace_back();
+      point.zeta = (strip_middle(pad, strip) + side * from_middle) / (0.5 * pad.bearing.axial_length);
+      point.weight = 0.5 / pad.bump_foil.strips;
+      point.strip = strip;
+      point.places.resize(static_cast<std::size_t>(dofs.size));
+      for (int i = 0; i < dofs.size; ++i) {
+        const bool of_lines = !foils.split_top_foil && (i == dofs.top_u || i == dofs.top_moment);
+        point.places[static_cast<std::size_t>(i)] = first && !of_lines ? i : further++;
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace
 
 std::vector<Foils> strips_of(const Foils& foils) {
   std::vector<Foils> strips;
@@ -78,10 +108,17 @@ std::vector<Foils> strips_of(const Foils& foils) {
   return strips;
 }
 
+void keep_stress(std::span<const Foils> strips, Foils& foils) {
+  const std::vector<FoilStrip>& own = bump_foil_of(foils).strip;
+  if (std::none_of(own.begin(), own.end(), [](const FoilStrip& one) { return one.thickness.has_value(); })) return;
+  foils.strip_stress.clear();
+  for (const Foils& strip : strips) foils.strip_stress.push_back(strip.stress);
+}
+
 void lay_out_strips(const WidthLines& width, int further, Foils& foils) {
   const BumpDofs& dofs = foils.structure.dofs;
   foils.lines.clear();
-  for (const int station : strip_stations(foils)) {
+  for (const int station : bump_foil_of(foils).stations()) {
     int strip = 0;
     while (station_of(foils, strip) != station) ++strip;
     for (Eigen::Index s = 0; s < width.count(); ++s) {
@@ -95,22 +132,18 @@ void lay_out_strips(const WidthLines& width, int further, Foils& foils) {
       line.strip = strip;
     }
   }
-  const PadDesign& pad = foils.placed.front().alone;
-  const double from_middle = 0.5 * strip_width(pad) / std::numbers::sqrt3;  // Gauss's rule with two points
-  foils.points.clear();
-  for (int strip = 0; strip < pad.bump_foil.strips; ++strip) {
-    for (const double side : {-1.0, 1.0}) {
-      const bool first = foils.points.empty();
-      FoilLine& point = foils.points.emplace_back();
-      point.zeta = (strip_middle(pad, strip) + side * from_middle) / (0.5 * pad.bearing.axial_length);
-      point.weight = 0.5 / pad.bump_foil.strips;
-      point.strip = strip;
-      point.places.resize(static_cast<std::size_t>(dofs.size));
-      for (int i = 0; i < dofs.size; ++i) {
-        const bool of_lines = i == dofs.top_u || i == dofs.top_moment;
-        point.places[static_cast<std::size_t>(i)] = first && !of_lines ? i : further++;
-      }
-    }
+  foils.points = points_of(foils, further);
+}
+
+void lay_out_split_foils(Foils& foils) {
+  foils.split_top_foil = true;
+  foils.points = points_of(foils, foils.structure.dofs.size);
+  foils.lines = foils.points;
+}
+
+void add_slices(const Foils& foils, std::span<const Foils> strips, BlockTridiagonal& K) {
+  for (const FoilLine& point : foils.points) {
+    add_slice(point, strips[static_cast<std::size_t>(point.strip)].structure, K);
   }
 }
 

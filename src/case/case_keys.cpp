@@ -122,6 +122,8 @@ void describe(CaseVisitor& keys, FoilStrip& strip) {
       {"height_errors", defaulted, "Height errors",
        "one for all its bumps or one for each, positive is taller; added to those of the bump foil", "0 um", length},
       &strip.height_errors);
+  keys.value({"thickness", optional, "Thickness", "instead of bump_foil.thickness; heights stay", "0.127 mm", length},
+             &strip.thickness);
 }
 
 void describe(CaseVisitor& keys, BumpFoil& foil) {
@@ -219,6 +221,8 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
   keys.value(
       {"overhang", optional, "Overhang", "from the last crest to the free end; default: half a pitch", "2 mm", length},
       &foil.overhang);
+  keys.value({"split", defaulted, "Split", "true: over the width, as the bump foil is; for commands without a film"},
+             &foil.split);
 }
 
 void describe(CaseVisitor& keys, const PadDesign& common, Pad& pad) {

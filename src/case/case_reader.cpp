@@ -62,6 +62,10 @@ std::vector<Fault> truss_faults(const Case& input) {
   if (input.bump_foil.model != BumpFoilModel::frame) {
     for (const PlacedPad& pad : place_pads(input)) {
       std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
+      for (std::size_t k = 0; k < pad.alone.bump_foil.strip.size() && faults.empty(); ++k) {
+        if (!pad.alone.bump_foil.strip[k].thickness) continue;
+        faults = find_truss_faults(make_bearing_design(strip_of(pad, static_cast<int>(k)).alone));
+      }
       if (!faults.empty()) return faults;
     }
   }

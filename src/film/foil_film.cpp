@@ -186,7 +186,7 @@ FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
   int first = 0;
   for (const int column : columns) {
     const int length = column - first;
-    BUMPFOIL_ASSERT(length >= 1);
+    BUMPFOIL_ASSERT(length >= (first > 0 ? 0 : 1));
     Span span;
     span.first = first;
     span.columns = make_foil_span(length, rows, of_foil, first > 0);

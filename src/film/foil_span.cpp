@@ -26,7 +26,7 @@ class FoilSpanOf final : public FoilSpan {
     }
     of_before_.resize(stride_, of_foil);
     of_after_.resize(stride_, of_foil);
-    for (LineVector* block : {&carried_, &added_}) block->resize(columns_.front().G.size());
+    for (LineVector* block : {&carried_, &added_}) block->resize(static_cast<std::size_t>(block_size * stride_));
     scratch_.resize(static_cast<std::size_t>(stride_));
   }
 
@@ -59,6 +59,10 @@ class FoilSpanOf final : public FoilSpan {
         kernels.template products<Products::assign>(right_.data(), stride_, column.G.data(), n_, column.g.data(),
                                                     sides_);
         if (has_before_) kernels.products(right_.data(), stride_, column.W.data(), n_, left_.data(), sides_);
+      }
+      if (columns_.empty()) {
+        fill(right_);
+        return;
       }
       for (Eigen::Index s = 0; s < sides_; ++s) {
         couple<Products::negate>(kernels, of_after_, columns_.back().g.data() + s * stride_,
@@ -119,6 +123,14 @@ class FoilSpanOf final : public FoilSpan {
   [[nodiscard]] BUMPFOIL_ALWAYS_INLINE Eigen::Index of_foil() const { return T == Eigen::Dynamic ? of_foil_ : T; }
   Block map(LineVector& block) { return {block.data(), n_, n_, Eigen::OuterStride<>(stride_)}; }
   static void fill(LineVector& numbers) { std::fill(numbers.begin(), numbers.end(), 0.0); }
+  [[nodiscard]] Matrix dense(const ColumnCoupling& S) const {
+    const Eigen::Map<const Vector> own(S.own.data(), n_);
+    const Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> by_foil(S.by_foil.data(), n_, of_foil(),
+                                                                    Eigen::OuterStride<>(stride_));
+    Matrix all = own.asDiagonal();
+    all.rightCols(of_foil()) += by_foil;
+    return all;
+  }
 
   /// y -= S x, or another use of the product
   template <Products Use = Products::subtract, typename Kernels>
@@ -159,6 +171,13 @@ class FoilSpanOf final : public FoilSpan {
   template <typename Kernels>
   BUMPFOIL_ALWAYS_INLINE bool eliminate_with(const Kernels& kernels, Condensed& condensed) {
     fill(added_);
+    if (columns_.empty()) {
+      condensed = {.before = map(added_),
+                   .before_by_after = dense(of_before_),
+                   .after_by_before = dense(of_after_),
+                   .after = map(added_)};
+      return true;
+    }
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       Column& column = columns_[i];
       if (i > 0) couple_left(kernels, column.to_before, columns_[i - 1].X, column.G);
@@ -211,7 +230,7 @@ void ColumnCoupling::resize(Eigen::Index length, Eigen::Index of_foil) {
 
 std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, int of_foil, bool has_before,
                                          VectorInstructions instructions) {
-  BUMPFOIL_ASSERT(columns >= 1 && block_size >= of_foil);
+  BUMPFOIL_ASSERT(columns >= (has_before ? 0 : 1) && block_size >= of_foil);
   const auto make = [&]<int B, int T>() -> std::unique_ptr<FoilSpan> {
     return std::make_unique<FoilSpanOf<B, T>>(columns, block_size, of_foil, has_before, instructions);
   };

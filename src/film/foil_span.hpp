@@ -24,7 +24,8 @@ struct ColumnCoupling {
 };
 
 /// Columns of film and foil between two others, the neighbours: eliminated from their equations, in one sweep that
-/// carries the coupling to the neighbour before along. With G = D^-1 of the column with those before it eliminated,
+/// carries the coupling to the neighbour before along. Neighbours that stand side by side have none between them, and
+/// couple each other as they are. With G = D^-1 of the column with those before it eliminated,
 ///
 ///     x_i = g_i - X_i x_{i+1} - Y_i x_before,     X_i = G U_i,     Y_i = -G L_i Y_{i-1}
 ///
@@ -65,6 +66,7 @@ class FoilSpan {
 };
 
 /// Some block sizes, those of usual meshes, are faster than others.
+/// @param columns       1 or more; none between two neighbours side by side
 /// @param of_foil       how many of the unknowns of a column are the foil's: the last ones
 /// @param has_before    false: the first column has none before it
 /// @param instructions  that this processor has

@@ -30,7 +30,7 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
     require_same(pad.bump_foil->strips == input.bump_foil.strips, "bump_foil.strips", "bump_foil.strips for all");
     require_same(pad.bump_foil->strip_gap == input.bump_foil.strip_gap, "bump_foil.strip_gap",
                  "bump_foil.strip_gap for all");
-    const auto same_stagger = [](const FoilStrip& a, const FoilStrip& b) { return a.columns() == b.columns(); };
+    const auto same_stagger = [](const FoilStrip& a, const FoilStrip& b) { return a.sixths() == b.sixths(); };
     require_same(std::equal(pad.bump_foil->strip.begin(), pad.bump_foil->strip.end(), input.bump_foil.strip.begin(),
                             input.bump_foil.strip.end(), same_stagger),
                  "bump_foil.strip", "the stagger of bump_foil.strip for all");
@@ -38,6 +38,7 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
                  "bump_foil.yield_stress for all");
   }
   if (pad.top_foil) {
+    require_same(pad.top_foil->split == input.top_foil.split, "top_foil.split", "top_foil.split for all");
     require_same(pad.top_foil->yield_stress == input.top_foil.yield_stress, "top_foil.yield_stress",
                  "top_foil.yield_stress for all");
   }

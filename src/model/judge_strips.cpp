@@ -48,20 +48,43 @@ void judge_heights(Judge& judge, const std::string& key, const PerBump& heights,
 /// True if it is one.
 bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
   if (!judge.finite(key, stagger, "")) return false;
-  const double columns = staggers_per_pitch * stagger;
-  const double nearest = std::round(columns);
+  const double sixths = staggers_per_pitch * stagger;
+  const double nearest = std::round(sixths);
   const bool right = nearest >= 0.0 && nearest < staggers_per_pitch &&
-                     std::abs(columns - nearest) <= staggers_per_pitch * stagger_tolerance;
+                     std::abs(sixths - nearest) <= staggers_per_pitch * stagger_tolerance;
   return judge.require(right, key, quantity(stagger, ""), "is not a number of sixths of a pitch below a whole one",
                        "give 0, 0.17, 0.33, 0.5, 0.67 or 0.83");
+}
+
+/// The thickness of a strip, and the shapes of bumps that it makes.
+void judge_strip_thickness(Judge& judge, const std::string& key, const BumpFoil& foil, double thickness,
+                           double radius) {
+  if (!judge.within(key, thickness, length_range)) return;
+  judge.require(foil.height_reference == HeightReference::overall, key, quantity(thickness, "m"),
+                "changes the height of the bumps where that is one of mid-surfaces",
+                "give overall heights, bump_foil.height_reference = \"overall\", or remove it");
+  judge.require(foil.truss == TrussOverrides{}, key, quantity(thickness, "m"),
+                "conflicts with constants of a truss, which are those of all strips", "remove it or [bump_foil.truss]");
+  const auto faults_with = [&](const PerBump& of_all) {
+    BumpFoil alike = foil;
+    alike.thickness = of_all;
+    Judge alone;
+    judge_bump_foil(alone, alike, radius);
+    return alone.take();
+  };
+  if (!faults_with(foil.thickness).empty()) return;
+  for (const JudgedFault& found : faults_with(thickness)) {
+    judge.require(false, key, quantity(thickness, "m"),
+                  fmt::format("does not fit: {} {}", found.fault.key, found.fault.what), found.fault.advice);
+  }
 }
 
 /// What staggered strips need.
 void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
   const BumpFoil& foil = pad.bump_foil;
   const auto least = std::min_element(foil.strip.begin(), foil.strip.end(),
-                                      [](const FoilStrip& a, const FoilStrip& b) { return a.columns() < b.columns(); });
-  judge.require(least->columns() == 0, fmt::format("bump_foil.strip[{}].stagger", least - foil.strip.begin() + 1),
+                                      [](const FoilStrip& a, const FoilStrip& b) { return a.sixths() < b.sixths(); });
+  judge.require(least->sixths() == 0, fmt::format("bump_foil.strip[{}].stagger", least - foil.strip.begin() + 1),
                 quantity(least->stagger, ""), "is the least, and not 0",
                 "give strips by how much more they are staggered, and turn bearing.weld_angle instead");
   const std::string key = "bump_foil.strip";
@@ -96,6 +119,8 @@ void judge_own(Judge& judge, const PadDesign& pad) {
 void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
   const BumpFoil& foil = pad.bump_foil;
   bool usable = judge_gaps(judge, pad);
+  judge.require(!pad.top_foil.split || foil.is_split(), "top_foil.split", "true",
+                "is of a split bump foil, and this one is whole", "set bump_foil.strips, or remove it");
   if (foil.strip.empty()) return;
   usable = judge.require(!usable || foil.is_split() || !foil.has_own_strips(), "bump_foil.strip", "",
                          "is of a split bump foil, and this one is whole", "set bump_foil.strips, or remove it") &&
@@ -110,6 +135,9 @@ void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judg
     usable = judge_stagger(judge, key + "stagger", foil.strip[k].stagger) && usable;
     judge_heights(judge, key + "height_errors", foil.strip[k].height_errors, judged.bumps ? foil.bumps : 0,
                   judged.rise);
+    if (foil.strip[k].thickness) {
+      judge_strip_thickness(judge, key + "thickness", foil, *foil.strip[k].thickness, radius);
+    }
   }
   if (!usable || !foil.has_own_strips()) return;
   judge_own(judge, pad);

@@ -65,10 +65,11 @@ PlacedPad strip_of(const PlacedPad& pad, int strip) {
   BumpFoil& foil = placed.alone.bump_foil;
   if (foil.strip.empty()) return placed;
   const FoilStrip& own = foil.strip[static_cast<std::size_t>(strip)];
+  if (own.thickness) foil.thickness = *own.thickness;
   const auto bumps = static_cast<std::size_t>(foil.bumps);
   foil.height_errors.resize(bumps);
   for (std::size_t n = 0; n < bumps; ++n) foil.height_errors[n] += own.height_errors.at(n, bumps);
-  const double along = own.columns() * (nominal_bump(foil, 0).pitch / staggers_per_pitch);
+  const double along = own.sixths() * (nominal_bump(foil, 0).pitch / staggers_per_pitch);
   placed.alone.bearing.weld_angle += placed.sense() * along / placed.alone.bearing.radius;
   return placed;
 }

@@ -58,6 +58,15 @@ constexpr auto scattered_number_table = std::to_array<ScatteredNumber>({
      &MonteCarloSettings::bump_foil_thickness,
      [](BearingDesign& bearing, double deviation) {
        shift(bearing, &BumpFoil::thickness, &BumpSection::thickness, deviation);
+       const auto shift_strips = [deviation](BumpFoil& foil) {
+         for (FoilStrip& strip : foil.strip) {
+           if (strip.thickness) *strip.thickness += deviation;
+         }
+       };
+       shift_strips(bearing.bump_foil);
+       for (Pad& pad : bearing.pads) {
+         if (pad.bump_foil) shift_strips(*pad.bump_foil);
+       }
      }},
     {"top_foil_thickness", "m", "deviation of the thickness of the top foil", &MonteCarloSettings::top_foil_thickness,
      [](BearingDesign& bearing, double deviation) {

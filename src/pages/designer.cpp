@@ -181,10 +181,12 @@ Json answer_vibration(const Json& request) {
   return json;
 }
 
-/// Films on a mesh that is no finer than this.
+/// Films on a mesh that is no finer than this, but for columns that crests stand on.
 void coarsen(Case& input, const std::array<int, 2>& mesh) {
-  const auto coarsen_film = [&mesh](FilmSettings& film) {
-    film.columns_per_pitch = std::min(film.columns_per_pitch, mesh[0]);
+  const int step = input.bump_foil.least_columns_per_pitch();
+  const int columns = (mesh[0] + step - 1) / step * step;
+  const auto coarsen_film = [&](FilmSettings& film) {
+    film.columns_per_pitch = std::min(film.columns_per_pitch, columns);
     film.rows = std::min(film.rows, mesh[1]);
   };
   coarsen_film(input.film);

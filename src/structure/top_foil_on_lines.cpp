@@ -115,41 +115,27 @@ Matrix condensed(const Matrix& A, const std::vector<Eigen::Index>& kept) {
 
 }  // namespace
 
-Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch) {
+Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch, int further) {
   const int half = columns_per_pitch / 2;
   const double last = foils.bumps.back().pitch;
   const double overhang = foils.top_foil->overhang / (0.5 * last);
   const int beyond = std::max(2, static_cast<int>(std::lround(half * overhang)));
   const auto bumps = static_cast<Eigen::Index>(foils.bumps.size());
-  Vector intervals((2 * bumps - 1) * half + beyond);
+  Vector intervals((2 * bumps - 1) * half + further + beyond);
   for (Eigen::Index i = 0; i < bumps; ++i) {
-    const Eigen::Index count = i + 1 < bumps ? 2 * half : half;
+    const Eigen::Index count = i + 1 < bumps ? 2 * half : half + further;
     intervals.segment(2 * i * half, count).setConstant(foils.bumps[static_cast<std::size_t>(i)].pitch / pitch);
   }
   intervals.tail(beyond).setConstant(overhang * half / beyond * last / pitch);
   return intervals;
 }
 
-namespace {
-
-/// The same in units of the pitch, and with the columns between the last crest and the last station there.
-Vector with_stations(const Vector& intervals, const FoilDesign& foils, int last) {
-  const auto to_crest = (2 * std::ssize(foils.bumps) - 1) * (columns_of_pitch / 2);
-  Vector all(intervals.size() + last);
-  all.head(to_crest) = intervals.head(to_crest);
-  all.segment(to_crest, last).setConstant(intervals[to_crest - 1]);
-  all.tail(intervals.size() - to_crest) = intervals.tail(intervals.size() - to_crest);
-  return all / columns_of_pitch;
-}
-
-}  // namespace
-
 BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines, const std::vector<int>& stations) {
   const double pitch = foils.reference_length();
   const double R = foils.radius.value();
   const double EI = make_top_foil_section(foils).bending_stiffness;
   const double stiffness = EI / (pitch * pitch * pitch);
-  const Vector intervals = with_stations(top_foil_intervals(foils, columns_of_pitch, pitch), foils, stations.back());
+  const Vector intervals = top_foil_intervals(foils, columns_of_pitch, pitch, stations.back()) / columns_of_pitch;
   TopFoilBeam beam{.radius = R, .bending_stiffness = EI, .theta = intervals * pitch / R};
   std::partial_sum(beam.theta.begin(), beam.theta.end(), beam.theta.begin());
   const Membrane membrane = make_membrane(lines.stretching_orders(), 0.5 * foils.axial_length / pitch, R / pitch,

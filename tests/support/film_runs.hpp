@@ -36,11 +36,12 @@ inline void expect_solved(const FilmBearing& bearing, const BearingState& state)
   const int size = bearing.problem.K.block_size();
   Vector elastic = bearing.problem.K.multiply(state.contacts.x);
   elastic.tail(size).setZero();
-  for (std::size_t i = 0; i < bearing.pads.front().foil.supports.size(); ++i) {
-    const int crest = bearing.pads.front().foil.supports[i];
-    for (int s = 0; s < bearing.journal_contacts(); ++s) {
+  const FilmPad& pad = bearing.pads.front();
+  for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
+    const int crest = pad.foil.supports[static_cast<std::size_t>(i)];
+    for (Eigen::Index s = 0; s < pad.foil.lines.count(); ++s) {
       const Eigen::Index place =
-          static_cast<Eigen::Index>(i) * size + Foils::place(bearing.lines, s, bearing.dofs().top_u);
+          Eigen::Index{pad.block_of(i)} * size + Foils::place(bearing.lines, pad.line_over(i, s), bearing.dofs().top_u);
       double& balance = residual.balance(s, crest);
       elastic[place] += balance * unit;
       balance = 0.0;

@@ -9,6 +9,7 @@
 #include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
 #include "bumpfoil/motion/load_search.hpp"
 #include "support/film_runs.hpp"
 
@@ -31,6 +32,18 @@ Case differing_case(double friction) {
   Case input = split_case(3, friction);
   input.bump_foil.strip = {FoilStrip{.stagger = 0.0, .height_errors = PerBump(-4e-6, 3e-6, Grading::linear)},
                            FoilStrip{}, FoilStrip{.stagger = 0.0, .height_errors = -5e-6}};
+  return input;
+}
+
+/// Strips that are staggered, too, one by one column of the mesh, on a foil with room for that, and one thicker.
+Case staggered_case(double friction) {
+  Case input = differing_case(friction);
+  input.bump_foil.truss = {};  // identified from the thickness
+  input.bump_foil.strip[1].thickness = 0.12e-3;
+  input.film.columns_per_pitch = 6;
+  input.bump_foil.bumps = 25;
+  input.bump_foil.strip[0].stagger = 1.0 / 6.0;
+  input.bump_foil.strip[2].stagger = 0.5;
   return input;
 }
 
@@ -90,9 +103,9 @@ TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
 /// At rest peaks that hardly give way hold the journal as the dry bearing does: that is another solver on another
 /// matrix, and touches the foils on three lines over the width instead of at all rows.
 TEST(FilmOnStrips, ThatDifferHoldsAJournalAtRestAsWithoutAFilm) {
-  for (const bool formed : {false, true}) {
-    Case input = differing_case(0.0);
-    if (formed) input.top_foil.formed_radius = {FormedTo::seated};
+  Case formed = differing_case(0.0);
+  formed.top_foil.formed_radius = {FormedTo::seated};
+  for (Case input : {differing_case(0.0), formed, staggered_case(0.0)}) {
     input.asperity = AsperitySettings{.sigma = 0.01e-6, .pressure_factor = 240e6, .friction = 0.2};
     input.equilibrium->speeds = {0.0};
     SharedFilmBearing bearing;
@@ -116,9 +129,38 @@ TEST(FilmOnStrips, ThatDifferHoldsAJournalAtRestAsWithoutAFilm) {
   }
 }
 
+/// Strips so low that they touch nothing may lie where they will: the same bearing with more columns kept over crests,
+/// and a top foil that ends as far behind its last one.
+TEST(FilmOnStrips, ThatTouchNothingIsNoneOfTheirStagger) {
+  for (const int sixths : {1, 3}) {
+    Case staggered = differing_case(0.1);
+    staggered.film.columns_per_pitch = 6;
+    staggered.bump_foil.bumps = 25;
+    staggered.bump_foil.strip[1].height_errors = -1e-4;
+    Case level = staggered;
+    staggered.bump_foil.strip[1].stagger = sixths / 6.0;
+    level.top_foil.overhang = (0.5 + sixths / 6.0) * level.bump_foil.pitch.values.front();
+    SharedFilmBearing one, other;
+    const RunningState found = state_of(staggered, one);
+    const RunningState reference = state_of(level, other);
+    expect_solved(*one, *found.last);
+    ASSERT_EQ(one->columns(), other->columns());
+    ASSERT_EQ(one->pads.front().stations, 2);
+    const Vector strips = strip_loads(*one, found.last->contacts);
+    EXPECT_EQ(strips[1], 0.0);
+    // As each is to the bounds of its solver.
+    EXPECT_LT((found.last->film.pressure - reference.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_LT((strips - strip_loads(*other, reference.last->contacts)).norm(), 1e-6 * some_load.norm());
+    EXPECT_LT((*found.stiffness - *reference.stiffness).norm(), 1e-6 * reference.stiffness->norm());
+    ASSERT_TRUE(found.held.sliding && reference.held.sliding);
+    EXPECT_LT(std::abs(found.held.sliding->rate - reference.held.sliding->rate),
+              1e-6 * std::abs(reference.held.sliding->rate));
+  }
+}
+
 /// With the strips of one side exchanged for those of the other the film is the mirror image.
 TEST(FilmOnStrips, IsMirroredWithThem) {
-  Case input = differing_case(0.1);
+  Case input = staggered_case(0.1);
   SharedFilmBearing bearing;
   const RunningState found = state_of(input, bearing);
   expect_solved(*bearing, *found.last);
@@ -135,22 +177,45 @@ TEST(FilmOnStrips, IsMirroredWithThem) {
 
 /// Forces and moments by displacements and tilts.
 TEST(FilmOnStrips, HasTheStiffnessOfDifferences) {
-  const FilmBearing bearing = make_film_bearing(differing_case(0.0));
-  FilmStepper stepper(bearing);
-  BearingState state;
-  const double speed = speed_of_rpm(45000.0);
-  ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
-            Status::converged);
-  OperatingPoint point = point_of(bearing, state, {});
-  point.tilt.value = {2e-6, 1e-6};
-  ASSERT_EQ(stepper.advance(point, state).status, Status::converged);
-  expect_solved(bearing, state);
-  const JournalMatrix K = stiffness_by_differences(stepper, point, state);
-  const auto motion = stepper.slow_motion(state);
-  ASSERT_TRUE(motion.has_value());
-  ASSERT_EQ(motion->stiffness.rows(), 4);
-  EXPECT_LT((motion->stiffness - K).colwise().norm().maxCoeff(), 3e-6 * K.norm());
-  EXPECT_TRUE(stepper.held_motion(state).has_value());  // its residual in the equations of all unknowns is small
+  for (const Case& input : {differing_case(0.0), staggered_case(0.0)}) {
+    const FilmBearing bearing = make_film_bearing(input);
+    FilmStepper stepper(bearing);
+    BearingState state;
+    const double speed = speed_of_rpm(45000.0);
+    ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
+              Status::converged);
+    OperatingPoint point = point_of(bearing, state, {});
+    point.tilt.value = {2e-6, 1e-6};
+    ASSERT_EQ(stepper.advance(point, state).status, Status::converged);
+    expect_solved(bearing, state);
+    const JournalMatrix K = stiffness_by_differences(stepper, point, state);
+    const auto motion = stepper.slow_motion(state);
+    ASSERT_TRUE(motion.has_value());
+    ASSERT_EQ(motion->stiffness.rows(), 4);
+    EXPECT_LT((motion->stiffness - K).colwise().norm().maxCoeff(), 3e-6 * K.norm());
+    EXPECT_TRUE(stepper.held_motion(state).has_value());  // its residual in the equations of all unknowns is small
+  }
+}
+
+/// The mesh that errors are told by has columns over all crests: twice as many as six, and the state of the bearing on
+/// it is that of a bearing made with it.
+TEST(FilmOnStrips, HasTheMeshErrorOfAMeshWithColumnsOverAllCrests) {
+  Case input = staggered_case(0.0);
+  input.film.rows = 2;
+  EquilibriumResult result = run_equilibrium(input);
+  estimate_mesh_errors(input, result);
+  const RunningState& found = result.states.front();
+  ASSERT_TRUE(found.mesh_error.has_value());
+  input.film.columns_per_pitch *= 2;
+  input.film.rows *= 2;
+  SharedFilmBearing finer;
+  const RunningState on_finer = state_of(input, finer);
+  const auto thinnest = [](const SharedFilmBearing& of, const RunningState& state) {
+    return of->scales.thickness * state.last->film.thickness.minCoeff();
+  };
+  // Of second order: a third of the difference more than it, on a mesh of half the distances.
+  const double expected = 4.0 / 3.0 * std::abs(thinnest(result.bearing, found) - thinnest(finer, on_finer));
+  EXPECT_NEAR(found.mesh_error->minimum_film_thickness, expected, 1e-5 * expected);
 }
 
 }  // namespace

@@ -107,7 +107,12 @@ TEST(Strips, OfOneAreTheLinearFoilOnTwoLines) {
   formed.bump_foil.bumps = 8;
   formed.pads.resize(3);
   formed.top_foil.formed_radius = {FormedTo::seated};
-  for (const Case& input : {truss, frame, formed}) {
+  std::vector<Case> cases{truss, frame, formed};
+  for (Case input : {truss, frame, formed}) {
+    input.top_foil.split = true;  // into one: slices, too
+    cases.push_back(input);
+  }
+  for (const Case& input : cases) {
     const Taken one = taken_to(on_strips(make_foils(input), 2, some_slope), on_the_way);
     const Taken other = taken_to(under_tilted_journal(make_foils(input), 2, some_slope), on_the_way);
     expect_same(one.last, other.last, 1e-7);  // as each is to its solver's bounds
@@ -136,6 +141,11 @@ TEST(Strips, ThatAreAlikeAreOneOfTheirWidth) {
                 bulge * whole.fields.top_displacement.norm());
       EXPECT_LT((split.fields.crest_v - whole.fields.crest_v).norm(), bulge * whole.fields.crest_v.norm());
     }
+    input.top_foil.split = true;
+    const Taken split = taken_to(on_strips(make_foils(input), 1, Eigen::Vector2d::Zero()), on_the_way);
+    expect_same(split.last, whole.last, 1e-7);
+    EXPECT_LT((split.fields.top_displacement - whole.fields.top_displacement).norm(),
+              1e-6 * whole.fields.top_displacement.norm());
     const double narrower = taken_to(make_foils(whole_case(0.1)), on_the_way).last.force_x;
     EXPECT_LT(whole.last.force_x, 0.97 * narrower);
   }
@@ -208,6 +218,53 @@ TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
   EXPECT_LT(loads[2], 0.9 * loads[1]);  // the lower strip carries less
 }
 
+/// Of a split top foil each strip is a narrow bearing of its own: with its heights and its thickness, with its weld
+/// where it is staggered to, and under the journal as it stands there.
+TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
+  const Eigen::Vector2d aligned(0.0, 0.0);
+  for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
+    for (const Eigen::Vector2d& slope : {aligned, some_slope}) {
+      Case input = differing_case(0.1);
+      input.bump_foil.model = model;
+      input.bump_foil.strip[1].thickness = 0.12e-3;
+      input.top_foil.split = true;
+      const Taken split = taken_to(on_strips(make_foils(input), 1, slope), on_the_way);
+      const double length = input.bearing.axial_length;
+      Increment sum;
+      Vector loads(3);
+      FieldMatrix bump_stress = FieldMatrix::Zero(1, split.fields.stress.bump_largest.cols());
+      for (int k = 0; k < 3; ++k) {
+        const FoilStrip& strip = input.bump_foil.strip[static_cast<std::size_t>(k)];
+        Case alone = whole_case(0.1);
+        alone.bump_foil.model = model;
+        alone.bearing.axial_length = strip_width(input);
+        alone.top_foil.youngs_modulus *= length / (3.0 * strip_width(input));  // reaches to the slits
+        if (strip.thickness) alone.bump_foil.thickness = *strip.thickness;
+        alone.bump_foil.height_errors.resize(25);
+        for (std::size_t n = 0; n < 25; ++n) alone.bump_foil.height_errors[n] = strip.height_errors.at(n, 25);
+        alone.bearing.weld_angle -= strip.stagger * alone.bump_foil.pitch.values.front() / alone.bearing.radius;
+        const double z = strip_middle(input, k);
+        std::vector<Eigen::Vector2d> places = on_the_way;
+        for (Eigen::Vector2d& place : places) place += z * slope;
+        const Taken one = taken_to(under_tilted_journal(make_foils(alone), 2, slope), places);
+        sum.force_x += one.last.force_x;
+        sum.force_y += one.last.force_y;
+        sum.moment_x += one.last.moment_x + z * one.last.force_x;
+        sum.moment_y += one.last.moment_y + z * one.last.force_y;
+        sum.elastic_energy += one.last.elastic_energy;
+        sum.dissipated_energy += one.last.dissipated_energy;
+        loads[k] = one.fields.top_bump.normal_force.sum();
+        if (bump_stress.cols() > 0) bump_stress = bump_stress.cwiseMax(one.fields.stress.bump_largest).eval();
+      }
+      expect_same(split.last, sum, 1e-7);  // as each is to its solver's bounds
+      EXPECT_GT(sum.dissipated_energy, 0.01 * sum.elastic_energy);
+      EXPECT_LT((split.strips - loads).norm(), 1e-6 * loads.norm());
+      EXPECT_LT((split.fields.stress.bump_largest - bump_stress).norm(), 1e-6 * bump_stress.norm() + 1e-9);
+      EXPECT_GT(loads[1], 1.2 * loads[2]);  // thicker and taller
+    }
+  }
+}
+
 TEST(Strips, AreMirroredWithTheBearing) {
   Case input = differing_case(0.1);
   const Taken one = taken_to(on_strips(make_foils(input), 3, some_slope), on_the_way);
@@ -245,27 +302,30 @@ TEST(Strips, AnswerWithTheDerivativesOfTheirEnergyWithoutFriction) {
 
 /// What the journal puts in is stored or rubbed away, to rounding from one change of contact to the next.
 TEST(Strips, BalanceTheEnergiesOfACycle) {
-  Case input = differing_case(0.1);
-  input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
-  input.solver.name = SolverName::events;
-  input.cycle.directions = {0.3};
-  input.cycle.steps = 10;
-  const CycleResult result = run_cycles(input);
-  ASSERT_TRUE(result.converged());
-  const Cycle& cycle = result.cycles.front();
-  double most = 0.0;
-  double defect = 0.0;
-  for (const Increment& increment : cycle.increments) {
-    const double stored = increment.elastic_energy - cycle.start->elastic_energy;
-    most = std::max(most, std::abs(increment.work));
-    defect = std::max(defect, std::abs(increment.work - stored - increment.dissipated_energy));
+  for (const bool split : {false, true}) {
+    Case input = differing_case(0.1);
+    input.top_foil.split = split;
+    input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
+    input.solver.name = SolverName::events;
+    input.cycle.directions = {0.3};
+    input.cycle.steps = 10;
+    const CycleResult result = run_cycles(input);
+    ASSERT_TRUE(result.converged());
+    const Cycle& cycle = result.cycles.front();
+    double most = 0.0;
+    double defect = 0.0;
+    for (const Increment& increment : cycle.increments) {
+      const double stored = increment.elastic_energy - cycle.start->elastic_energy;
+      most = std::max(most, std::abs(increment.work));
+      defect = std::max(defect, std::abs(increment.work - stored - increment.dissipated_energy));
+    }
+    EXPECT_LT(defect, 1e-8 * most);
+    EXPECT_GT(cycle.increments.back().dissipated_energy, 0.05 * most);
+    ASSERT_EQ(cycle.turning_point->strip_loads.size(), 3);
+    EXPECT_NEAR(cycle.turning_point->strip_loads.sum(), cycle.turning_point->bump_loads.sum(),
+                1e-9 * cycle.turning_point->max_force);
+    EXPECT_EQ(cycle.fields.strip_load.cols(), 3);
   }
-  EXPECT_LT(defect, 1e-8 * most);
-  EXPECT_GT(cycle.increments.back().dissipated_energy, 0.05 * most);
-  ASSERT_EQ(cycle.turning_point->strip_loads.size(), 3);
-  EXPECT_NEAR(cycle.turning_point->strip_loads.sum(), cycle.turning_point->bump_loads.sum(),
-              1e-9 * cycle.turning_point->max_force);
-  EXPECT_EQ(cycle.fields.strip_load.cols(), 3);
 }
 
 /// Staggered crests are touched earlier than those of the bearing where the journal is pushed between these.

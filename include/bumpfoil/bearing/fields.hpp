@@ -61,6 +61,10 @@ Vector largest_pad_forces(const FoilFields& fields);
 /// Loads of one interface at a state, N: what is reported as open carries nothing.
 Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface);
 
+/// Stresses of a pad (from 0) at unknowns of the problem: of the mean over the width; of bump foils whose strips differ
+/// in thickness the largest of all strips.
+FoilStress pad_stress(const Foils& foils, const Vector& x, int pad);
+
 /// Load of the top foil on all crests of each strip, N; nothing where they move alike.
 Vector strip_loads(const Foils& foils, const ContactState& state);
 

@@ -53,7 +53,7 @@ struct FilmSurroundings {
 
 /// Mesh of the film over the foil of a bearing.
 struct FilmResolution {
-  int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
+  int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column, BumpFoil::least_columns_per_pitch()
   int rows{16};              ///< intervals on half the width
   int width_modes{1};        ///< of the displacement of the foils over the width, see make_width_lines()
   WidthPart width{};         ///< all of it where the journal may tilt
@@ -61,12 +61,21 @@ struct FilmResolution {
 
 /// The film of a pad, and the top foil under it.
 struct FilmPad {
-  FoilFilm foil;       ///< theta from the weld of the pad
+  FoilFilm foil;       ///< theta from the weld of the pad; its supports are the stations of bump after bump
+  int stations{1};     ///< columns of the mesh that crests of a bump stand on: several where strips are staggered
   double wrap_sign{};  ///< sigma, PlacedPad::sense()
   int first_column{};  ///< among the columns of all pads
   int first_block{};   ///< among the blocks of all pads
 
-  [[nodiscard]] int bumps() const { return static_cast<int>(foil.supports.size()); }
+  [[nodiscard]] int bumps() const { return static_cast<int>(foil.supports.size()) / stations; }
+  /// Block that holds what is unknown over a support or, behind the last one, at the free end.
+  [[nodiscard]] int block_of(int support) const { return first_block + support / stations; }
+  /// Which of its bump's stations a support is; the free end has the first one.
+  [[nodiscard]] int station_of(int support) const { return support % stations; }
+  /// Among the lines of Foils, a line over a support.
+  [[nodiscard]] Eigen::Index line_over(int support, Eigen::Index line) const {
+    return station_of(support) * foil.lines.count() + line;
+  }
   /// Its columns in fields of all pads.
   [[nodiscard]] auto columns() const { return Eigen::seqN(first_column, foil.mesh.nodes()); }
 };
@@ -81,15 +90,16 @@ struct FilmPad {
 ///
 /// Unknowns come in blocks, pad after pad one for each bump and a last one for the free end. The block of a bump has
 /// the places of its foils' unknowns, with the top foil over the crest among them, and after them the pressures of the
-/// column over the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the
-/// place of its first pressure; all else there stays zero.
+/// column over the crest, c (P_j - 1) (m). Staggered strips have crests over several columns, its stations, and the
+/// pressures of one follow those of the one before. The block of the free end keeps the displacement of the top foil
+/// in the place of its first pressure; all else there stays zero.
 ///
 /// Where displacements vary over the width, foils have theirs on each line (FoilLine): those of the first line in the
-/// places of the foils' unknowns, the others, and what is unknown of the membrane, behind the pressures. What is the
-/// same on both halves varies at top foil and crest alone; what is linear over the width, as under a tilted journal, at
-/// all of the bump foil, which is independent slices then. Against modes of a higher order the crest has springs of
-/// held_crest_stiffness(), and all else that is not uniform all but rigid ones. Where the bump foil is split into
-/// strips it is on points of its own instead (Foils), and the lines are those of the top foil alone.
+/// places of the foils' unknowns, the others, and at the end what is unknown of the membrane at each station, behind
+/// the pressures. What is the same on both halves varies at top foil and crest alone; what is linear over the width, as
+/// under a tilted journal, at all of the bump foil, which is independent slices then. Against modes of a higher order
+/// the crest has springs of held_crest_stiffness(), and all else that is not uniform all but rigid ones. Where the bump
+/// foil is split into strips it is on points of its own instead (Foils), and the lines are those of the top foil alone.
 ///
 /// K of the contact problem is that of the bump foils alone, which holds what means nothing in the last blocks.
 struct FilmBearing : Foils {
@@ -139,8 +149,17 @@ struct FilmBearing : Foils {
   [[nodiscard]] Matrix thinning(const JournalVector& displacement) const;
   /// Places in the block of a bump. Only where there are foils.
   [[nodiscard]] const BumpDofs& dofs() const { return structure.dofs; }
-  /// Place of the first pressure in it.
-  [[nodiscard]] int first_pressure() const { return dofs().size; }
+  /// Place of the first pressure in it, at one of its stations.
+  [[nodiscard]] int first_pressure(int station = 0) const {
+    return dofs().size + station * pads.front().foil.mesh.unknown_rows();
+  }
+  /// Place behind the pressures of all stations.
+  [[nodiscard]] int behind_pressures() const { return first_pressure(pads.front().stations); }
+  /// Place of the first unknown of the membrane at a station.
+  [[nodiscard]] int first_of_membrane(int station) const {
+    const auto of_station = 2 * static_cast<int>(pads.front().foil.stretching.rows());
+    return problem.K.block_size() - (pads.front().stations - station) * of_station;
+  }
   /// Whether the film thickness may.
   [[nodiscard]] bool varies_over_the_width() const {
     return tilts() || pads.front().foil.lines.count() > 1 || surroundings.profile != WidthProfile{};

@@ -63,7 +63,8 @@ struct FoilLine {
 /// foil where it is displaced by u(zeta) of WidthLines. That displacement has a place in the block, as top_u of the
 /// point, and so has the force that ties it to those of the lines, as its top_moment. The crests of strips that are
 /// staggered are those of the same bump, some columns of the mesh of the top foil further on, and the journal touches
-/// the lines there, too.
+/// the lines there, too. Where the top foil is split as well, there is a slice of it under each point, welded where the
+/// strip is, and nothing is tied.
 ///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
 /// Of foils that answer differently over the width there is one on every line between journal and top foil, top foil
@@ -89,7 +90,9 @@ struct Foils {
   std::vector<FoilLine> lines{};   ///< where foils vary over the width, those over the crests that are not staggered
                                    ///< first; none where all is uniform
   std::vector<FoilLine> points{};  ///< of strips that do not move alike; none otherwise: all of the foils is on lines
-  std::vector<Eigen::Matrix2Xd> strip_normals{};  ///< as `normals`, of each strip where any is staggered
+  bool split_top_foil{};  ///< each strip has one of its own: then the points are the lines, too, and all is on them
+  std::vector<Eigen::Matrix2Xd> strip_normals{};         ///< as `normals`, of each strip where any is staggered
+  std::vector<std::vector<StressModel>> strip_stress{};  ///< as `stress`, of each strip where any has its own thickness
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {
@@ -116,7 +119,7 @@ struct Foils {
     if (strip_normals.empty()) return normals;
     return strip_normals[static_cast<std::size_t>(lines[static_cast<std::size_t>(line)].strip)];
   }
-  /// Lines over crests that are not staggered: the first ones.
+  /// Lines over crests that are not staggered: the first ones. All, where each strip has a top foil of its own.
   [[nodiscard]] std::size_t unstaggered_lines() const;
   [[nodiscard]] int first_foot() const { return top_bump() + crest_contacts(); }
   /// None of a wall in place of the foils.
@@ -133,8 +136,9 @@ struct Foils {
   }
   /// Block of the problem that holds a block of the structure.
   [[nodiscard]] int block(int of_structure) const;
-  /// The unknowns that the structure knows among those of the problem, in the mean over the width.
-  [[nodiscard]] Vector foil_unknowns(const Vector& x) const;
+  /// The unknowns that the structure knows among those of the problem, in the mean over the width, or those of the bump
+  /// foil over one strip, from 0, of several that move apart.
+  [[nodiscard]] Vector foil_unknowns(const Vector& x, std::optional<int> strip = {}) const;
   /// Contacts of the journal on a line, the first of each bump: entries of a vector of all contacts.
   [[nodiscard]] auto pressed(int line = 0) const {
     return Eigen::seqN(Eigen::Index{structure.first_bump} * contacts_per_block() + line, Eigen::Index{bumps()},
@@ -179,9 +183,9 @@ Foils make_foils(const BearingDesign& design);
 Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope);
 
 /// The foils of a bearing whose bump foil is split into strips that do not move alike: they differ, or the journal is
-/// tilted by `slope` (rad, towards X and Y) and stays so. The top foil is whole, and given on lines by so many `modes`
-/// over the whole width as under_tilted_journal() has them. Nothing joins the bump foils under the points of the
-/// strips, which slide and lift one by one.
+/// tilted by `slope` (rad, towards X and Y) and stays so. A whole top foil is given on lines by so many `modes` over
+/// the whole width as under_tilted_journal() has them; one that is split is slices. Nothing joins the bump foils under
+/// the points of the strips, which slide and lift one by one.
 /// @param foils  uniform over the width, with a top foil and without an elastic law; where strips are staggered, it is
 ///               not formed
 Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope);

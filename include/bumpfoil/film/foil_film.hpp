@@ -42,7 +42,7 @@ struct FoilFilm {
   Vector forming;                        ///< p r / c of all columns but the last
   std::optional<Asperities> asperities;  ///< of journal and foil, in units of pa and c; none: smooth surfaces
   std::vector<int> supports;  ///< columns where something may support the foil: increasing, none at or next to the
-                              ///< ends, no two neighbours
+                              ///< ends
   WidthLines lines{make_width_lines(1, WidthPart::half)};
   Matrix shapes;                       ///< N_s of each line, in every row of nodes
   Matrix stretching;                   ///< WidthLines::to_stretching_modes()

@@ -64,21 +64,23 @@ struct Bearing {
   bool operator==(const Bearing&) const = default;
 };
 
-/// Columns of the mesh of the top foil in a pitch that crests of strips may stand on.
+/// Parts of a pitch that strips may be staggered by.
 inline constexpr int staggers_per_pitch = 6;
 
 /// What one of the strips that a bump foil is split into over the width has otherwise than the others.
 struct FoilStrip {
   double stagger{};       ///< of the strip along the foil, its weld included, in pitches: a multiple of a sixth
   PerBump height_errors;  ///< m, positive = taller; added to those of the bump foil
+  std::optional<double> thickness{};  ///< e_f of its bumps, m; absent: as of the bump foil
 
   /// Whether it is not as the foil in common.
   [[nodiscard]] bool differs() const {
-    return stagger != 0.0 || std::any_of(height_errors.values.begin(), height_errors.values.end(),
-                                         [](double error) { return error != 0.0; });
+    return stagger != 0.0 || thickness ||
+           std::any_of(height_errors.values.begin(), height_errors.values.end(),
+                       [](double error) { return error != 0.0; });
   }
-  /// The stagger in columns of the mesh of the top foil.
-  [[nodiscard]] int columns() const { return static_cast<int>(std::lround(staggers_per_pitch * stagger)); }
+  /// The stagger in sixths of a pitch.
+  [[nodiscard]] int sixths() const { return static_cast<int>(std::lround(staggers_per_pitch * stagger)); }
   bool operator==(const FoilStrip&) const = default;
 };
 
@@ -113,10 +115,27 @@ struct BumpFoil {
   /// Largest stagger of a strip, in pitches.
   [[nodiscard]] double most_stagger() const {
     double most = 0.0;
-    for (const FoilStrip& one : strip) most = std::max(most, one.columns() / double{staggers_per_pitch});
+    for (const FoilStrip& one : strip) most = std::max(most, one.sixths() / double{staggers_per_pitch});
     return most;
   }
   [[nodiscard]] bool is_staggered() const { return most_stagger() > 0.0; }
+  /// Places of crests in a pitch, those of all strips: their staggers in sixths, each once, rising from 0.
+  [[nodiscard]] std::vector<int> stations() const {
+    if (strip.empty()) return {0};
+    std::vector<int> places;
+    places.reserve(strip.size());
+    for (const FoilStrip& one : strip) places.push_back(one.sixths());
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+  }
+  /// What the columns on a pitch of a mesh must be a multiple of, so that every crest is one.
+  [[nodiscard]] int least_columns_per_pitch() const {
+    constexpr int half = staggers_per_pitch / 2;
+    const bool halves =
+        std::all_of(strip.begin(), strip.end(), [](const FoilStrip& one) { return one.sixths() % half == 0; });
+    return halves ? 2 : staggers_per_pitch;
+  }
   bool operator==(const BumpFoil&) const = default;
 };
 
@@ -142,6 +161,7 @@ struct TopFoil {
   FormedRadius formed_radius{};           ///< R_f
   std::optional<double> seat_pressure{};  ///< Pa: forming, beside that of the radius, that presses on all bumps alike
   std::optional<double> overhang{};       ///< from the last crest to the free end, m; absent: half a pitch
+  bool split{};                           ///< over the width as the bump foil is; else whole
 
   bool operator==(const TopFoil&) const = default;
 };
@@ -188,17 +208,12 @@ struct BearingDesign : PadDesign {
   std::vector<Pad> pads{};  ///< none: the foils of the bearing go round in one
 
   /// Whether strips of a bump foil differ, that of the bearing or of a pad.
-  [[nodiscard]] bool has_own_strips() const { return any_bump_foil(&BumpFoil::has_own_strips); }
-  /// Whether they are staggered.
-  [[nodiscard]] bool has_staggered_strips() const { return any_bump_foil(&BumpFoil::is_staggered); }
-  bool operator==(const BearingDesign&) const = default;
-
- private:
-  [[nodiscard]] bool any_bump_foil(bool (BumpFoil::*is_so)() const) const {
-    return (bump_foil.*is_so)() || std::any_of(pads.begin(), pads.end(), [is_so](const Pad& pad) {
-             return pad.bump_foil && ((*pad.bump_foil).*is_so)();
+  [[nodiscard]] bool has_own_strips() const {
+    return bump_foil.has_own_strips() || std::any_of(pads.begin(), pads.end(), [](const Pad& pad) {
+             return pad.bump_foil && pad.bump_foil->has_own_strips();
            });
   }
+  bool operator==(const BearingDesign&) const = default;
 };
 
 }  // namespace bumpfoil

@@ -264,7 +264,9 @@ struct Case : BearingDesign {
   /// Whether foils without a film answer differently over the width.
   [[nodiscard]] bool varies_over_the_width() const { return width.tilts() || has_own_strips(); }
   /// Whether strips of the bump foil may move each by itself: the top foil answers to that. Under a film they do.
-  [[nodiscard]] bool lets_strips_move_apart() const { return bump_foil.is_split() && width.modes > 1; }
+  [[nodiscard]] bool lets_strips_move_apart() const {
+    return bump_foil.is_split() && (width.modes > 1 || top_foil.split);
+  }
   /// Whether films and foils are computed on half the width, as they are the same on both.
   [[nodiscard]] bool has_equal_halves() const {
     return !width.tilts() && width.conicity == 0.0 && film.has_equal_sides() && !lets_strips_move_apart();

@@ -12,7 +12,9 @@ namespace bumpfoil {
 /// half of that number on each half of a pitch, all of one length there, and on the overhang as many as come nearest to
 /// the length of those before it, but two. There must be a top foil.
 /// @param columns_per_pitch  even, so that every crest is a column
-Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch);
+/// @param further            columns, as on a pitch, by which staggered strips lie further along the foil, which is
+///                           longer by them
+Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch, int further = 0);
 
 /// The top foil whose displacement varies over the width, loaded over the crests of the bump foil alone: a beam under
 /// each of the lines, as stiff as its part of the width, which the membrane joins (MembraneRows). Symmetric, in N/m,

@@ -464,7 +464,9 @@ std::string spelled(std::string_view long_name, const Wording& wording) {
 }
 
 std::size_t strips_apart(const Case& input) {
-  return input.varies_over_the_width() && input.width.modes > 1 ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
+  return input.varies_over_the_width() && input.lets_strips_move_apart()
+             ? static_cast<std::size_t>(input.bump_foil.strips)
+             : 1;
 }
 
 std::vector<IncrementQuantity> increment_quantities(Experiment experiment, bool over_width) {

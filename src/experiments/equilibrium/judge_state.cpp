@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/bearing/fields.hpp"
 #include "experiments/equilibrium/small_motions.hpp"
 
 namespace bumpfoil {
@@ -76,17 +77,14 @@ int open_light_contacts(ContactState& contacts) {
 /// Adds the largest stresses of all pads to a state.
 void find_stresses(const FilmBearing& bearing, RunningState& found) {
   const BearingState& state = *found.last;
-  const Vector x = bearing.foil_unknowns(state.contacts.x);
-  const Eigen::Index size = bearing.dofs().size;
   for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
     const FilmPad& pad = bearing.pads[k];
-    const StressModel& model = bearing.stress[k];
     const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
     const Vector of_lines = state.film.moment(Eigen::all, pad.columns()).cwiseAbs().rowwise().maxCoeff();
-    const double top = moment * of_lines.cwiseQuotient(pad.foil.lines.weight).maxCoeff() / model.top_section_modulus;
+    const double top =
+        moment * of_lines.cwiseQuotient(pad.foil.lines.weight).maxCoeff() / bearing.stress[k].top_section_modulus;
     found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
-    const auto [first, count] = bearing.structure.blocks_of(static_cast<int>(k));
-    const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
+    const FoilStress stress = pad_stress(bearing, state.contacts.x, static_cast<int>(k));
     if (stress.bump_largest.size() == 0) continue;
     found.bump_foil_stress = std::max(
         {found.bump_foil_stress.value_or(0.0), stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0)});

@@ -11,17 +11,14 @@ namespace bumpfoil {
 namespace {
 
 constexpr double refinement = 1.5;
-constexpr int least_columns_per_pitch = 4;
+constexpr int least_columns = 4;
 constexpr int least_rows_to_coarsen = 4;
 
-/// Even, as every crest has a column.
-int even(double number) {
-  return 2 * static_cast<int>(std::lround(0.5 * number));
-}
-
-FilmResolution other_resolution(const FilmResolution& own) {
-  const bool coarser = own.columns_per_pitch > least_columns_per_pitch && own.rows >= least_rows_to_coarsen;
-  const int columns = even(coarser ? own.columns_per_pitch / refinement : own.columns_per_pitch * refinement);
+/// @param step  BumpFoil::least_columns_per_pitch()
+FilmResolution other_resolution(const FilmResolution& own, int step) {
+  const bool coarser = own.columns_per_pitch > std::max(least_columns, step) && own.rows >= least_rows_to_coarsen;
+  const double wanted = coarser ? own.columns_per_pitch / refinement : own.columns_per_pitch * refinement;
+  const int columns = step * static_cast<int>(std::lround(wanted / step));
   const double ratio = static_cast<double>(columns) / own.columns_per_pitch;
   return {.columns_per_pitch = columns,
           .rows = static_cast<int>(std::lround(ratio * own.rows)),
@@ -66,8 +63,8 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
   const Eigen::Index from_size = from.problem.K.block_size();
   const Eigen::Index to_size = to.problem.K.block_size();
   const Eigen::Index shared = from.first_pressure();
-  const Eigen::Index lines = from.journal_contacts();
-  const Eigen::Index behind = from_size - shared - from.pads.front().foil.mesh.unknown_rows();  // behind the pressures
+  const Eigen::Index lines = from.pads.front().foil.lines.count();
+  const Eigen::Index behind = from_size - from.behind_pressures();
   for (std::size_t k = 0; k < from.pads.size(); ++k) {
     const FilmPad& pad = from.pads[k];
     const FilmPad& other = to.pads[k];
@@ -85,11 +82,12 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
       const auto from_block = state.contacts.x.segment(block * from_size, from_size);
       to_block.head(shared + lines) = from_block.head(shared + lines);
       to_block.tail(behind) = from_block.tail(behind);
-      if (b == pad.bumps()) continue;
-      const int crest = other.first_column + other.foil.supports[static_cast<std::size_t>(b)];
-      for (int j = 0; j < mesh.unknown_rows(); ++j) {
-        to_block[shared + j] = to.scales.thickness * (found.film.pressure(mesh.first_unknown_row() + j, crest) - 1.0);
-      }
+    }
+    for (int i = 0; i < std::ssize(other.foil.supports); ++i) {
+      const Eigen::Index first = other.block_of(i) * to_size + to.first_pressure(other.station_of(i));
+      const int crest = other.first_column + other.foil.supports[static_cast<std::size_t>(i)];
+      const auto over_crest = found.film.pressure.col(crest).segment(mesh.first_unknown_row(), mesh.unknown_rows());
+      found.contacts.x.segment(first, mesh.unknown_rows()) = to.scales.thickness * (over_crest.array() - 1.0);
     }
   }
   found.film.thickness += to.over_the_width(found.film.lift);
@@ -108,7 +106,7 @@ double part_of_difference(const FilmResolution& own, const FilmResolution& other
 MeshComparison::MeshComparison(const Case& input, SharedFilmBearing bearing)
     : bearing_(std::move(bearing)), thickness_floor_(thickness_floor(input) / bearing_->scales.thickness) {
   const FilmResolution own = resolution_of(input);
-  const FilmResolution other = other_resolution(own);
+  const FilmResolution other = other_resolution(own, input.bump_foil.least_columns_per_pitch());
   other_ = std::make_shared<const FilmBearing>(
       make_film_bearing(*bearing_, bearing_->scales.gas, other, bearing_->surroundings));
   part_ = part_of_difference(own, other);

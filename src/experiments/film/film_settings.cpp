@@ -38,9 +38,9 @@ void describe(CaseVisitor& keys, GasSettings& gas) {
 void describe(CaseVisitor& keys, FilmSettings& film) {
   using enum Presence;
   using enum Dimension;
-  keys.value(
-      {"columns_per_pitch", defaulted, "Columns per pitch", "of the mesh; even, so that every crest is a column"},
-      &film.columns_per_pitch);
+  keys.value({"columns_per_pitch", defaulted, "Columns per pitch",
+              "of the mesh; even, so that every crest is a column; with staggered strips a multiple of 6, but for 0.5"},
+             &film.columns_per_pitch);
   keys.value({"rows", defaulted, "Rows", "of the mesh, on half the width"}, &film.rows);
   keys.value({"h_floor", defaulted, "Contact threshold",
               "a thinner film of smooth surfaces counts as contact (touchdown)", "0.1 um", length},
@@ -170,8 +170,9 @@ void judge_gas(Judge& judge, const GasSettings& gas) {
 constexpr std::array film_commands{"equilibrium", "film", "stability", "unbalance"};
 
 /// @param bumps  their number, 0 where that is not usable
+/// @param stations  columns of each that crests stand on, side by side in the equations
 /// @param equal_halves  Case::has_equal_halves(): else twice as many rows
-void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool equal_halves) {
+void judge_film(Judge& judge, const FilmSettings& film, int bumps, double stations, bool equal_halves) {
   const int columns = film.columns_per_pitch;
   const bool columns_right = judge.require(
       columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
@@ -181,8 +182,8 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool equal_ha
                     "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
   if (columns_right && rows_right) {
     const int rows = equal_halves ? film.rows : 2 * film.rows;
-    const double bytes =
-        static_cast<double>(bumps) * rows * rows * (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
+    const double bytes = static_cast<double>(bumps) * rows * rows *
+                         (stations * stations * bytes_at_crest + bytes_of_column * static_cast<double>(columns));
     for (const char* const command : film_commands) {
       judge.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
                         fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
@@ -264,7 +265,7 @@ bool is_dry(std::string_view command) {
 
 /// What a tilted journal needs where there is no film.
 void judge_dry_tilt(Judge& judge, const Case& input, const char* command) {
-  judge.require_for(command, input.width.modes != 1, "width.tilt", "",
+  judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "width.tilt", "",
                     "needs foils that answer to it where there is no film",
                     "set width.modes = 3, or 2 without a parabola");
   judge.require_for(command, input.bump_foil.geometry == Geometry::linear, "width.tilt", "",
@@ -322,16 +323,24 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
                       std::string(name_of(input.solver.chosen())), "does not support strips that move each by itself",
                       "set name = \"newton\" or \"events\"");
   }
+  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
+    judge.require_for(command, !input.top_foil.split, "top_foil.split", "true",
+                      "is not supported under a film, which would leak through the slits",
+                      "remove it: the command computes a whole top foil");
+  }
   if (!input.has_own_strips()) return;
   judge.require_for("strip", !input.strip, "bump_foil.strip", "",
                     "differs over the width, and the plate presses foils that do not", "remove [[bump_foil.strip]]");
   for (const char* const command : {"cycle", "path", "vibration", "equilibrium"}) {
-    judge.require_for(command, input.width.modes != 1, "bump_foil.strip", "",
+    judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "bump_foil.strip", "",
                       "needs a top foil that answers to strips which differ",
                       "set width.modes = 3, or 2 without a parabola");
   }
-  judge.require_for("equilibrium", !input.has_staggered_strips(), "bump_foil.strip", "",
-                    "staggers strips, which is not supported under a film", "set all staggers to 0");
+  const int step = input.bump_foil.least_columns_per_pitch();
+  const int columns = input.film.columns_per_pitch;
+  judge.require_for("equilibrium", columns % 2 != 0 || columns % step == 0, "film.columns_per_pitch",
+                    std::to_string(columns), "puts no column over the crests of strips staggered by other than 0.5",
+                    fmt::format("give a multiple of {}", step));
   for (const char* const command : {"stability", "unbalance", "transient"}) {
     judge.require_for(command, false, "bump_foil.strip", "",
                       "is supported by the commands cycle, path, vibration and equilibrium alone",
@@ -377,7 +386,8 @@ void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge_width(judge, input);
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);
-  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.has_equal_halves());
+  const double stations = input.lets_strips_move_apart() ? static_cast<double>(input.bump_foil.stations().size()) : 1.0;
+  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, stations, input.has_equal_halves());
   judge.require_for("film", !input.asperity, "asperity", "",
                     "is of journal and top foil, but film has walls in its place",
                     "remove [asperity], or run equilibrium");

@@ -200,6 +200,9 @@ TEST(Sample, DeviationsAreAddedToTheCase) {
                               .radial_clearance = Distribution{.sigma = 2e-6},
                               .sleeve_waviness = WavinessScatter{3, 5e-6}});
   input.bump_foil.height_errors.assign(26, 1e-6);
+  input.bump_foil.strips = 2;
+  input.bump_foil.strip.resize(2);
+  input.bump_foil.strip[1].thickness = 0.127e-3;
   const Sample sample = draw_sample(input, 5);
   const Case sampled = sampled_case(input, sample);
   EXPECT_FALSE(sampled.montecarlo);
@@ -207,6 +210,8 @@ TEST(Sample, DeviationsAreAddedToTheCase) {
   EXPECT_EQ(sampled.bump_foil.thickness.values,
             std::vector{input.bump_foil.thickness.values.front() + sample.deviations[0]});
   EXPECT_NE(sampled.bump_foil.thickness.values, input.bump_foil.thickness.values);
+  EXPECT_EQ(sampled.bump_foil.strip[1].thickness, 0.127e-3 + sample.deviations[0]);
+  EXPECT_FALSE(sampled.bump_foil.strip[0].thickness);
   EXPECT_EQ(sampled.top_foil, input.top_foil);
   EXPECT_EQ(sampled.friction, input.friction);
   EXPECT_EQ(sampled.bearing.radial_clearance, input.bearing.radial_clearance + sample.deviations[5]);

@@ -16,9 +16,13 @@ constexpr double stiffness = 7.9e-4;  // EI', N m^2
 constexpr double pitch = 4.572e-3;
 
 /// A top foil over `spans` supports, m columns from one to the next, the first and the last span half as long.
-FoilFilm example_film(int spans, int m, int rows, int modes = 1, WidthPart width = WidthPart::half) {
+/// @param further  columns behind each where there is one more
+FoilFilm example_film(int spans, int m, int rows, int modes = 1, WidthPart width = WidthPart::half, int further = 0) {
   std::vector<int> supports;
-  for (int i = 0; i < spans; ++i) supports.push_back(m / 2 + i * m);
+  for (int i = 0; i < spans; ++i) {
+    supports.push_back(m / 2 + i * m);
+    if (further > 0) supports.push_back(supports.back() + further);
+  }
   const FilmMesh mesh = make_slotted_mesh(spans * m, rows, 1.0, spans * pitch / scales.radius, width);
   return make_foil_film(mesh, scales, stiffness, pitch, supports, {},
                         {.modes = modes, .stretching = 2.2e7, .poisson_ratio = 0.29});
@@ -84,11 +88,13 @@ TEST(FoilFilmSystem, FindsNewtonsStep) {
     double Lam{};
     int modes{1};
     WidthPart width{};
+    int further{};
   };
   constexpr WidthPart whole = WidthPart::whole;
-  for (const auto& [Lam, modes, width] : {Film{-1.9}, Film{8.0}, Film{-1.9, 3}, Film{8.0, 5}, Film{8.0, 1, whole},
-                                          Film{-1.9, 2, whole}, Film{-1.9, 3, whole}, Film{8.0, 3, whole}}) {
-    FoilFilm foil = example_film(4, 6, width == whole ? 5 : 3, modes, width);
+  for (const auto& [Lam, modes, width, further] :
+       {Film{-1.9}, Film{8.0}, Film{-1.9, 3}, Film{8.0, 5}, Film{8.0, 1, whole}, Film{-1.9, 2, whole},
+        Film{-1.9, 3, whole}, Film{8.0, 3, whole}, Film{8.0, 3, whole, 1}}) {
+    FoilFilm foil = example_film(4, 6, width == whole ? 5 : 3, modes, width, further);
     // Rough enough for peaks to touch at all nodes, and harder than a span.
     if (Lam > 0.0) foil.asperities = Asperities{.pressure_factor = 3.0, .roughness = 0.5};
     const ReynoldsEquation equation{.mesh = foil.mesh, .bearing_number = Lam, .knudsen = 0.01};

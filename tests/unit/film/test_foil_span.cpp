@@ -55,7 +55,7 @@ Example example(int columns, const Sizes& sizes, bool has_before, VectorInstruct
     if (c > 0 || has_before) it.A.block(row, row - n, n, n) = dense_coupling(span.to_before(c), sizes);
     it.A.block(row, row + n, n, n) = dense_coupling(span.to_after(c), sizes);
   }
-  if (has_before) it.A.block(0, n, n, n) = dense_coupling(span.of_before(), sizes);
+  if (has_before) it.A.block(0, n, n, n) = dense_coupling(span.of_before(), sizes);  // of none: to the neighbour after
   it.A.block(Eigen::Index{n} * (columns + 1), Eigen::Index{n} * columns, n, n) = dense_coupling(span.of_after(), sizes);
   return it;
 }
@@ -71,6 +71,7 @@ void expect_like_dense(int columns, const Sizes& sizes, bool has_before, VectorI
   FoilSpan::Condensed condensed;
   ASSERT_TRUE(span->eliminate(condensed));
   const auto outer = [&](Eigen::Index row, Eigen::Index column) -> Matrix {
+    if (columns == 0) return row == column ? Matrix::Zero(n, n) : Matrix(A.block(row, column, n, n));
     return -A.block(row, n, n, inside) * own.solve(A.block(n, column, inside, n));
   };
   // All matrices of the example have condition numbers near 1.
@@ -89,6 +90,11 @@ void expect_like_dense(int columns, const Sizes& sizes, bool has_before, VectorI
     const Matrix right = ramp * Vector::LinSpaced(sides, 1.0, -2.0).transpose();
     Matrix before(n, sides), after(n, sides);
     span->condense(right.reshaped(n, sides * columns), before, after);
+    if (columns == 0) {
+      expect_near(before, Matrix::Zero(n, sides));
+      expect_near(after, Matrix::Zero(n, sides));
+      continue;
+    }
     const Matrix held = own.solve(right);
     expect_near(before, -A.block(0, n, n, inside) * held);
     expect_near(after, -A.block(end, n, n, inside) * held);
@@ -108,6 +114,7 @@ TEST(FoilSpan, LeavesItsNeighboursWhatDenseEliminationLeaves) {
   for (const VectorInstructions instructions : vector_instructions()) {
     // Of code of their own, and of none.
     for (const Sizes& sizes : {Sizes{3, 2}, {10, 2}, {18, 2}, {21, 2}, {14, 6}, {22, 6}, {9, 6}, {18, 6}, {39, 8}}) {
+      expect_like_dense(0, sizes, true, instructions);  // neighbours side by side
       for (const int columns : {1, 2, 5}) {
         expect_like_dense(columns, sizes, true, instructions);
         expect_like_dense(columns, sizes, false, instructions);
