@@ -229,12 +229,11 @@ Vector interface_loads(const Foils& foils, const ContactState& state, Interface 
 }
 
 FoilStress pad_stress(const Foils& foils, const Vector& x, int pad) {
-  const auto [first, count] = foils.structure.blocks_of(pad);
+  const PadBlocks blocks = foils.structure.blocks_of(pad);
   const Eigen::Index size = foils.structure.dofs.size;
   const auto stress_of = [&](const std::vector<StressModel>& models, std::optional<int> strip) {
     const Vector known = foils.foil_unknowns(x, strip);
-    return foil_stress(models[static_cast<std::size_t>(pad)],
-                       known.segment(Eigen::Index{first} * size, Eigen::Index{count} * size));
+    return foil_stress(models[static_cast<std::size_t>(pad)], known.segment(blocks.first * size, blocks.count * size));
   };
   FoilStress stress = stress_of(foils.stress, {});
   for (std::size_t strip = 0; strip < foils.strip_stress.size(); ++strip) {

@@ -216,7 +216,8 @@ int block_size_of(const FilmBearing& bearing) {
 void hold_free_ends(const FilmBearing& bearing, BlockTridiagonal& K) {
   const double stiffness = stiffest_of_bump_foils(bearing.structure);
   for (const FilmPad& pad : bearing.pads) {
-    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block + pad.bumps())];
+    const int free_end = pad.first_block + pad.bumps();
+    Matrix& last = K.diagonal[static_cast<std::size_t>(free_end)];
     last.diagonal().setConstant(stiffness);
     last.diagonal().segment(bearing.first_pressure(), pad.foil.lines.count()).setZero();
   }

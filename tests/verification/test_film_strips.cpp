@@ -129,6 +129,22 @@ TEST(FilmOnStrips, ThatDifferHoldsAJournalAtRestAsWithoutAFilm) {
   }
 }
 
+/// Where crests are by the geometry of each strip alone.
+TEST(FilmOnStrips, HasColumnsOverAllTheirCrests) {
+  const Case input = staggered_case(0.0);
+  const FilmBearing bearing = make_film_bearing(input);
+  const FilmPad& pad = bearing.pads.front();
+  ASSERT_EQ(pad.stations, 3);
+  ASSERT_EQ(pad.bumps(), 25);
+  for (int support = 0; support < 75; ++support) {
+    const int strip = bearing.lines[static_cast<std::size_t>(pad.line_over(support, 0))].strip;
+    const PlacedPad alone = strip_of(bearing.placed.front(), strip);
+    const Eigen::Matrix2Xd crests = outward_normals(alone.polar(alone.crests));
+    const int column = pad.foil.supports[static_cast<std::size_t>(support)];
+    EXPECT_LT((bearing.column_normals.col(column) - crests.col(support / 3)).norm(), 1e-12);
+  }
+}
+
 /// Strips so low that they touch nothing may lie where they will: the same bearing with more columns kept over crests,
 /// and a top foil that ends as far behind its last one.
 TEST(FilmOnStrips, ThatTouchNothingIsNoneOfTheirStagger) {
