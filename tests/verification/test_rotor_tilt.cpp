@@ -121,8 +121,8 @@ TEST(TiltingRotor, WhirlsAsTheTwoByTwoEquationsOfEqualBearingsSay) {
   EXPECT_GE(conical, 1);
 }
 
-/// A point mass cannot tilt: on the whole width it whirls as on half of it. Foils are uniform over the width, where both
-/// are one model.
+/// A point mass cannot tilt: on the whole width it whirls as on half of it. Foils are uniform over the width, where
+/// both are one model.
 TEST(TiltingRotor, ThatIsHeldLevelWhirlsAsOnHalfTheWidth) {
   FilmResolution uniform{.columns_per_pitch = 4, .rows = 3};
   const FilmBearing on_half = film_reference_bearing(uniform);
