@@ -132,13 +132,13 @@ JournalMatrixC FilmImpedance::at(std::complex<double> rate) const {
   return impedance;
 }
 
-FilmImpedance linear_impedance(const Eigen::Matrix2d& stiffness, const Eigen::Matrix2d& damping, double unit) {
+FilmImpedance linear_impedance(const JournalMatrix& stiffness, const JournalMatrix& damping, double unit) {
   // One direction that stores nothing: F = moved + e forces.
   FilmImpedance impedance{.shift = 1.0, .squeeze_time = 1.0 / unit, .along = {}};
-  for (const Eigen::Index axis : {0, 1}) {
-    const Eigen::Vector2d forces = unit * damping.col(axis);
+  for (Eigen::Index motion = 0; motion < stiffness.cols(); ++motion) {
+    const JournalVector forces = unit * damping.col(motion);
     impedance.along.push_back(
-        {.moved = stiffness.col(axis) + forces, .start = 1.0, .hessenberg = Matrix::Zero(1, 1), .forces = forces});
+        {.moved = stiffness.col(motion) + forces, .start = 1.0, .hessenberg = Matrix::Zero(1, 1), .forces = forces});
   }
   return impedance;
 }

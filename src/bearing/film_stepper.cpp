@@ -87,7 +87,7 @@ FilmReport FilmStepper::solve_together(const std::vector<FilmStepper*>& steppers
   FilmReport report = solve_jointly(films, move.law, {.tolerance = tolerance}, max_iterations, y);
   if (report.status != Status::converged) return report;
   for (std::size_t i = 0; i < films.size(); ++i) {
-    films[i]->finish(move.law.journals[i].motion * y, states[i], report);
+    films[i]->finish(move.law.journals[i].place(y), states[i], report);
     states[i].time += move.dt;
   }
   return report;

@@ -4,6 +4,12 @@
 
 namespace bumpfoil {
 
+JournalVector JointLaw::Journal::place(const Eigen::VectorXd& y) const {
+  JournalVector q = motion * y;
+  if (origin.size() > 0) q += origin;
+  return q;
+}
+
 Eigen::VectorXd JointLaw::residual(const Eigen::VectorXd& y, const std::vector<JournalVector>& forces) const {
   Eigen::VectorXd lacking = by_place * (place - y);
   for (std::size_t i = 0; i < journals.size(); ++i) {

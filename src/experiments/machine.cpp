@@ -14,6 +14,14 @@ namespace {
 /// Frequencies of interest end at this multiple of the highest speed, as those of usual_window() do.
 constexpr double highest_whirl_ratio = 2.0;
 
+/// Of the film in a bearing under a rotor. Foils that may be displaced otherwise than evenly over the width answer to a
+/// rotor that tilts, and differ on both halves.
+FilmResolution resolution_under(const RotorSettings& rotor, const Case& bearing) {
+  FilmResolution resolution = resolution_of(bearing);
+  if (rotor.tilts() && bearing.width.modes > 1) resolution.width = WidthPart::whole;
+  return resolution;
+}
+
 }  // namespace
 
 Machine make_machine(const Case& input, const std::vector<double>& speeds, const std::string& command) {
@@ -21,21 +29,24 @@ Machine make_machine(const Case& input, const std::vector<double>& speeds, const
   const RotorSettings& settings = rotor_settings_of(input);
   double highest = 0.0;
   for (const double speed : speeds) highest = std::max(highest, std::abs(speed));
-  ReducedRotor reduced = rotor_of(settings, highest_whirl_ratio * highest);
-  Machine machine{.bearings = {},
-                  .thickness_floors = {},
-                  .rotor = std::move(reduced.rotor),
-                  .reduction_error = reduced.frequency_error,
-                  .loads = {}};
-  machine.loads = weights_on_bearings(machine.rotor, settings.gravity_vector());
+  const std::size_t places = settings.tilts() ? settings.bearing_count() : 1;
   std::vector<Case> cases;
-  for (std::size_t i = 0; i < machine.rotor.bearings.size(); ++i) {
+  std::vector<double> half_widths;
+  Machine machine;
+  for (std::size_t i = 0; i < places; ++i) {
     cases.push_back(bearing_at(input, i));
     const auto alike = static_cast<std::size_t>(std::find(cases.begin(), cases.end(), cases.back()) - cases.begin());
-    machine.bearings.push_back(alike < i ? machine.bearings[alike]
-                                         : std::make_shared<const FilmBearing>(make_film_bearing(cases.back())));
+    machine.bearings.push_back(
+        alike < i ? machine.bearings[alike]
+                  : std::make_shared<const FilmBearing>(make_film_bearing(cases.back(), gas_of(cases.back().gas),
+                                                                          resolution_under(settings, cases.back()))));
     machine.thickness_floors.push_back(thickness_floor(cases.back()));
+    half_widths.push_back(machine.bearings.back()->tilts() ? machine.bearings.back()->half_width() : 0.0);
   }
+  ReducedRotor reduced = rotor_of(settings, highest_whirl_ratio * highest, half_widths);
+  machine.rotor = std::move(reduced.rotor);
+  machine.reduction_error = reduced.frequency_error;
+  machine.loads = weights_on_bearings(machine.rotor, settings.gravity_vector());
   return machine;
 }
 

@@ -367,10 +367,22 @@ void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t co
       "empty");
 }
 
+/// Bearings that resist inclinations need a rotor that has them.
+void judge_tilting(Judge& judge, const RotorSettings& rotor, const Case& input) {
+  if (!rotor.matrices || (input.width.modes == 1 && input.has_equal_halves())) return;
+  for (const char* const command : {"stability", "unbalance", "transient"}) {
+    judge.require_for(command, false, "rotor.matrices", "",
+                      "name displacements at the bearings alone, and these bearings resist inclinations, too",
+                      "set width.modes = 1 without tilt, conicity and unlike side pressures, or give the rotor by "
+                      "[[rotor.shaft]]");
+  }
+}
+
 }  // namespace
 
-ReducedRotor rotor_of(const RotorSettings& settings, double range) {
+ReducedRotor rotor_of(const RotorSettings& settings, double range, const std::vector<double>& half_widths) {
   Rotor rotor = full_rotor(settings);
+  for (std::size_t i = 0; i < half_widths.size(); ++i) rotor.bearings[i].half_width = half_widths[i];
   if (!settings.is_flexible() && !settings.matrices) return {std::move(rotor), 0.0};
   return reduce_rotor(rotor, range);
 }
@@ -438,6 +450,7 @@ void judge_rotor(Judge& judge, const Case& input) {
   if (rotor->matrices && !judge_matrices(judge, *rotor->matrices)) return;
   right &= judge_kind(judge, *rotor);
   judge_own_bearings(judge, *rotor, input.rotor_bearings.size());
+  judge_tilting(judge, *rotor, input);
   right &= judge_shaft(judge, *rotor);
   right &= judge_unbalances(judge, *rotor);
   if (!right || !gravity_right) return;

@@ -1,13 +1,12 @@
 #include "bumpfoil/motion/machine.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "bumpfoil/core/assert.hpp"
+#include "motion/rotor_journals.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -46,9 +45,9 @@ bool go_on(double w, const BearingState& before, const BearingState& now, Bearin
 MachineStepper::MachineStepper(Rotor rotor, std::vector<FilmStepper*> bearings)
     : rotor_(std::move(rotor)),
       bearings_(std::move(bearings)),
+      journals_(journals_of(rotor_, bearings_)),
       force_unit_(1.0),
       longest_displacement_(std::numeric_limits<double>::infinity()) {
-  BUMPFOIL_ASSERT(bearings_.size() == rotor_.bearings.size());
   for (const FilmStepper* stepper : bearings_) {
     const FilmScales& scales = stepper->bearing().scales;
     force_unit_ = std::max(force_unit_, scales.force());
@@ -57,28 +56,9 @@ MachineStepper::MachineStepper(Rotor rotor, std::vector<FilmStepper*> bearings)
 }
 
 MachineState MachineStepper::at_rest(std::vector<BearingState> states, const Eigen::VectorXd& forces) const {
-  BUMPFOIL_ASSERT(!states.empty() && states.size() == bearings_.size());
-  // Journals lie where their bearings have them, and between these the shaft bends, K y = f - sum B^T F: more equations
-  // than unknowns, all of which can be met.
-  const Eigen::Index n = rotor_.size();
-  const double largest = rotor_.stiffness.cwiseAbs().maxCoeff();
-  const double unit = largest > 0.0 ? largest : 1.0;
-  Eigen::MatrixXd rows(n + 2 * static_cast<Eigen::Index>(states.size()), n);
-  Eigen::VectorXd known(rows.rows());
-  rows.topRows(n) = rotor_.stiffness / unit;
-  known.head(n) = forces;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
-    const Eigen::Index row = n + 2 * static_cast<Eigen::Index>(i);
-    rows.middleRows(row, 2) = B;
-    known.segment(row, 2) = states[i].position;
-    known.head(n) -= B.transpose() * journal_force(bearings_[i]->bearing(), states[i].film, states[i].speed);
-  }
-  // A rigid motion does no work on the shaft: what is left of the balance there is not for y to meet.
-  known.head(n) = largest > 0.0 ? Eigen::VectorXd(known.head(n) / unit) : Eigen::VectorXd::Zero(n);
   const double speed = states.front().speed;
   return {.speed = speed,
-          .rotor = {.y = rows.completeOrthogonalDecomposition().solve(known), .v = Eigen::VectorXd::Zero(n)},
+          .rotor = {.y = rotor_at_rest(rotor_, bearings_, states, forces), .v = Eigen::VectorXd::Zero(rotor_.size())},
           .bearings = std::move(states)};
 }
 
@@ -94,10 +74,7 @@ JointMove MachineStepper::move_of(const TimeStep& step, const BackwardDifference
   JointLaw& law = move.law;
   law.place =
       law.by_place.partialPivLu().solve(forces + (rotor_.mass * reference.v + by_rate * reference.y) / rate.span);
-  for (const RotorStation& bearing : rotor_.bearings) {
-    law.journals.push_back(
-        {.motion = bearing.motion, .by_force = bearing.motion.transpose(), .force = Eigen::Vector2d::Zero()});
-  }
+  law.journals = journals_;
   // Each unknown has the length with which it moves the mass of the rotor.
   law.units = force_unit_ * (rotor_.mass.diagonal() / rotor_.total_mass()).cwiseSqrt();
   law.longest_step = longest_displacement_;
@@ -120,7 +97,7 @@ void MachineStepper::guess(double dt, const MachineState& state, Eigen::VectorXd
       guesses_ = state.bearings;
     }
   }
-  for (std::size_t i = 0; i < guesses_.size(); ++i) guesses_[i].position = rotor_.bearings[i].motion * y;
+  for (std::size_t i = 0; i < guesses_.size(); ++i) FilmBearing::place_journal(journals_[i].place(y), guesses_[i]);
 }
 
 FilmReport MachineStepper::take(const TimeStep& step, const RotorForces& forces, MachineState& state) {

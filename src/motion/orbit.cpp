@@ -116,6 +116,7 @@ void combine(const Eigen::VectorXd& weights, const std::vector<MachineState>& st
 template <typename Add>
 void for_parts_of_bearings(const Add& add) {
   add([](auto& b) -> auto& { return b.position; });
+  add([](auto& b) -> auto& { return b.tilt; });
   add([](auto& b) -> auto& { return b.film.pressure; });
   add([](auto& b) -> auto& { return b.film.thickness; });
   add([](auto& b) -> auto& { return b.film.lift; });
@@ -213,23 +214,23 @@ void forget_steps(MachineState& state) {
 }  // namespace
 
 void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, MachineState& state) {
-  const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
+  const std::vector<JointLaw::Journal>& journals = stepper.journals();
   const auto thickness_at = [&](std::size_t i, double part) {
     const FilmBearing& bearing = stepper.bearings()[i]->bearing();
     const BearingState& there = state.bearings[i];
     const Eigen::VectorXd y = state.rotor.y + part * motion.real();
-    Matrix thickness = bearing.undeformed_thickness(bearings[i].motion * y, there.opening);
+    Matrix thickness = bearing.undeformed_thickness(journals[i].place(y), there.opening);
     return Matrix(thickness + bearing.over_the_width(there.film.lift));
   };
   double part = 1.0;
-  for (std::size_t i = 0; i < bearings.size(); ++i) {
+  for (std::size_t i = 0; i < journals.size(); ++i) {
     const Matrix& before = state.bearings[i].film.thickness;
     const Matrix loss = (before - thickness_at(i, 1.0)).cwiseQuotient(before);
     part = std::min(part, (1.0 - least_film_left) / std::max(1.0 - least_film_left, loss.maxCoeff()));
   }
-  for (std::size_t i = 0; i < bearings.size(); ++i) {
+  for (std::size_t i = 0; i < journals.size(); ++i) {
     state.bearings[i].film.thickness = thickness_at(i, part);
-    state.bearings[i].position = bearings[i].motion * (state.rotor.y + part * motion.real());
+    FilmBearing::place_journal(journals[i].place(state.rotor.y + part * motion.real()), state.bearings[i]);
   }
   state.rotor.y += part * motion.real();
   state.rotor.v += part * std::abs(state.speed) * (Complex(0.0, 1.0) * motion).real();

@@ -15,7 +15,7 @@ std::optional<Eigen::VectorXcd> linear_response(const Rotor& rotor, const std::v
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const auto impedance = bearings[i].stepper.impedances(bearings[i].state, {rate}, stuck);
     if (!impedance) return std::nullopt;
-    const Eigen::MatrixXd& B = rotor.bearings[i].motion;
+    const Eigen::MatrixXd B = rotor.bearings[i].journal();
     D += B.transpose() * impedance->front() * B;
   }
   return Eigen::VectorXcd(D.partialPivLu().solve(force));

@@ -1,11 +1,15 @@
 #include "bumpfoil/motion/rotor_equilibria.hpp"
 
+#include <Eigen/QR>
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "bumpfoil/motion/start.hpp"
+#include "motion/rotor_journals.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -14,21 +18,67 @@ namespace {
 constexpr double held_along_load = 0.1;
 /// Increments in which a clearance closes that had to be opened for the first state.
 constexpr int starting_steps = 10;
+/// Longest displacement of a journal in one step of Newton's method, in units of c: as of one under a load.
+constexpr double longest_joint_step_in_c = 0.15;
 
 }  // namespace
 
 RotorEquilibria::RotorEquilibria(const Rotor& rotor, std::vector<FilmStepper*> steppers, const Eigen::Vector2d& gravity)
-    : steppers_(std::move(steppers)), loads_(weights_on_bearings(rotor, gravity)) {}
+    : rotor_(rotor),
+      weight_(rotor.mass * (rotor.rigid.leftCols(2) * gravity)),
+      steppers_(std::move(steppers)),
+      journals_(journals_of(rotor_, steppers_)),
+      loads_(weights_on_bearings(rotor, gravity)) {}
 
 Status RotorEquilibria::go_to(double speed, std::vector<BearingState>& states) const {
   const bool starts = states.empty();
   states.resize(steppers_.size());
   for (std::size_t i = 0; i < steppers_.size(); ++i) {
-    const FilmReport report = starts ? start(i, speed, states[i])
-                                     : follow(*steppers_[i], OperatingPoint::loaded_by(loads_[i], speed), states[i]);
+    const FilmReport report =
+        starts ? start(i, speed, states[i]) : follow(*steppers_[i], next_point(i, speed, states[i]), states[i]);
     if (report.status != Status::converged) return report.status;
   }
-  return Status::converged;
+  const bool resists_tilts = std::any_of(steppers_.begin(), steppers_.end(),
+                                         [](const FilmStepper* stepper) { return stepper->bearing().tilts(); });
+  return resists_tilts ? join(speed, states).status : Status::converged;
+}
+
+/// Where a bearing goes before the rotor joins it to the others: with the force and the tilt that it has.
+OperatingPoint RotorEquilibria::next_point(std::size_t bearing, double speed, const BearingState& state) const {
+  OperatingPoint point = OperatingPoint::loaded_by(loads_[bearing], speed);
+  const FilmBearing& film = steppers_[bearing]->bearing();
+  if (!film.tilts()) return point;
+  point = point_of(film, state, point);
+  point.speed = speed;
+  return point;
+}
+
+/// Lets the rotor tilt and bend until forces and moments of all bearings balance its weight, in the same increment.
+FilmReport RotorEquilibria::join(double speed, std::vector<BearingState>& states) const {
+  // K (y* - y) + sum B^T (F* - F) = 0 with the loads for F*, which balance what is rigid of the weight.
+  JointMove move{.law = {.by_place = rotor_.stiffness, .journals = journals_}, .speed = speed};
+  JointLaw& law = move.law;
+  Eigen::VectorXd bending = weight_;
+  double force_unit = 1.0;
+  law.longest_step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < steppers_.size(); ++i) {
+    const FilmScales& scales = steppers_[i]->bearing().scales;
+    force_unit = std::max(force_unit, scales.force());
+    law.longest_step = std::min(law.longest_step, longest_joint_step_in_c * scales.thickness);
+    law.journals[i].force.head<2>() = loads_[i];
+    bending -= law.journals[i].by_force * law.journals[i].force;
+  }
+  const double largest = rotor_.stiffness.cwiseAbs().maxCoeff();
+  law.place = Eigen::VectorXd::Zero(rotor_.size());
+  if (largest > 0.0) {
+    const Eigen::MatrixXd K = rotor_.stiffness / largest;
+    law.place = K.completeOrthogonalDecomposition().solve(bending / largest);
+  }
+  law.units = force_unit * (rotor_.mass.diagonal() / rotor_.total_mass()).cwiseSqrt();
+  Eigen::VectorXd y = rotor_at_rest(rotor_, steppers_, states, weight_);
+  std::vector<BearingState> guesses = states;
+  for (std::size_t i = 0; i < guesses.size(); ++i) FilmBearing::place_journal(journals_[i].place(y), guesses[i]);
+  return FilmStepper::solve_together(steppers_, move, guesses, y, states);
 }
 
 FilmReport RotorEquilibria::start(std::size_t bearing, double speed, BearingState& state) const {
@@ -46,7 +96,11 @@ FilmReport RotorEquilibria::start(std::size_t bearing, double speed, BearingStat
     }
     return report;
   };
-  return start_from_rest(*steppers_[bearing], loaded, starting_steps, begin, state);
+  FilmReport report = start_from_rest(*steppers_[bearing], loaded, starting_steps, begin, state);
+  OperatingPoint tilted = loaded;
+  tilted.tilt = steppers_[bearing]->bearing().surroundings.tilt;
+  if (report.status == Status::converged && tilted != loaded) report += follow(*steppers_[bearing], tilted, state);
+  return report;
 }
 
 std::vector<CarryingBearing> RotorEquilibria::carrying(const std::vector<BearingState>& states) const {

@@ -51,9 +51,9 @@ class WhirlEquation {
   [[nodiscard]] ComplexMatrix film_slope(Complex s) const {
     ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
     for (std::size_t i = 0; i < bearings_.size(); ++i) {
-      const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
-      Eigen::Matrix2cd slope;
-      for (const int axis : {0, 1}) slope.col(axis) = slope_of(bearings_[i], axis, s);
+      const Eigen::MatrixXd B = rotor_.bearings[i].journal();
+      JournalMatrixC slope(B.rows(), B.rows());
+      for (Eigen::Index motion = 0; motion < B.rows(); ++motion) slope.col(motion) = slope_of(bearings_[i], motion, s);
       sum += B.transpose() * slope * B;
     }
     return sum;
@@ -82,16 +82,16 @@ class WhirlEquation {
     for (std::size_t i = 0; i < bearings_.size(); ++i) {
       const FilmImpedance& bearing = bearings_[i];
       const double ratio = bearing.squeeze_time / unit;
-      const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
-      for (const int axis : {0, 1}) {
+      const Eigen::MatrixXd B = rotor_.bearings[i].journal();
+      for (Eigen::Index motion = 0; motion < B.rows(); ++motion) {
         // (1 - e H) w = e_1 q and F = moved q + e start forces w, where w is in units of `start`.
-        const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(axis));
+        const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(motion));
         const Eigen::Index m = reduced.hessenberg.rows();
         A.block(w, w, m, m) = Eigen::MatrixXd::Identity(m, m) + bearing.shift * reduced.hessenberg;
-        A.block(w, y, 1, n) = -B.row(axis);
+        A.block(w, y, 1, n) = -B.row(motion);
         E.block(w, w, m, m) = ratio * reduced.hessenberg;
         const Eigen::MatrixXd forces = reduced.start * B.transpose() * reduced.forces;
-        A.block(v, y, n, n) -= B.transpose() * reduced.moved * B.row(axis);
+        A.block(v, y, n, n) -= B.transpose() * reduced.moved * B.row(motion);
         A.block(v, w, n, m) = bearing.shift * forces;
         E.block(v, w, n, m) = ratio * forces;
         w += m;
@@ -134,9 +134,9 @@ class WhirlEquation {
   [[nodiscard]] ComplexMatrix rotor_part(Complex s) const {
     return s * s * rotor_.mass + s * by_rate_ + rotor_.stiffness.cast<Complex>();
   }
-  /// dZ/ds for displacements along an axis: that of e forces w, (1 - e H) w = start e_1.
-  static Eigen::Vector2cd slope_of(const FilmImpedance& bearing, int axis, Complex s) {
-    const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(axis));
+  /// dZ/ds for a motion of the journal: that of e forces w, (1 - e H) w = start e_1.
+  static JournalVectorC slope_of(const FilmImpedance& bearing, Eigen::Index motion, Complex s) {
+    const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(motion));
     const Eigen::Index m = reduced.hessenberg.rows();
     const Complex e = bearing.squeeze_time * s - bearing.shift;
     const ComplexMatrix H = reduced.hessenberg.cast<Complex>();
@@ -147,7 +147,7 @@ class WhirlEquation {
   [[nodiscard]] ComplexMatrix film_part(Complex s) const {
     ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
     for (std::size_t i = 0; i < bearings_.size(); ++i) {
-      const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
+      const Eigen::MatrixXd B = rotor_.bearings[i].journal();
       sum += B.transpose() * bearings_[i].at(s) * B;
     }
     return sum;
@@ -246,7 +246,7 @@ std::vector<Whirl> whirls_on_coefficients(const Rotor& rotor, double speed, cons
   std::vector<FilmImpedance> linear;
   linear.reserve(bearings.size());
   for (const FilmImpedance& bearing : bearings) {
-    const Eigen::Matrix2cd Z = bearing.at({0.0, frequency});
+    const JournalMatrixC Z = bearing.at({0.0, frequency});
     linear.push_back(linear_impedance(Z.real(), Z.imag() / frequency, frequency));
   }
   return whirls_on(rotor, speed, linear, window);

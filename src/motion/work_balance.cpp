@@ -33,8 +33,8 @@ WorkBalance& WorkBalance::operator+=(const WorkBalance& other) {
 struct EnergyMeter::Instant {
   struct Bearing {
     FilmPowers powers;
-    Eigen::Vector2d rubbing{Eigen::Vector2d::Zero()};  ///< friction of asperities on the journal, N
-    Eigen::Vector2d place;
+    JournalVector place;
+    JournalVector rubbing;  ///< friction of asperities on the journal, N
     ContactState contacts;
     double energy{};
   };
@@ -45,14 +45,14 @@ struct EnergyMeter::Instant {
       const FilmBearing& bearing = stepper.bearings()[i]->bearing();
       const BearingState& now = state.bearings[i];
       Bearing& one = bearings.emplace_back(Bearing{.powers = film_powers(bearing, now),
-                                                   .place = now.position,
+                                                   .place = bearing.journal_of(now),
+                                                   .rubbing = JournalVector::Zero(bearing.motions()),
                                                    .contacts = now.contacts,
                                                    .energy = bearing_energy(bearing, now).total()});
       if (!bearing.surroundings.asperities) continue;
       const Matrix pressures = asperity_pressures(bearing, now.film.thickness);
-      one.rubbing = (asperity_force(bearing, pressures, 0.0) -
-                     asperity_force(bearing, pressures, sliding_friction(bearing, now.speed)))
-                        .head<2>();
+      one.rubbing = asperity_force(bearing, pressures, 0.0) -
+                    asperity_force(bearing, pressures, sliding_friction(bearing, now.speed));
     }
   }
 

@@ -31,16 +31,26 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_of(const Eigen::
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric_part(stiffness), symmetric_part(mass));
 }
 
-/// B of all bearings below one another.
-Eigen::MatrixXd bearing_motions(const Rotor& rotor) {
-  Eigen::MatrixXd B(2 * static_cast<Eigen::Index>(rotor.bearings.size()), rotor.size());
-  for (std::size_t i = 0; i < rotor.bearings.size(); ++i) {
-    B.middleRows(2 * static_cast<Eigen::Index>(i), 2) = rotor.bearings[i].motion;
+/// Matrices of all bearings below one another.
+template <typename MatrixOf>
+Eigen::MatrixXd stacked(const Rotor& rotor, const MatrixOf& matrix_of) {
+  Eigen::MatrixXd all(0, rotor.size());
+  for (const RotorStation& bearing : rotor.bearings) {
+    const Eigen::MatrixXd one = matrix_of(bearing);
+    all.conservativeResize(all.rows() + one.rows(), Eigen::NoChange);
+    all.bottomRows(one.rows()) = one;
   }
-  return B;
+  return all;
 }
 
 }  // namespace
+
+Eigen::MatrixXd RotorStation::journal() const {
+  if (half_width == 0.0) return motion;
+  Eigen::MatrixXd B(motion.rows() + tilt.rows(), motion.cols());
+  B << motion, half_width * tilt;
+  return B;
+}
 
 double Rotor::total_mass() const {
   const Eigen::VectorXd momentum = mass * rigid.col(0);
@@ -51,7 +61,8 @@ Rotor make_point_mass(double mass) {
   Rotor rotor;
   rotor.mass = mass * Eigen::Matrix2d::Identity();
   rotor.gyroscopic = rotor.damping = rotor.stiffness = Eigen::Matrix2d::Zero();
-  rotor.bearings.push_back({.name = "bearing 1", .z = 0.0, .motion = Eigen::Matrix2d::Identity()});
+  rotor.bearings.push_back(
+      {.name = "bearing 1", .z = 0.0, .motion = Eigen::Matrix2d::Identity(), .tilt = Eigen::Matrix2d::Zero()});
   rotor.rigid = Eigen::Matrix2d::Identity();
   return rotor;
 }
@@ -67,7 +78,9 @@ Rotor make_rigid_rotor(const RigidRotorDesign& design) {
   const auto station_at = [](std::string name, double z) {
     Eigen::MatrixXd motion(2, 4);
     motion << Eigen::Matrix2d::Identity(), z * Eigen::Matrix2d::Identity();
-    return RotorStation{.name = std::move(name), .z = z, .motion = motion};
+    Eigen::MatrixXd tilt(2, 4);
+    tilt << Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Identity();
+    return RotorStation{.name = std::move(name), .z = z, .motion = motion, .tilt = tilt};
   };
   for (std::size_t i = 0; i < design.bearings.size(); ++i) {
     rotor.bearings.push_back(station_at("bearing " + std::to_string(i + 1), design.bearings[i]));
@@ -79,7 +92,8 @@ Rotor make_rigid_rotor(const RigidRotorDesign& design) {
 }
 
 std::vector<Eigen::Vector2d> weights_on_bearings(const Rotor& rotor, const Eigen::Vector2d& gravity) {
-  const Eigen::MatrixXd balance = (bearing_motions(rotor) * rotor.rigid).transpose();
+  const Eigen::MatrixXd motions = stacked(rotor, [](const RotorStation& bearing) { return bearing.motion; });
+  const Eigen::MatrixXd balance = (motions * rotor.rigid).transpose();
   BUMPFOIL_ASSERT(balance.rows() == balance.cols());
   const Eigen::VectorXd weight = rotor.rigid.transpose() * (rotor.mass * (rotor.rigid.leftCols(2) * gravity));
   const Eigen::VectorXd forces = balance.partialPivLu().solve(weight);
@@ -94,7 +108,7 @@ Eigen::VectorXd free_frequencies(const Rotor& rotor) {
 
 ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   // y = lift q + rest r: lift moves the bearings by q, rest leaves them where they are.
-  const Eigen::MatrixXd B = bearing_motions(rotor);
+  const Eigen::MatrixXd B = stacked(rotor, [](const RotorStation& bearing) { return bearing.journal(); });
   const Eigen::Index n = rotor.size();
   const Eigen::Index held = B.rows();
   if (n == held) return {rotor, 0.0};
@@ -121,6 +135,7 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   reduced.rotor.stiffness = transformed(rotor.stiffness, T);
   const auto placed = [&](RotorStation station) {
     station.motion = station.motion * T;
+    if (station.tilt.size() > 0) station.tilt = station.tilt * T;
     return station;
   };
   for (const RotorStation& bearing : rotor.bearings) reduced.rotor.bearings.push_back(placed(bearing));

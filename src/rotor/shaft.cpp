@@ -149,8 +149,11 @@ Rotor make_flexible_rotor(const ShaftDesign& design) {
     }
   }
   const auto station_at = [&](std::string name, double z) {
-    RotorStation station{.name = std::move(name), .z = z, .motion = Eigen::MatrixXd::Zero(2, n)};
-    station.motion.middleCols(node_unknowns * node_at(mesh, z), 2).setIdentity();
+    RotorStation station{
+        .name = std::move(name), .z = z, .motion = Eigen::MatrixXd::Zero(2, n), .tilt = Eigen::MatrixXd::Zero(2, n)};
+    const Eigen::Index first = node_unknowns * node_at(mesh, z);
+    station.motion.middleCols(first, 2).setIdentity();
+    station.tilt.middleCols(first + 2, 2).setIdentity();
     return station;
   };
   for (const ShaftDisc& disc : design.discs) {

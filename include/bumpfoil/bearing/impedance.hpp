@@ -41,6 +41,6 @@ struct FilmImpedance {
 /// @param stiffness  K, N/m
 /// @param damping    C, N s/m
 /// @param unit       a usual size of |s|, 1/s
-FilmImpedance linear_impedance(const Eigen::Matrix2d& stiffness, const Eigen::Matrix2d& damping, double unit);
+FilmImpedance linear_impedance(const JournalMatrix& stiffness, const JournalMatrix& damping, double unit);
 
 }  // namespace bumpfoil

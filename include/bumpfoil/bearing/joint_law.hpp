@@ -10,7 +10,7 @@ namespace bumpfoil {
 /// What holds the journals of any number of bearings that one body joins, as rows beside the equations of their films
 /// and foils:
 ///
-///     A (y* - y) + sum B_i (F*_i - F_i) = 0,      q_i = N_i y
+///     A (y* - y) + sum B_i (F*_i - F_i) = 0,      q_i = N_i y + q_0i
 ///
 /// y unknowns of the body, q_i place of journal i (m, JournalVector), F_i force on it that balances its film (N). A
 /// rotor in a step of time has its dynamic stiffness for A and N_i^T for B_i. A plain value.
@@ -19,6 +19,10 @@ struct JointLaw {
     Eigen::MatrixXd motion;    ///< N
     Eigen::MatrixXd by_force;  ///< B
     JournalVector force;       ///< F*, N
+    JournalVector origin{};    ///< q_0, m; empty: 0
+
+    /// q
+    [[nodiscard]] JournalVector place(const Eigen::VectorXd& y) const;
   };
 
   Eigen::MatrixXd by_place;         ///< A

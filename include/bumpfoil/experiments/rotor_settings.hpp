@@ -52,8 +52,9 @@ struct RotorSettings {
 
 /// The rotor of a case, with a station in the plane of each unbalance; a flexible one reduced to the modes that count
 /// up to some frequency.
-/// @param range  rad/s
-ReducedRotor rotor_of(const RotorSettings& settings, double range);
+/// @param range        rad/s
+/// @param half_widths  RotorStation::half_width of the bearings; empty: none resists inclinations
+ReducedRotor rotor_of(const RotorSettings& settings, double range, const std::vector<double>& half_widths = {});
 
 /// Force of the unbalances on the rotor of a case, see unbalance_force(); on half a rotor that does not tilt, half of
 /// it.

@@ -77,6 +77,8 @@ class MachineStepper {
 
   [[nodiscard]] const Rotor& rotor() const { return rotor_; }
   [[nodiscard]] const std::vector<FilmStepper*>& bearings() const { return bearings_; }
+  /// Where y of the rotor puts the journals of the bearings, see JointLaw::Journal.
+  [[nodiscard]] const std::vector<JointLaw::Journal>& journals() const { return journals_; }
 
  private:
   FilmReport take(const TimeStep& step, const RotorForces& forces, MachineState& state);
@@ -86,6 +88,7 @@ class MachineStepper {
 
   Rotor rotor_;
   std::vector<FilmStepper*> bearings_;
+  std::vector<JointLaw::Journal> journals_;
   double force_unit_{};            ///< N
   double longest_displacement_{};  ///< of a journal in one step of Newton's method, m
   std::vector<BearingState> guesses_, ends_;

@@ -10,14 +10,15 @@
 
 namespace bumpfoil {
 
-/// Equilibria of the bearings of a rotor under its weight, from speed to speed.
+/// Equilibria of the bearings of a rotor under its weight, from speed to speed. Bearings that resist inclinations take
+/// moments, too: with K y = f - sum B_i^T F_i they share the weight by how the rotor tilts and bends on them.
 class RotorEquilibria {
  public:
   /// @param steppers  of the bearings in the order of Rotor::bearings; they outlive this
   /// @param gravity   m/s^2; each bearing must carry something
   RotorEquilibria(const Rotor& rotor, std::vector<FilmStepper*> steppers, const Eigen::Vector2d& gravity);
 
-  /// Loads on the bearings, N.
+  /// Loads on the bearings by the weight alone, N: where they take no moments.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& loads() const { return loads_; }
 
   /// To a speed (rad/s), in one increment of each bearing; from a cold start where there are no states yet.
@@ -29,8 +30,13 @@ class RotorEquilibria {
 
  private:
   [[nodiscard]] FilmReport start(std::size_t bearing, double speed, BearingState& state) const;
+  [[nodiscard]] OperatingPoint next_point(std::size_t bearing, double speed, const BearingState& state) const;
+  [[nodiscard]] FilmReport join(double speed, std::vector<BearingState>& states) const;
 
+  Rotor rotor_;
+  Eigen::VectorXd weight_;  ///< f, N
   std::vector<FilmStepper*> steppers_;
+  std::vector<JointLaw::Journal> journals_;
   std::vector<Eigen::Vector2d> loads_;
 };
 

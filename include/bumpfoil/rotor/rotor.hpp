@@ -6,11 +6,17 @@
 
 namespace bumpfoil {
 
-/// A place on the axis of a rotor, and how far the axis moves there.
+/// A place on the axis of a rotor, and how the rotor moves there.
 struct RotorStation {
   std::string name;
   double z{};              ///< along the axis, m
   Eigen::MatrixXd motion;  ///< 2 x n: displacement along X and Y (m) = motion y
+  Eigen::MatrixXd tilt{};  ///< 2 x n: inclinations dx/dz and dy/dz of the cross-section (rad) = tilt y
+  double half_width{};     ///< of a bearing that resists them by moments, m; 0: it takes forces alone
+
+  /// B of a bearing: q = B y with the place q of the journal in it (m, JournalVector): displacements and, where the
+  /// bearing resists inclinations, these times half the width.
+  [[nodiscard]] Eigen::MatrixXd journal() const;
 };
 
 /// A rotor that turns at Omega, as its small motions y(t) about the axis of rotation see it:
@@ -18,8 +24,8 @@ struct RotorStation {
 ///     M y'' + (Omega G + C) y' + K y = f(t) - sum B_i^T F_i
 ///
 /// F_i is the force on the journal in bearing i that holds it in equilibrium, so that its film acts with -F_i. Journal
-/// i is displaced by B_i y, B_i = bearings[i].motion. Omega > 0 turns X to Y (docs/theory/conventions.md). M, C and K
-/// are symmetric, G is skew. The unknowns are whatever the maker chose. A plain value.
+/// i is displaced by B_i y, B_i = bearings[i].journal(). Omega > 0 turns X to Y (docs/theory/conventions.md). M, C and
+/// K are symmetric, G is skew. The unknowns are whatever the maker chose. A plain value.
 struct Rotor {
   Eigen::MatrixXd mass;        ///< M
   Eigen::MatrixXd gyroscopic;  ///< G
@@ -69,8 +75,8 @@ struct ReducedRotor {
   double frequency_error{};
 };
 
-/// Reduces a rotor to the motions of its bearing nodes and the modes with these held [Craig1968]: y = T q with q the
-/// displacements of all bearings and the amplitudes of the modes up to `kept` times the range, at rest.
+/// Reduces a rotor to the motions of its journals and the modes with these held [Craig1968]: y = T q with q the places
+/// of all journals (RotorStation::journal()) and the amplitudes of the modes up to `kept` times the range, at rest.
 /// @param range  frequencies of interest end here, rad/s
 ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept = 10.0);
 

@@ -72,12 +72,12 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
   using enum Dimension;
   keys.value(
       {"modes", defaulted, "Modes over the width",
-       "of the displacement of the foils, for the command equilibrium and under a tilted journal: 1, uniform; 2, "
-       "linear, too; 3, with a parabola"},
+       "of the displacement of the foils, for equilibrium and the commands with a rotor, and under a tilted journal: "
+       "1, uniform; 2, linear, too; 3, with a parabola. With 2 or 3 bearings resist the tilt of a rotor"},
       &width.modes);
   keys.value({"tilt", defaulted, "Tilt",
-              "misalignment, for the commands equilibrium, film, cycle, path and vibration: slope of the axis of the "
-              "journal towards X and Y",
+              "misalignment: slope of the axis of the journal, or under a rotor of the line through the centres of its "
+              "bearings, towards X and Y",
               "[\"0 mrad\", \"0 mrad\"]", angle},
              &width.tilt);
   keys.value({.name = "moment",
@@ -90,8 +90,8 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
               .instead = true},
              &width.moment);
   keys.value({"conicity", defaulted, "Conicity",
-              "clearance at the side z > 0 less that at the side z < 0, of a conical journal or sleeve, for the "
-              "commands equilibrium and film",
+              "clearance at the side z > 0 less that at the side z < 0, of a conical journal or sleeve, for all "
+              "commands with a film",
               "5 um", length},
              &width.conicity);
   keys.value({"crowning", defaulted, "Crowning",
@@ -258,11 +258,6 @@ void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, 
   for (std::size_t i = 0; i < 2; ++i) judge_size(judge, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
 }
 
-/// Commands without a film.
-bool is_dry(std::string_view command) {
-  return command == "cycle" || command == "path" || command == "vibration";
-}
-
 /// What a tilted journal needs where there is no film.
 void judge_dry_tilt(Judge& judge, const Case& input, const char* command) {
   judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "width.tilt", "",
@@ -283,6 +278,11 @@ void judge_halves(Judge& judge, const Case& input) {
     judge_pair(judge, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
   judge.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
                     "give width.tilt, or run equilibrium");
+  for (const char* const command : {"stability", "unbalance", "transient"}) {
+    judge.require_for(command, width.moment.empty(), "width.moment", "",
+                      "is for the command equilibrium alone: here the rotor puts moments on its bearings",
+                      "remove it, or give width.tilt for bearings that are misaligned");
+  }
   const bool by_strips = !width.tilts() && width.conicity == 0.0 && input.film.has_equal_sides();
   if (input.has_equal_halves() || by_strips) return;
   const bool by_gas_alone = !width.tilts() && width.conicity == 0.0;
@@ -291,15 +291,15 @@ void judge_halves(Judge& judge, const Case& input) {
                           : by_gas_alone        ? "film.side_pressure"
                                                 : "width.conicity";
   const bool by_given_tilt = width.moment.empty() && width.tilts() && width.conicity == 0.0;
-  for (const char* const command : {"cycle", "path", "vibration", "stability", "unbalance", "transient"}) {
-    if (by_gas_alone && is_dry(command)) continue;
-    if (by_given_tilt && is_dry(command)) {
+  for (const char* const command : {"cycle", "path", "vibration"}) {
+    if (by_gas_alone) continue;
+    if (by_given_tilt) {
       judge_dry_tilt(judge, input, command);
       continue;
     }
     judge.require_for(command, false, key, "",
-                      by_given_tilt ? "is supported by the commands equilibrium, film, cycle, path and vibration alone"
-                                    : "is supported by the commands equilibrium and film alone",
+                      width.moment.empty() ? "is supported by commands with a film alone"
+                                           : "is supported by the command equilibrium alone",
                       fmt::format("remove {}: the command computes what is the same on both halves of the width", key));
   }
 }
@@ -331,20 +331,18 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
   if (!input.has_own_strips()) return;
   judge.require_for("strip", !input.strip, "bump_foil.strip", "",
                     "differs over the width, and the plate presses foils that do not", "remove [[bump_foil.strip]]");
-  for (const char* const command : {"cycle", "path", "vibration", "equilibrium"}) {
+  for (const char* const command :
+       {"cycle", "path", "vibration", "equilibrium", "stability", "unbalance", "transient"}) {
     judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "bump_foil.strip", "",
                       "needs a top foil that answers to strips which differ",
                       "set width.modes = 3, or 2 without a parabola");
   }
   const int step = input.bump_foil.least_columns_per_pitch();
   const int columns = input.film.columns_per_pitch;
-  judge.require_for("equilibrium", columns % 2 != 0 || columns % step == 0, "film.columns_per_pitch",
-                    std::to_string(columns), "puts no column over the crests of strips staggered by other than 0.5",
-                    fmt::format("give a multiple of {}", step));
-  for (const char* const command : {"stability", "unbalance", "transient"}) {
-    judge.require_for(command, false, "bump_foil.strip", "",
-                      "is supported by the commands cycle, path, vibration and equilibrium alone",
-                      "remove [[bump_foil.strip]]: the command computes strips that are alike");
+  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
+    judge.require_for(command, columns % 2 != 0 || columns % step == 0, "film.columns_per_pitch",
+                      std::to_string(columns), "puts no column over the crests of strips staggered by other than 0.5",
+                      fmt::format("give a multiple of {}", step));
   }
 }
 
@@ -360,11 +358,8 @@ void judge_width(Judge& judge, const Case& input) {
       modes == 1) {
     return;
   }
-  const std::string advice = "set width.modes = 1, which computes foils that are uniform over the width";
-  for (const char* const command : {"film", "stability", "unbalance", "transient"}) {
-    judge.require_for(command, false, "width.modes", std::to_string(modes),
-                      "is supported by the command equilibrium alone", advice);
-  }
+  judge.require_for("film", false, "width.modes", std::to_string(modes),
+                    "is of foils, and film has walls in their place", "set width.modes = 1, or run equilibrium");
 }
 
 /// What a bearing surface in place of the foils cannot have.

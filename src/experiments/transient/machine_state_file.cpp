@@ -96,6 +96,7 @@ class ByteReader {
 template <typename Bytes, typename Bearing>
 void visit_bearing(Bytes& bytes, Bearing& bearing) {
   for (const int axis : {0, 1}) bytes.plain(bearing.position[axis]);
+  for (const int axis : {0, 1}) bytes.plain(bearing.tilt[axis]);
   bytes.array(bearing.gap_offset);
   bytes.array(bearing.top_load);
   bytes.plain(bearing.time);

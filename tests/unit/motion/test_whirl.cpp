@@ -64,6 +64,38 @@ TEST(Whirl, AddsBearings) {
   }
 }
 
+/// On springs against displacement, k, and against inclination, h^2 k_t, at the distance l on both sides:
+/// I_t s^2 + 2 h^2 (k_t + s c_t) + 2 l^2 (k + s c) = 0. One of the two bearings resists no inclination: it has
+/// h = 0.
+TEST(Whirl, TiltsOnSpringsThatResistIt) {
+  constexpr double h = 0.02;
+  constexpr double l = 0.03;
+  constexpr double inertia = 2e-3;
+  const Eigen::Vector4d k(2e6, 1e6, 3e6, 2e6);
+  const Eigen::Vector4d c(50.0, 20.0, 90.0, 40.0);
+  const FilmImpedance tilting = linear_impedance(k.asDiagonal().toDenseMatrix(), c.asDiagonal().toDenseMatrix(), 1e3);
+  const FilmImpedance straight =
+      linear_impedance(k.head<2>().asDiagonal().toDenseMatrix(), c.head<2>().asDiagonal().toDenseMatrix(), 1e3);
+  for (const bool both : {true, false}) {
+    Rotor rotor =
+        make_rigid_rotor({.mass = 2.0, .transverse_inertia = inertia, .polar_inertia = 0.0, .bearings = {-l, l}});
+    rotor.bearings[0].half_width = h;
+    if (both) rotor.bearings[1].half_width = h;
+    const auto whirls = whirls_on(rotor, 2000.0, {tilting, both ? tilting : straight}, usual_window(2000.0));
+    for (const int axis : {0, 1}) {
+      const double count = both ? 2.0 : 1.0;
+      const double stiffness = count * h * h * k[axis + 2] + 2.0 * l * l * k[axis];
+      const double damping = count * h * h * c[axis + 2] + 2.0 * l * l * c[axis];
+      const Complex expected =
+          (-damping + std::sqrt(Complex(damping * damping - 4.0 * inertia * stiffness, 0.0))) / (2.0 * inertia);
+      EXPECT_TRUE(
+          std::any_of(whirls.begin(), whirls.end(),
+                      [&](const Whirl& whirl) { return std::abs(whirl.rate - expected) < 1e-8 * std::abs(expected); }))
+          << both << axis;
+    }
+  }
+}
+
 /// Coefficients of a spring and a damper are themselves, at any speed.
 TEST(Whirl, OnCoefficientsOfSpringsIsThatOnSprings) {
   const Eigen::Matrix2d K = (Eigen::Matrix2d() << 3e6, 4e5, -3e5, 2e6).finished();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "bumpfoil/rotor/shaft.hpp"
 #include "unit/rotor/rotor_on_springs.hpp"
@@ -138,6 +139,28 @@ TEST(ReducedRotor, BendsUnderStaticLoadsAsTheWholeOneDoes) {
     return rotor.stations.back().motion * rotor.stiffness.ldlt().solve(load);
   };
   EXPECT_LT((bent(reduced) - bent(whole)).norm(), 1e-9 * bent(whole).norm());
+}
+
+/// A thin shaft whose ends are held in bearings stiff against displacement and inclination bends as a beam that is
+/// clamped at both ends, omega = 4.730041^2 sqrt(E I / (rho A l^4)); on bearings that resist displacement alone as one
+/// that is pinned, omega = pi^2 sqrt(...). So does what it is reduced to.
+TEST(ReducedRotor, IsClampedWhereBearingsResistInclination) {
+  const ShaftSection thin{0.5, 0.005, 0.0, 210e9, 0.3, 7800.0};
+  const double unit = std::sqrt(thin.youngs_modulus * 0.005 * 0.005 / 16.0 / thin.density) / (0.5 * 0.5);
+  for (const double half_width : {0.0, 0.02}) {
+    Rotor whole = make_flexible_rotor({.sections = {thin}, .bearings = {0.0, 0.5}, .longest_element = 0.02});
+    for (RotorStation& bearing : whole.bearings) bearing.half_width = half_width;
+    for (Rotor rotor : {whole, reduce_rotor(whole, 2000.0).rotor}) {
+      for (const RotorStation& bearing : rotor.bearings) {
+        const Eigen::MatrixXd B = bearing.journal();
+        ASSERT_EQ(B.rows(), half_width > 0.0 ? 4 : 2);
+        rotor.stiffness += 1e9 * B.transpose() * B;
+      }
+      const double root = half_width > 0.0 ? 4.730041 : std::numbers::pi;
+      // Shear and rotary inertia take 1e-4 of a shaft this thin.
+      EXPECT_NEAR(free_frequencies(rotor)[0], root * root * unit, 1e-3 * root * root * unit) << half_width;
+    }
+  }
 }
 
 }  // namespace

@@ -66,6 +66,18 @@ TEST(Transient, EndsTurnsWithASequenceOfSteps) {
   EXPECT_LT(energy_check(turns).relative(), 0.05);
 }
 
+/// Kept states have the tilt of their journals.
+TEST(Transient, KeepsTilts) {
+  MachineState state;
+  BearingState& bearing = state.bearings.emplace_back();
+  bearing.tilt = {1e-6, -2e-6};
+  bearing.speed = 5.0;
+  const std::optional<MachineState> kept = machine_state_of(bytes_of(state));
+  ASSERT_TRUE(kept.has_value());
+  EXPECT_EQ(kept->bearings.at(0).tilt, bearing.tilt);
+  EXPECT_EQ(kept->bearings[0].speed, 5.0);
+}
+
 /// Killed anywhere and gone on with, a run is the same to the last bit.
 TEST(Transient, GoesOnToTheLastBit) {
   const Case input = marched_case({{.from = speed_of_rpm(-12000.0), .to = speed_of_rpm(-11000.0), .time = 0.02}});
