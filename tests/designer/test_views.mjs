@@ -157,7 +157,7 @@ test('the rotor is that of the program, quickly at first, beside the design befo
     await write(page, reference + mesh);
     await settles(() => page.getByRole('tab', { name: 'Rotor' }).click());
     // A case without a rotor has one that is assumed, and it is put into the case as it is.
-    assert.match(await told(), /^The case has no rotor: assumed is one of 2 kg, half of it on each of two equal bearings/);
+    assert.match(await told(), /^The case has no rotor\. A rotor of 2 kg is assumed: half of it on each of two equal bearings/);
     const assumed = await shown('onset');
     assert.match(assumed, /^1\d{4}(\.\d)? rpm$/);
     await settles(() => answered(page, () => view.getByRole('button', { name: 'Add this rotor to the case' }).click()));

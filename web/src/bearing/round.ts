@@ -165,7 +165,7 @@ function axes(current: Look, font: number): SVGElement[] {
   ];
 }
 
-/** Loads of the journal on the top foil, of the sleeve on the feet, and the force that holds the journal. */
+/** Loads of the journal on the top foil, of the sleeve on the feet, and the applied force. */
 function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current: Look): SVGElement[] {
   const { shape, cycle, index } = scene;
   const scale = longestArrow / scene.largestForce;

@@ -4,7 +4,7 @@ import type { Look } from '../ui/theme';
 import { axis } from './chart';
 import { tickText } from './ticks';
 
-/** Way of the journal: displacement up to the turning point, and back again beyond it. */
+/** Journal trajectory: displacement up to the turning point, and back again beyond it. */
 export class PathAxis {
   readonly scale: Scale;
   private readonly amplitude: number;

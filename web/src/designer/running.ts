@@ -47,7 +47,7 @@ function runOf(answer: EquilibriumAnswer, name: string): Run {
   const { run } = answer;
   const state = stateOf(answer);
   const byLoad = state['load_x_N'] !== null;
-  // What is asked for is not found.
+  // The requested state is not found.
   const asked = byLoad ? /^(speed|load_[xy]|force_[xy])$/ : /^(speed|[xy])$/;
   const quantities = run.quantities.filter(({ name: its, key, listed }) => listed && !asked.test(its) && (state[key] ?? null) !== null);
   return new Run({
