@@ -62,7 +62,7 @@ def run_notebooks(folder, environment):
     """As pages, with what their cells give."""
     notebooks = sorted((ROOT / "examples").glob("*.ipynb"))
     convert = ["jupyter-nbconvert", "--to", "markdown", "--execute", "--log-level=ERROR", "--output-dir", folder]
-    quiet = {"PYDEVD_DISABLE_FILE_VALIDATION": "1"}  # about its debugger, which nobody asked for
+    quiet = {"PYDEVD_DISABLE_FILE_VALIDATION": "1"}  # about its debugger, which is not used
     subprocess.run([*convert, *notebooks], env=environment | quiet, check=True)
 
 

@@ -1,4 +1,4 @@
-"""Names, units and meanings of what result files hold: variables say their own, columns and keys are told by their names."""
+"""Names, units and meanings of what result files hold: variables have their own, those of columns and keys follow from their names."""
 
 import re
 

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, assertPanelsFitPaper, folder, near, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
+import { assertAccessible, assertFits, assertPanelsFitPaper, folder, laptop, near, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=6'];
 
@@ -153,6 +153,24 @@ test('film, bumps and journal are those of the state looked at', () =>
     await page.mouse.up();
     await until(first, true);
   }));
+
+test('letters in drawings of the bearing are as high as elsewhere, where these are small, too', async () => {
+  for (const viewport of [laptop.viewport, { width: 390, height: 844 }]) {
+    await withReport(
+      'grid.html',
+      async (page) => {
+        for (const name of ['Film around the journal', 'Bearing in operation']) {
+          const drawing = panelOf(page, name).locator('svg.round');
+          await drawing.scrollIntoViewIfNeeded();
+          const heights = await drawing.locator('text').evaluateAll((texts) => texts.map((one) => Number.parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a));
+          assert.ok(heights.length >= 3, name);
+          for (const height of heights) assert.ok(height > 10.9 && height < 11.1, `${name}: ${height} px`);
+        }
+      },
+      { viewport },
+    );
+  }
+});
 
 test('stiffness and damping over frequency are those of coefficients.csv', () =>
   withReport('frequencies.html', async (page) => {

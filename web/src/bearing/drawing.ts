@@ -39,6 +39,17 @@ export function arrowPath(from: Place, to: Place, width = 1.6): string {
   );
 }
 
+/** On the screen, px. */
+const letterHeight = 11;
+
+/**
+ * Height of letters that are as high on the screen, however large the drawing is there.
+ * @param shown  size of the drawing on the screen, px; 0 where it is not known
+ */
+export function letters(size: number, shown: number): number {
+  return letterHeight * (shown > 0 ? size / shown : 1);
+}
+
 export function text(place: Place, content: string, current: Look, more: Record<string, string | number> = {}): SVGElement {
   return svg(
     'text',

@@ -1,7 +1,7 @@
 import { at } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
-import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import { arrowPath, letters, pathOf, stateMark, text, type Place } from './drawing';
 import { foilLines } from './foil_lines';
 import type { Pad } from './geometry';
 import { partNames, type PartName } from './parts';
@@ -60,9 +60,6 @@ function onCircle(angle: number, radius: number): Place {
   return { x: centre + radius * Math.cos(angle), y: centre - radius * Math.sin(angle) };
 }
 
-/** Height of letters, px on the screen, however large the drawing is there. */
-const letters = 11;
-
 /**
  * Draws the bearing; returns how much larger heights are than the radius.
  * @param shown  size of the drawing on the screen, px; 0 where it is not known
@@ -82,7 +79,7 @@ export function drawRound(root: SVGSVGElement, scene: Scene, current: Look, show
     return pathOf([layout.place(onGround(top.pad, 0), -5), layout.place(top, foilGap)]);
   });
   root.setAttribute('viewBox', `0 0 ${size} ${size}`);
-  const font = letters * (shown > 0 ? size / shown : 1);
+  const font = letters(size, shown);
   root.replaceChildren(
     svg('circle', { cx: centre, cy: centre, r: sleeveRadius + 13, fill: current.grid }),
     svg('path', { d: sleeve(scene, layout), fill: current.background, stroke: current.sleeve, 'stroke-width': 1.4 }),
@@ -168,7 +165,7 @@ function axes(current: Look, font: number): SVGElement[] {
   ];
 }
 
-/** Loads of the journal on the top foil, of the sleeve on the feet, and the force that holds the journal. */
+/** Loads of the journal on the top foil, of the sleeve on the feet, and the applied force. */
 function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current: Look): SVGElement[] {
   const { shape, cycle, index } = scene;
   const scale = longestArrow / scene.largestForce;

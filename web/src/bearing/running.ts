@@ -10,7 +10,7 @@ import type { LegendEntry } from '../ui/legend';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { look, onLookChange, type Look } from '../ui/theme';
-import { arrowPath, pathOf, text, type Place } from './drawing';
+import { arrowPath, letters, pathOf, text, type Place } from './drawing';
 import { gradingOf } from './foil_lines';
 import { BearingGeometry } from './geometry';
 import { marks } from './panel';
@@ -22,7 +22,7 @@ import { spaceView } from './space';
 function drawnPanel(
   states: States,
   selection: GridSelection,
-  contents: { title: string; what: string; told: () => string; legend: () => LegendEntry[]; csv: () => string; draw: (root: SVGSVGElement, current: Look) => void },
+  contents: { title: string; what: string; told: () => string; legend: () => LegendEntry[]; csv: () => string; draw: (root: SVGSVGElement, current: Look, shown: number) => void },
 ): HTMLElement {
   const root = svg('svg', { class: 'round', role: 'img' });
   const where = (): string => selection.textAt(selection.place);
@@ -38,13 +38,15 @@ function drawnPanel(
     root,
   );
   const draw = (): void => {
-    contents.draw(root, look());
+    contents.draw(root, look(), Math.min(root.clientWidth, root.clientHeight));
     panel.refresh();
     root.setAttribute('aria-label', `${contents.title}: ${contents.told()}; ${where()}`);
   };
   selection.onChange(draw);
   onLookChange(draw);
   draw();
+  // Letters fit the size on the screen, which is not known before.
+  new ResizeObserver(draw).observe(root);
   return panel.root;
 }
 
@@ -105,14 +107,14 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
           ['bump', 'crest_outward_m', 'top_foil_outward_m', 'load_N'],
           numbersOf(states, 'bump').map((bump, i) => [bump, ...['crest_v', 'top_displacement', 'normal_force_top_bump'].map((name) => states.along(name, 'bump', selection.place)[i])]),
         ),
-      draw: (root, colours) => {
+      draw: (root, colours, shown) => {
         const index = states.stateAt(selection.place);
         root.replaceChildren();
         const bearing = current();
         if (!bearing || !states.isFound(selection.place)) return;
         const { cycle, geometry, inwards, largestForce } = bearing;
         const shape = shapeAt(geometry, cycle, index);
-        stretch = drawRound(root, { geometry, cycle, index, shape, inwards, along: fittingAlong(geometry), largestForce, forces: true, bump: undefined }, colours, Math.min(root.clientWidth, root.clientHeight));
+        stretch = drawRound(root, { geometry, cycle, index, shape, inwards, along: fittingAlong(geometry), largestForce, forces: true, bump: undefined }, colours, shown);
       },
     }),
   ];
@@ -151,7 +153,8 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
       const [p, h] = [pressure(), film()];
       return toCsv(['phi_deg', 'pressure_beyond_ambient_Pa', 'film_thickness_m'], angles().map((angle, i) => [(angle * 180) / Math.PI, p[i], h[i]]));
     },
-    draw: (root, current) => {
+    draw: (root, current, shown) => {
+      const font = { 'font-size': letters(size, shown) };
       root.setAttribute('viewBox', `0 0 ${size} ${size}`);
       const found = states.isFound(selection.place);
       const [p, h] = [pressure(), film()];
@@ -166,8 +169,8 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
           const [from, to] = [circle - reach, circle + reach].map((radius) => onCircle(turn * Math.PI, radius));
           return svg('line', { x1: from?.x ?? 0, y1: from?.y ?? 0, x2: to?.x ?? 0, y2: to?.y ?? 0, stroke: current.grid, 'stroke-width': 1 });
         }),
-        text(onCircle(0, circle + reach + 8), 'X', current),
-        text(onCircle(Math.PI / 2, circle + reach + 6), 'Y', current, { 'text-anchor': 'middle' }),
+        text(onCircle(0, circle + reach + 8), 'X', current, font),
+        text(onCircle(Math.PI / 2, circle + reach + 6), 'Y', current, { ...font, 'text-anchor': 'middle' }),
         ...(found
           ? [
               svg('path', { d: ofPads(around(p, reach / largest(p))), fill: 'none', stroke: current.friction, 'stroke-width': 2.4, 'stroke-linejoin': 'round' }),
@@ -179,7 +182,7 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
           const weld = angles()[first] ?? 0;
           return [
             svg('path', { d: pathOf([onCircle(weld, circle - 7), onCircle(weld, circle + 7)]), stroke: current.topFoil, 'stroke-width': 3.4 }),
-            text(onCircle(weld, circle + reach + 12), name === '' ? 'weld' : `weld of ${name}`, current, { 'text-anchor': Math.cos(weld) < -0.5 ? 'start' : 'middle', 'font-weight': 'bold' }),
+            text(onCircle(weld, circle + reach + 12), name === '' ? 'weld' : `weld of ${name}`, current, { ...font, 'text-anchor': Math.cos(weld) < -0.5 ? 'start' : 'middle', 'font-weight': 'bold' }),
           ];
         }),
       );

@@ -1,5 +1,6 @@
 /** The running bearing in three dimensions: pressure or film thickness as colour on the top foil, turned by pointer and keys. */
 import { numbersOf, type Place } from '../data/grid';
+import { fractionIn, rangeOf, type Range } from '../data/range';
 import { at, capital } from '../data/run';
 import { toCsv } from '../data/csv';
 import type { States } from '../data/states';
@@ -72,10 +73,7 @@ export function spaceView(states: States, selection: GridSelection, bearing: () 
   const where = (): string => selection.textAt(selection.place);
   const ambient = (): number => states.variable('ambient_pressure')?.at({}) ?? NaN;
   let by: Coloured = 'pressure';
-  const range = (): [number, number] => {
-    const all = (solid?.facets ?? []).map(({ values }) => values[by]).filter(Number.isFinite);
-    return [Math.min(...all), Math.max(...all)];
-  };
+  const range = (): Range => rangeOf((solid?.facets ?? []).map(({ values }) => values[by]));
   const panel = new Panel(
     {
       title: 'Bearing in 3D',
@@ -165,7 +163,7 @@ const layers: Record<Facet['of'], number> = { 'bump foil': 0, 'top foil': 1, fil
 const [journalLayer, sleeveLayer, nearest] = [3, -1, 7];
 
 /** The farthest first. What faces the reader from outside is pale: the inside is to be seen. */
-function paint(canvas: HTMLCanvasElement, solid: Solid | undefined, view: View, current: Look, { by, range: [least, most] }: { by: Coloured; range: [number, number] }): void {
+function paint(canvas: HTMLCanvasElement, solid: Solid | undefined, view: View, current: Look, { by, range }: { by: Coloured; range: Range }): void {
   const width = canvas.clientWidth;
   const context = canvas.getContext('2d');
   if (!context || width === 0) return;
@@ -194,7 +192,7 @@ function paint(canvas: HTMLCanvasElement, solid: Solid | undefined, view: View, 
   const facet = (one: Facet): Drawn => {
     const points = one.corners.map(placed);
     const near = view.seen([...one.outward, 0])[2] > 0;
-    const fill = one.of === 'top foil' ? rampColour(current, most > least ? (one.values[by] - least) / (most - least) : 0) : one.of === 'film' ? filmColour(current) : current.bumpFoil;
+    const fill = one.of === 'top foil' ? rampColour(current, fractionIn(range, one.values[by])) : one.of === 'film' ? filmColour(current) : current.bumpFoil;
     const alpha = one.of === 'film' ? 0.5 : one.of === 'bump foil' ? (near ? 0.1 : 0.55) : near ? 0.12 : 1;
     return {
       layer: near ? nearest - layers[one.of] : layers[one.of],

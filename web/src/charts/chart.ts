@@ -5,6 +5,7 @@ import { SVGRenderer } from 'echarts/renderers';
 import type { EChartsType } from 'echarts/core';
 import { el } from '../ui/dom';
 import { fontFamily, isPrinting, look, onLookChange, type Look } from '../ui/theme';
+import { tickText } from './ticks';
 
 echarts.use([BarChart, CustomChart, LineChart, GridComponent, TitleComponent, TooltipComponent, SVGRenderer]);
 
@@ -181,10 +182,6 @@ export function roundAbove(number: number): number {
   if (!(number > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(number));
   return ([1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((digit) => digit * power >= number) ?? 10) * power;
-}
-
-export function tickText(number: number): string {
-  return String(Number(number.toPrecision(6))).replace('-', '−');
 }
 
 /** Box that shows values under the pointer; texts in it are text nodes. */

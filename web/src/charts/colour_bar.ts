@@ -1,18 +1,19 @@
 /** What the colours of a map stand for. */
+import { fractionIn, type Range } from '../data/range';
 import { formatNumber, scaleFor } from '../data/units';
 import { svg } from '../ui/dom';
 import type { LegendEntry } from '../ui/legend';
 import { fontFamily, rampColour, type Look } from '../ui/theme';
-import { tickText } from './chart';
-import { roundTicks } from './ticks';
+import { roundTicks, tickText } from './ticks';
 
 const [width, side, bar, height] = [264, 14, 10, 26];
 const shades = 48;
 
 /** @param mark  a value between the ends with a name of its own, SI: the ambient pressure */
-export function colourBar([least, most]: [number, number], unit: string, mark?: { value: number; text: string }): LegendEntry {
+export function colourBar(range: Range, unit: string, mark?: { value: number; text: string }): LegendEntry {
+  const [least, most] = range;
   const { factor, unit: shown } = scaleFor(Math.max(Math.abs(least), Math.abs(most)), unit);
-  const x = (value: number): number => side + ((width - 2 * side) * (value - least)) / (most > least ? most - least : 1);
+  const x = (value: number): number => side + (width - 2 * side) * fractionIn(range, value);
   const draw = (current: Look): SVGElement[] => {
     const part = (width - 2 * side) / shades;
     const words = { 'font-size': 10, 'font-family': fontFamily, fill: current.muted, 'text-anchor': 'middle' };
@@ -31,7 +32,7 @@ export function colourBar([least, most]: [number, number], unit: string, mark?: 
 }
 
 /** A range of one unit: "97.4 to 113.6 kPa" */
-export function rangeText([least, most]: [number, number], unit: string): string {
+export function rangeText([least, most]: Range, unit: string): string {
   const { factor, unit: shown } = scaleFor(Math.max(Math.abs(least), Math.abs(most)), unit);
   return `${formatNumber(least * factor)} to ${formatNumber(most * factor)} ${shown}`.trimEnd();
 }

@@ -2,6 +2,7 @@
 import { toCsv } from '../data/csv';
 import { axisText, tickText } from '../data/counted';
 import { numbersOf } from '../data/grid';
+import { fractionIn, rangeOf, type Range } from '../data/range';
 import { at, largest } from '../data/run';
 import type { PadColumns, States } from '../data/states';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
@@ -70,7 +71,7 @@ interface Field {
   title: string;
   /** What its file is called. */
   what: string;
-  told: (range: [number, number]) => string;
+  told: (range: Range) => string;
   /** A value that stands out on the scale of colours. */
   mark?: () => { value: number; text: string };
   tips: (value: number) => [string, string][];
@@ -93,10 +94,10 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
 /** Film thickness at every node, where it is not the same over the width. */
 export function thicknessMap(states: States, selection: GridSelection): HTMLElement[] {
   if (!states.variable('film_thickness')?.has('row')) return [];
-  const told = ([least, most]: [number, number]): string => {
+  const told = (range: Range): string => {
     const z = states.numberAt('h_min_z', selection.place);
     const place = Number.isFinite(z) ? `, thinnest ${formatQuantity(z, 'm', 3)} from the mid-plane` : '';
-    return `${rangeText([least, most], 'm')}${place}`;
+    return `${rangeText(range, 'm')}${place}`;
   };
   return [filmMap(states, selection, { name: 'film_thickness', unit: 'm', title: 'Film thickness', what: 'film-thickness-map', told, tips: () => [] })];
 }
@@ -104,7 +105,7 @@ export function thicknessMap(states: States, selection: GridSelection): HTMLElem
 /** What the peaks of rough surfaces press with at every node, where it is not the same over the width. */
 export function asperityMap(states: States, selection: GridSelection): HTMLElement[] {
   if (!states.variable('asperity_pressure')?.has('row')) return [];
-  const told = (range: [number, number]): string => rangeText(range, 'Pa');
+  const told = (range: Range): string => rangeText(range, 'Pa');
   return [filmMap(states, selection, { name: 'asperity_pressure', unit: 'Pa', title: 'Pressure of asperities', what: 'asperity-pressure-map', told, tips: () => [] })];
 }
 
@@ -119,26 +120,22 @@ function filmMap(states: States, selection: GridSelection, field: Field): HTMLEl
     const columns = [...Array(states.size('column')).keys()];
     return across().map((_, row) => columns.map((column) => (state < 0 ? NaN : (variable?.at({ state, row, column }) ?? NaN))));
   };
-  const range = (): [number, number] => {
-    const all = read().flat().filter(Number.isFinite);
-    return [Math.min(...all), Math.max(...all)];
-  };
+  const range = (): Range => rangeOf(read().flat());
   const half = (values: number[], i: number): [number, number] => {
     const value = at(values, i);
     return [i === 0 ? value : 0.5 * (value + at(values, i - 1)), i === values.length - 1 ? value : 0.5 * (value + at(values, i + 1))];
   };
   const cells = (pads: PadColumns[], z: number[], scale: Scale): number[][] => {
-    const [least, most] = range();
+    const all = range();
     return read().flatMap((row, j) =>
       pads.flatMap(({ first, begin, angles }, pad) =>
         angles.flatMap((_, i) => {
           const value = at(row, first + i);
           if (!Number.isFinite(value)) return [];
-          const fraction = most > least ? (value - least) / (most - least) : 0;
           const [left, right] = half(angles, i).map((side) => begin + side) as [number, number];
           const [lower, upper] = half(z, j).map((side) => side * scale.factor) as [number, number];
-          const cell = [left, right, lower, upper, fraction, value, pad];
-          return isHalf() ? [cell, [left, right, -upper, -lower, fraction, value, pad]] : [cell];
+          const cell = [left, right, lower, upper, fractionIn(all, value), value, pad];
+          return isHalf() ? [cell, [left, right, -upper, -lower, fractionIn(all, value), value, pad]] : [cell];
         }),
       ),
     );

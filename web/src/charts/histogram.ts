@@ -132,7 +132,7 @@ export class HistogramPanel {
         max: shown(bars[bars.length - 1]?.[1] ?? 1),
         axisLabel: { color: current.muted, fontSize: 12, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter: (x: number) => String(Number(x.toPrecision(4))).replace('-', '−') },
       }),
-      yAxis: axis(current, 'Bearings', { nameGap: 36, min: 0, max: Math.ceil(1.05 * most), minInterval: 1 }),
+      yAxis: axis(current, 'Bearings', { nameGap: 36, min: 0, max: Math.ceil(1.05 * most), minInterval: 1, axisLabel: { color: current.muted, fontSize: 12, showMaxLabel: false } }),
       tooltip: tooltip(current, { trigger: 'item', formatter: (item: { dataIndex: number }) => this.tip(item.dataIndex) }),
       series: [
         { ...behind, name: '5 % to 95 %', data: [[p5, p95]].filter((pair) => pair.every(Number.isFinite)), renderItem: (item: Area, api: RenderApi) => band(item, api, current.line) },

@@ -1,6 +1,7 @@
 /** Maps of a quantity over two keys, with the region in which a limit is met. */
 import { toCsv } from '../data/csv';
 import { axisScale, columnNameOf, type Coordinate, type Place } from '../data/grid';
+import { rangeOf, type Range } from '../data/range';
 import { at } from '../data/run';
 import { axisTitle, formatNumber, formatQuantity, scaleFor } from '../data/units';
 import { dropDown, el, svg } from '../ui/dom';
@@ -110,7 +111,7 @@ export function mapPanel(measures: Measure[], first: Measure, [across, up]: [Coo
   const valuesOf = (of: (place: Place) => number): number[][] => up.texts.map((_, j) => across.texts.map((__, i) => of(placeOf(i, j))));
   const values = (): number[][] => valuesOf((place) => part().value(place));
   const known = (): number[] => values().flat().filter(Number.isFinite);
-  const range = (): [number, number] => [Math.min(...known()), Math.max(...known())];
+  const range = (): Range => rangeOf(known());
   // Without the noise of single precision, which would give the ends ticks of their own.
   const numbers = (one: Coordinate): number[] => (one.numbers ?? []).map((number) => Number((number * axisScale(one).factor).toPrecision(6)));
   const told = (): string => (known().length === 0 ? 'not known' : rangeText(range(), measure.unit));

@@ -8,9 +8,10 @@ import type { LegendEntry } from '../ui/legend';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { isPrinting, type Look } from '../ui/theme';
-import { axis, Chart, tickText, tooltip, tooltipBox, type Option, type Point } from './chart';
+import { axis, Chart, tooltip, tooltipBox, type Option, type Point } from './chart';
 import { coordinateLegend, lineEntry, lookOf, plainLook, type LineLook } from './grid_lines';
 import { followPointer } from './nearest';
+import { tickText } from './ticks';
 
 /** A number at every point of a grid. */
 export interface Part {

@@ -1,9 +1,10 @@
 import type { Cycle } from '../data/run';
 import { axisTitle, scaleFor, type Scale } from '../data/units';
 import type { Look } from '../ui/theme';
-import { axis, tickText } from './chart';
+import { axis } from './chart';
+import { tickText } from './ticks';
 
-/** Way of the journal: displacement up to the turning point, and back again beyond it. */
+/** Journal trajectory: displacement up to the turning point, and back again beyond it. */
 export class PathAxis {
   readonly scale: Scale;
   private readonly amplitude: number;

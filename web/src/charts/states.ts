@@ -12,7 +12,7 @@ import { axis, Chart, tooltip, tooltipBox, type Option, type RenderApi } from '.
 import { PathAxis } from './path_axis';
 import { stretchesOf, type Stretch } from './stretches';
 
-/** Part of a row that a state takes, from its lower edge: it is told by its place, too, and not by its colour alone. */
+/** Part of a row that a state takes, from its lower edge: its place tells it apart, not its colour alone. */
 export const stateBand: Record<ContactState, [number, number]> = {
   open: [0, 0],
   stick: [0.08, 0.92],

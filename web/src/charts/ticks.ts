@@ -9,3 +9,8 @@ export function roundTicks(least: number, most: number, count = mostTicks): numb
   const first = Math.ceil(least / step - 1e-9);
   return Array.from({ length: Math.max(0, Math.floor(most / step + 1e-9) - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
+
+/** A number beside its tick. */
+export function tickText(number: number): string {
+  return String(Number(number.toPrecision(6))).replace('-', '−');
+}

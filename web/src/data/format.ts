@@ -279,7 +279,7 @@ export interface OrbitData {
 /** A run in time. */
 export interface TransientData extends GridData {
   summary: TransientSummary;
-  /** Sizes in result.nc of the dimensions of which some may be left out. */
+  /** Sizes in result.nc of the dimensions; parts of them may be left out here. */
   stored: { revolution?: number; spectrum?: number; step?: number };
   orbits: OrbitData[];
 }

@@ -39,7 +39,7 @@ export function partialWarning({ outcome }: Result): string[] {
   return outcome === '' ? [] : [`The run ${outcome === 'failed' ? 'failed' : 'was interrupted'}; its results are partial.`];
 }
 
-/** What readers should mind about results that are no cycles: their files say it. */
+/** Warnings of results that are not cycles: their files have them. */
 export function gridWarnings(result: Result<GridData>): string[] {
   const told = [result.attribute('status_message'), ...result.attribute('warnings').split('\n')];
   const { left_out: leftOut } = result.data;
@@ -47,7 +47,7 @@ export function gridWarnings(result: Result<GridData>): string[] {
   return [...partialWarning(result), ...told.filter((text) => text !== '').map((text) => `${text}.`), ...missing];
 }
 
-/** What readers should mind about a run: each thing once, with the cycles that it is said of. */
+/** Warnings of a run: each once, with the cycles that it concerns. */
 export function warningsOf(run: Run): string[] {
   const saidOf = new Map<string, string[]>();
   for (const cycle of run.cycles) {

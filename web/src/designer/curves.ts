@@ -41,7 +41,7 @@ export function linesAbout({ speed, journal, held }: Point, ofCase: { speeds?: n
   return lines;
 }
 
-/** States of a line, drawn over what differs in them, beside those of the design before. */
+/** States of a line, drawn over what differs in them, beside those of the baseline. */
 export class CurvePanel {
   readonly root: HTMLElement;
   private states: States | undefined;

@@ -13,7 +13,7 @@ import { listOf, valueOf, withPoint } from './typed';
 export interface Place {
   design: Design;
   units: Units;
-  /** The value as understood, in SI, of the last case that was right. */
+  /** The value as understood, in SI, of the last valid case. */
   understood: (path: string) => CaseValue | undefined;
 }
 

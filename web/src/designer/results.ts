@@ -13,7 +13,7 @@ import { Selection } from '../ui/selection';
 import { remarks } from './remarks';
 import { numberTiles } from './tiles';
 
-/** The loops of the design before: pale, without marks. */
+/** The loops of the baseline: pale, without marks. */
 function ghosts(run: Run | undefined): Curve[] {
   if (!run) return [];
   return curvesOfRun(run).map((curve) => ({ ...curve, colour: (current) => current.muted }));

@@ -279,7 +279,7 @@ export class RotorView {
     }
     const { mass } = now.run.summary.case['rotor'] as { mass?: number };
     const of = mass === undefined ? '' : ` of ${Number(mass.toPrecision(4))} kg`;
-    const rotor = hasRotor(design) ? `Rotor${of}.` : `The case has no rotor: assumed is one${of}, half of it on each of two equal bearings, with its weight along −Y.`;
+    const rotor = hasRotor(design) ? `Rotor${of}.` : `The case has no rotor. A rotor${of} is assumed: half of it on each of two equal bearings, weight along −Y.`;
     this.told.textContent = `${rotor} ${quick ? 'A quick answer on a coarse mesh; that on the mesh of the case follows …' : 'On the mesh of the case.'}`;
     this.notes.replaceChildren(...remarks(notesOf(now.run)));
     if (!this.views) {

@@ -47,7 +47,7 @@ function runOf(answer: EquilibriumAnswer, name: string): Run {
   const { run } = answer;
   const state = stateOf(answer);
   const byLoad = state['load_x_N'] !== null;
-  // What is asked for is not found.
+  // The requested state is not found.
   const asked = byLoad ? /^(speed|load_[xy]|force_[xy])$/ : /^(speed|[xy])$/;
   const quantities = run.quantities.filter(({ name: its, key, listed }) => listed && !asked.test(its) && (state[key] ?? null) !== null);
   return new Run({
@@ -234,6 +234,8 @@ export class RunningView {
     this.lines = linesAbout(point, this.settings);
     this.curves.journal.root.hidden = this.lines.length < 2;
     const verdicts: string[] = [];
+    // Of the state at the point, on each of the lines through it.
+    const stable = new Set<unknown>();
     for (const line of this.lines) {
       const { over, points } = line;
       const answers: (EquilibriumAnswer | Faults)[] = [];
@@ -247,10 +249,12 @@ export class RunningView {
       const index = over === 'speed' ? points.speeds.indexOf(point.speed) : (points[point.held] ?? []).findIndex((one) => isSame(one, point.journal));
       const what = over === 'speed' ? 'speed' : point.held === 'loads' ? 'load' : 'position';
       this.curves[over].show(`Over ${what}`, now, before && !isFaulty(before) ? before : undefined, Math.max(0, index));
+      stable.add(now.states[Math.max(0, index)]?.['stable']);
       const words = verdictOf(line, now);
       verdicts.push(`over ${what} ${words.length > 0 ? words.join(', ') : 'all states are stable'}`);
     }
-    this.verdict.textContent = verdicts.length > 0 ? `On the coarse mesh ${verdicts.join('; ')}.` : '';
+    const history = stable.size > 1 ? ' There are several states at this point: the history of the bearing decides which one it runs in.' : '';
+    this.verdict.textContent = verdicts.length > 0 ? `On the coarse mesh ${verdicts.join('; ')}.${history}` : '';
     this.count('curves');
   }
 

@@ -57,7 +57,7 @@ export function tile(key: string, what: string, value: string, ...more: string[]
   return el('div', { class: 'tile', 'data-key': key }, el('span', { class: 'what' }, what), el('strong', {}, value), el('span', { class: 'change' }, text));
 }
 
-/** By how much a number differs from that of the design before; empty where one of both is not known. */
+/** Difference of a number from that of the baseline; empty where either is not known. */
 export function compared(value: number, old: number): string {
   const [, percent] = differences(Number.isFinite(value) ? value : null, Number.isFinite(old) ? old : null, { factor: 1, unit: '' });
   return percent === '–' ? '' : percent === '0 %' ? 'unchanged' : `${percent} vs. baseline`;

@@ -120,7 +120,7 @@ function yieldBar({ passed, samples, interval_95: [low = 0, high = 1] }: YieldDa
   );
 }
 
-/** How many bearings keep the limits that were given, each by itself and all together; nothing where there were none. */
+/** How many bearings meet each of the given limits, and all of them together; nothing where there are none. */
 export function yieldTable(ensemble: Ensemble): HTMLElement[] {
   const { limits, yield: all } = ensemble.data.summary;
   if (!all) return [];

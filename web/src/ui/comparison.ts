@@ -1,3 +1,4 @@
+import { fractionIn, rangeOf } from '../data/range';
 import { at, type Cycle, type Run } from '../data/run';
 import type { SweptKey } from '../data/case_values';
 import type { Selection } from './selection';
@@ -115,9 +116,8 @@ export class Comparison {
     if (run.isMeasured) return current.text;
     const values = this.family?.values;
     if (!values) return at(current.series, this.runs.indexOf(run) % current.series.length);
-    const all = [...values.values()];
-    const [least, most] = [Math.min(...all), Math.max(...all)];
-    return rampColour(current, ((values.get(run) ?? least) - least) / (most - least));
+    const range = rangeOf([...values.values()]);
+    return rampColour(current, fractionIn(range, values.get(run) ?? range[0]));
   }
 
   private tell(): void {

@@ -6,7 +6,7 @@ import { el, type Child } from '../ui/dom';
 export interface View {
   /** Each with a heading, to which the head of the page links. */
   sections: HTMLElement[];
-  /** What readers should mind about each of the results. */
+  /** Warnings of each of the results. */
   warnings: string[][];
   /** Of the glossary. */
   entries: Entry[];
