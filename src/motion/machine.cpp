@@ -1,9 +1,6 @@
 #include "bumpfoil/motion/machine.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "motion/rotor_journals.hpp"
@@ -15,8 +12,6 @@ namespace {
 constexpr int most_parts_of_step = 128;
 /// A prediction that leaves less of P or H than this part somewhere is dropped.
 constexpr double least_predicted_part = 0.3;
-/// Longest displacement of a journal in one step of Newton's method, in units of c: as of one under a load.
-constexpr double longest_displacement_in_c = 0.15;
 
 bool keeps_enough(const Matrix& now, const Matrix& predicted) {
   return (predicted.array() >= least_predicted_part * now.array()).all();
@@ -43,17 +38,7 @@ bool go_on(double w, const BearingState& before, const BearingState& now, Bearin
 }  // namespace
 
 MachineStepper::MachineStepper(Rotor rotor, std::vector<FilmStepper*> bearings)
-    : rotor_(std::move(rotor)),
-      bearings_(std::move(bearings)),
-      journals_(journals_of(rotor_, bearings_)),
-      force_unit_(1.0),
-      longest_displacement_(std::numeric_limits<double>::infinity()) {
-  for (const FilmStepper* stepper : bearings_) {
-    const FilmScales& scales = stepper->bearing().scales;
-    force_unit_ = std::max(force_unit_, scales.force());
-    longest_displacement_ = std::min(longest_displacement_, longest_displacement_in_c * scales.thickness);
-  }
-}
+    : rotor_(std::move(rotor)), bearings_(std::move(bearings)), law_(law_of_rotor(rotor_, bearings_)) {}
 
 MachineState MachineStepper::at_rest(std::vector<BearingState> states, const Eigen::VectorXd& forces) const {
   const double speed = states.front().speed;
@@ -67,17 +52,11 @@ MachineState MachineStepper::at_rest(std::vector<BearingState> states, const Eig
 JointMove MachineStepper::move_of(const TimeStep& step, const BackwardDifference& rate, const RotorMotion& reference,
                                   const Eigen::VectorXd& forces) const {
   const Eigen::MatrixXd by_rate = rotor_.mass / rate.span + step.speed * rotor_.gyroscopic + rotor_.damping;
-  JointMove move{.law = {.by_place = by_rate / rate.span + rotor_.stiffness},
-                 .speed = step.speed,
-                 .dt = step.dt,
-                 .scheme = step.scheme};
+  JointMove move{.law = law_, .speed = step.speed, .dt = step.dt, .scheme = step.scheme};
   JointLaw& law = move.law;
+  law.by_place = by_rate / rate.span + rotor_.stiffness;
   law.place =
       law.by_place.partialPivLu().solve(forces + (rotor_.mass * reference.v + by_rate * reference.y) / rate.span);
-  law.journals = journals_;
-  // Each unknown has the length with which it moves the mass of the rotor.
-  law.units = force_unit_ * (rotor_.mass.diagonal() / rotor_.total_mass()).cwiseSqrt();
-  law.longest_step = longest_displacement_;
   return move;
 }
 
@@ -97,7 +76,7 @@ void MachineStepper::guess(double dt, const MachineState& state, Eigen::VectorXd
       guesses_ = state.bearings;
     }
   }
-  for (std::size_t i = 0; i < guesses_.size(); ++i) FilmBearing::place_journal(journals_[i].place(y), guesses_[i]);
+  for (std::size_t i = 0; i < guesses_.size(); ++i) FilmBearing::place_journal(law_.journals[i].place(y), guesses_[i]);
 }
 
 FilmReport MachineStepper::take(const TimeStep& step, const RotorForces& forces, MachineState& state) {

@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "bumpfoil/motion/branch.hpp"
@@ -18,8 +17,6 @@ namespace {
 constexpr double held_along_load = 0.1;
 /// Increments in which a clearance closes that had to be opened for the first state.
 constexpr int starting_steps = 10;
-/// Longest displacement of a journal in one step of Newton's method, in units of c: as of one under a load.
-constexpr double longest_joint_step_in_c = 0.15;
 
 }  // namespace
 
@@ -27,7 +24,7 @@ RotorEquilibria::RotorEquilibria(const Rotor& rotor, std::vector<FilmStepper*> s
     : rotor_(rotor),
       weight_(rotor.mass * (rotor.rigid.leftCols(2) * gravity)),
       steppers_(std::move(steppers)),
-      journals_(journals_of(rotor_, steppers_)),
+      law_(law_of_rotor(rotor_, steppers_)),
       loads_(weights_on_bearings(rotor, gravity)) {}
 
 Status RotorEquilibria::go_to(double speed, std::vector<BearingState>& states) const {
@@ -56,15 +53,11 @@ OperatingPoint RotorEquilibria::next_point(std::size_t bearing, double speed, co
 /// Lets the rotor tilt and bend until forces and moments of all bearings balance its weight, in the same increment.
 FilmReport RotorEquilibria::join(double speed, std::vector<BearingState>& states) const {
   // K (y* - y) + sum B^T (F* - F) = 0 with the loads for F*, which balance what is rigid of the weight.
-  JointMove move{.law = {.by_place = rotor_.stiffness, .journals = journals_}, .speed = speed};
+  JointMove move{.law = law_, .speed = speed};
   JointLaw& law = move.law;
+  law.by_place = rotor_.stiffness;
   Eigen::VectorXd bending = weight_;
-  double force_unit = 1.0;
-  law.longest_step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < steppers_.size(); ++i) {
-    const FilmScales& scales = steppers_[i]->bearing().scales;
-    force_unit = std::max(force_unit, scales.force());
-    law.longest_step = std::min(law.longest_step, longest_joint_step_in_c * scales.thickness);
     law.journals[i].force.head<2>() = loads_[i];
     bending -= law.journals[i].by_force * law.journals[i].force;
   }
@@ -74,10 +67,9 @@ FilmReport RotorEquilibria::join(double speed, std::vector<BearingState>& states
     const Eigen::MatrixXd K = rotor_.stiffness / largest;
     law.place = K.completeOrthogonalDecomposition().solve(bending / largest);
   }
-  law.units = force_unit * (rotor_.mass.diagonal() / rotor_.total_mass()).cwiseSqrt();
   Eigen::VectorXd y = rotor_at_rest(rotor_, steppers_, states, weight_);
   std::vector<BearingState> guesses = states;
-  for (std::size_t i = 0; i < guesses.size(); ++i) FilmBearing::place_journal(journals_[i].place(y), guesses[i]);
+  for (std::size_t i = 0; i < guesses.size(); ++i) FilmBearing::place_journal(law.journals[i].place(y), guesses[i]);
   return FilmStepper::solve_together(steppers_, move, guesses, y, states);
 }
 

@@ -1,25 +1,39 @@
 #include "motion/rotor_journals.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <limits>
 
 #include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
+namespace {
 
-std::vector<JointLaw::Journal> journals_of(const Rotor& rotor, const std::vector<FilmStepper*>& bearings) {
+/// Longest displacement of a journal in one step of Newton's method, in units of c: as of one under a load.
+constexpr double longest_displacement_in_c = 0.15;
+
+}  // namespace
+
+JointLaw law_of_rotor(const Rotor& rotor, const std::vector<FilmStepper*>& bearings) {
   BUMPFOIL_ASSERT(bearings.size() == rotor.bearings.size());
-  std::vector<JointLaw::Journal> journals;
+  JointLaw law;
+  law.longest_step = std::numeric_limits<double>::infinity();
+  double force_unit = 1.0;
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const FilmBearing& bearing = bearings[i]->bearing();
     const Eigen::MatrixXd B = rotor.bearings[i].journal();
     BUMPFOIL_ASSERT(B.rows() == bearing.motions());
-    JointLaw::Journal& journal = journals.emplace_back(
+    JointLaw::Journal& journal = law.journals.emplace_back(
         JointLaw::Journal{.motion = B, .by_force = B.transpose(), .force = JournalVector::Zero(B.rows())});
+    force_unit = std::max(force_unit, bearing.scales.force());
+    law.longest_step = std::min(law.longest_step, longest_displacement_in_c * bearing.scales.thickness);
     if (!bearing.tilts()) continue;
     journal.origin = JournalVector::Zero(B.rows());
     journal.origin.tail<2>() = bearing.surroundings.tilt.value;
   }
-  return journals;
+  // Each unknown has the length with which it moves the mass of the rotor.
+  law.units = force_unit * (rotor.mass.diagonal() / rotor.total_mass()).cwiseSqrt();
+  return law;
 }
 
 Eigen::VectorXd rotor_at_rest(const Rotor& rotor, const std::vector<FilmStepper*>& bearings,

@@ -9,11 +9,11 @@
 
 namespace bumpfoil {
 
-/// How a rotor moves the journals in its bearings and takes their forces: N = B and B^T. Where a bearing is tilted
-/// against the line through the centres of all (FilmSurroundings::tilt), its journal has that tilt before the rotor has
-/// any.
+/// How a rotor moves the journals in its bearings and takes their forces: N = B and B^T, with units of its rows and the
+/// longest step; A and y* are not given. Where a bearing is tilted against the line through the centres of all
+/// (FilmSurroundings::tilt), its journal has that tilt before the rotor has any.
 /// @param bearings  in the order of Rotor::bearings
-std::vector<JointLaw::Journal> journals_of(const Rotor& rotor, const std::vector<FilmStepper*>& bearings);
+JointLaw law_of_rotor(const Rotor& rotor, const std::vector<FilmStepper*>& bearings);
 
 /// y of a rotor at rest: journals are displaced to where their bearings have them, and between these the shaft bends,
 /// K y = f - sum B^T F. These are more equations than unknowns; in equilibrium all of them are met.

@@ -7,10 +7,10 @@ import { test } from 'node:test';
 import { answered, field, file, modules, slide, slider, textOf, tile, type, withPage } from './page.mjs';
 import { due, largestDifference, loopsOfProgram, reference } from './support.mjs';
 
-test('the file is smaller than 6 MB', () => {
+test('the file is smaller than 4 MB', () => {
   const { size } = statSync(file);
   console.log(`designer.html: ${(size / 1e6).toFixed(2)} MB`);
-  assert.ok(size < 6e6);
+  assert.ok(size < 4e6);
 });
 
 test('in the browser, too, loops are those of the program', () =>

@@ -317,6 +317,7 @@ class CommandsNotRun(InADirectory):
         found = 0
         for document in documents():
             text = re.sub(r"^```.*?^```", "", document.read_text(encoding="utf-8"), flags=re.M | re.S)
+            text = re.sub(r" \\\n +", " ", text)  # lines that go on
             for line in self.COMMAND.findall(text):
                 with self.subTest(document=document.name, line=line):
                     self.look_at(shlex.split(line, comments=True))

@@ -78,7 +78,7 @@ class MachineStepper {
   [[nodiscard]] const Rotor& rotor() const { return rotor_; }
   [[nodiscard]] const std::vector<FilmStepper*>& bearings() const { return bearings_; }
   /// Where y of the rotor puts the journals of the bearings, see JointLaw::Journal.
-  [[nodiscard]] const std::vector<JointLaw::Journal>& journals() const { return journals_; }
+  [[nodiscard]] const std::vector<JointLaw::Journal>& journals() const { return law_.journals; }
 
  private:
   FilmReport take(const TimeStep& step, const RotorForces& forces, MachineState& state);
@@ -88,9 +88,7 @@ class MachineStepper {
 
   Rotor rotor_;
   std::vector<FilmStepper*> bearings_;
-  std::vector<JointLaw::Journal> journals_;
-  double force_unit_{};            ///< N
-  double longest_displacement_{};  ///< of a journal in one step of Newton's method, m
+  JointLaw law_;  ///< without what the step of time decides
   std::vector<BearingState> guesses_, ends_;
 };
 

@@ -36,7 +36,7 @@ class RotorEquilibria {
   Rotor rotor_;
   Eigen::VectorXd weight_;  ///< f, N
   std::vector<FilmStepper*> steppers_;
-  std::vector<JointLaw::Journal> journals_;
+  JointLaw law_;  ///< without A and y*
   std::vector<Eigen::Vector2d> loads_;
 };
 

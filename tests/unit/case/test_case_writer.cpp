@@ -229,7 +229,7 @@ TEST(CaseTemplate, RemarksAreOnKeysThatThePresetHolds) {
 
 TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   std::string text = case_template("gen1");
-  // All comments that are assignments or tables, but those that contradict others, as pads and shafts do.
+  // All comments that are assignments or tables, but those that contradict others, as pads, shafts and strips do.
   bool in_pad = false;
   for (std::size_t at = text.find("\n# "); at != std::string::npos; at = text.find("\n# ", at + 1)) {
     const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
@@ -237,7 +237,7 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
       in_pad = line.starts_with("[[pad") || line.starts_with("[pad") || line.starts_with("[[rotor.shaft") ||
                line.starts_with("[[rotor.disk") || line.starts_with("[[rotor.bearing") ||
                line.starts_with("[[rotor.matrix") || line.starts_with("[rotor.matrix") ||
-               line.starts_with("[rotor.bearing");
+               line.starts_with("[rotor.bearing") || line.starts_with("[[bump_foil.strip");
     }
     const bool contradicts = in_pad || line.starts_with("pad_gap") || line.starts_with("height_errors") ||
                              line.find("_profile_file") < line.find(' ') || line.starts_with("sleeve_gaps") ||

@@ -103,10 +103,15 @@ export function bytesIn(id: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(document.getElementById(id)?.textContent?.trim() ?? ''), (c) => c.charCodeAt(0));
 }
 
+/** What was compressed by gzip. */
+async function unpacked(bytes: Uint8Array<ArrayBuffer>): Promise<ArrayBuffer> {
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
 /** Solvers out of the page itself: one for loops, one for other quick answers while the reader drags, one for what lasts longer. */
 export async function makeSolvers(): Promise<{ loops: Solver; quick: Solver; slow: Solver }> {
   const script = new TextDecoder().decode(bytesIn('bumpfoil-solver-script'));
-  const module = await WebAssembly.compile(bytesIn('bumpfoil-solver-module'));
+  const module = await WebAssembly.compile(await unpacked(bytesIn('bumpfoil-solver-module')));
   return { loops: new Solver(script, module), quick: new Solver(script, module), slow: new Solver(script, module) };
 }
 
