@@ -167,6 +167,7 @@ std::optional<std::vector<ReducedForces>> reduce_forces(
   reductions.reserve(moved.size());
   for (const FilmAnswer& of_motion : moved) reductions.emplace_back(of_motion, excess);
   std::vector<Reduction*> growing;
+  growing.reserve(reductions.size());
   for (Reduction& reduction : reductions) growing.push_back(&reduction);
   std::vector<Vector> directions;
   while (!growing.empty()) {

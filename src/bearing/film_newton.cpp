@@ -272,6 +272,7 @@ void FilmNewton::find_rates(std::span<const Matrix> rigid, std::span<Step> rates
 JournalMatrix FilmNewton::find_rates() {
   const Eigen::Index motions = bearing_.motions();
   std::vector<Matrix> rigid;
+  rigid.reserve(rates_.size());
   for (Eigen::Index i = 0; i < motions; ++i) rigid.push_back(bearing_.thinning(JournalVector::Unit(motions, i)));
   find_rates(rigid, rates_);
   JournalMatrix K_film(motions, motions);
@@ -378,11 +379,13 @@ std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
     store(contents);
     answer(of_each);
     std::vector<FilmAnswer> answers;
+    answers.reserve(of_each.size());
     for (const Step& change : of_each) answers.push_back(told(change.film));
     return answers;
   };
   find_rates();
   std::vector<FilmAnswer> moved;
+  moved.reserve(rates_.size());
   for (const Step& rate : rates_) moved.push_back(told(rate.film));
   auto reduced = reduce_forces(moved, stored, shifted.excess);
   if (!reduced) return std::nullopt;

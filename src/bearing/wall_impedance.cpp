@@ -67,11 +67,13 @@ std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Fo
   LinearWallFilm film(bearing, foundation, state.film);
   if (!film.linearise(state.speed, found.shift)) return std::nullopt;
   std::vector<FilmAnswer> moved;
+  moved.reserve(static_cast<std::size_t>(bearing.motions()));
   for (Eigen::Index motion = 0; motion < bearing.motions(); ++motion) {
     moved.push_back(film.moved(bearing.thinning(JournalVector::Unit(bearing.motions(), motion))));
   }
   const auto stored = [&](const std::vector<Vector>& directions) {
     std::vector<FilmAnswer> answers;
+    answers.reserve(directions.size());
     for (const Vector& direction : directions) answers.push_back(film.stored(direction));
     return answers;
   };

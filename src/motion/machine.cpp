@@ -42,9 +42,8 @@ MachineStepper::MachineStepper(Rotor rotor, std::vector<FilmStepper*> bearings)
 
 MachineState MachineStepper::at_rest(std::vector<BearingState> states, const Eigen::VectorXd& forces) const {
   const double speed = states.front().speed;
-  return {.speed = speed,
-          .rotor = {.y = rotor_at_rest(rotor_, bearings_, states, forces), .v = Eigen::VectorXd::Zero(rotor_.size())},
-          .bearings = std::move(states)};
+  RotorMotion rotor{.y = rotor_at_rest(rotor_, bearings_, states, forces), .v = Eigen::VectorXd::Zero(rotor_.size())};
+  return {.speed = speed, .rotor = std::move(rotor), .bearings = std::move(states)};
 }
 
 /// The rotor as a law of its journals: A y = f + M v_ref / span + (M / span + Omega G + C) y_ref / span - sum B^T F
