@@ -76,6 +76,18 @@ inline JournalMatrix stiffness_by_differences(FilmStepper& stepper, const Operat
   return K;
 }
 
+/// That the linearised equations have this stiffness, and a slowest motion whose residual in the equations of all
+/// unknowns is small.
+inline void expect_stiffness_of_differences(FilmStepper& stepper, const OperatingPoint& point,
+                                            const BearingState& state) {
+  const JournalMatrix K = stiffness_by_differences(stepper, point, state);
+  const auto motion = stepper.slow_motion(state);
+  ASSERT_TRUE(motion.has_value());
+  ASSERT_EQ(motion->stiffness.rows(), 4);
+  EXPECT_LT((motion->stiffness - K).colwise().norm().maxCoeff(), 3e-6 * K.norm());
+  EXPECT_TRUE(stepper.held_motion(state).has_value());  // its residual in the equations of all unknowns is small
+}
+
 /// Expects a run of the prototype on one of its meshes: cold start at 0.7 C_r at most, then along the ray.
 inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level) {
   SCOPED_TRACE(testing::Message() << run.position.transpose() << ", " << level.resolution.columns_per_pitch << 'x'
