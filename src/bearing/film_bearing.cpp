@@ -242,7 +242,7 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
     lay_out_strips(foil.lines, bearing.behind_pressures(), bearing);
     keep_stress(strips, bearing);
     if (!foils.under_film && !foils.assembly.empty()) {
-      bearing.assembly = on_strips(foils, resolution.width_modes, Eigen::Vector2d::Zero()).assembly;
+      bearing.assembly = on_strips(foils, resolution.width_modes, {}).assembly;
     }
   } else {
     bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), bearing.behind_pressures());

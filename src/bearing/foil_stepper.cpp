@@ -91,6 +91,7 @@ void FoilStepper::advance_to(double fraction, const BearingState& from, Step& st
     }
     mean_force_ = 0.5 * (begin + end);
     step.state.work += (part.fraction - followed_) * gap_work(mean_force_, gap_change_);
+    step.state.work += work_of_moment(*foils_, part.end.x) - work_of_moment(*foils_, part.begin.x);
     followed_ = part.fraction;
     step.state.dissipated_energy += dissipation_.of(part.linear ? mean_force_ : end, part.begin.x, part.end.x);
   };

@@ -236,10 +236,19 @@ Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force) {
   return foils.lines.empty() ? at_side : 0.5 * foils.placed.front().alone.bearing.axial_length * at_side;
 }
 
+Eigen::Vector2d journal_slope(const Foils& foils, const Vector& x) {
+  if (foils.journal_tilt < 0) return foils.over_width.slope;
+  return x.segment<2>(foils.journal_tilt) / (0.5 * foils.placed.front().alone.bearing.axial_length);
+}
+
+double work_of_moment(const Foils& foils, const Vector& x) {
+  return foils.over_width.moment ? foils.over_width.moment->dot(journal_slope(foils, x)) : 0.0;
+}
+
 ElasticResponse elastic_response(const Foils& foils, const Vector& x) {
   if (foils.lines.empty()) return elastic_response(foils.structure, x);
   const Vector balance = foils.problem.K.multiply(x);
-  const double load_energy = x.dot(foils.forming);
+  const double load_energy = x.dot(foils.forming) - work_of_moment(foils, x);  // the moment is among the loads
   return {.forces = balance - foils.forming,
           .energy = 0.5 * x.dot(balance) - load_energy + foils.structure.forming_energy};
 }

@@ -13,6 +13,9 @@
 namespace bumpfoil {
 namespace {
 
+/// Against a tilt that nothing else resists, over the stiffest of the bump foils: too soft to be felt.
+constexpr double spring_of_journal = 1e-9;
+
 /// Half the axial length, m.
 double half_width_of(const Foils& foils) {
   return 0.5 * foils.placed.front().alone.bearing.axial_length;
@@ -62,32 +65,86 @@ Vector forming_on_lines(const Foils& foils) {
   return forming;
 }
 
-/// Adds to the gaps of the journal on each line how much nearer it stands there where it is tilted.
-void add_tilt(const Eigen::Vector2d& slope, Foils& foils) {
-  for (int s = 0; s < foils.journal_contacts(); ++s) {
-    foils.assembled_gap(foils.pressed(s)) += foils.lines[static_cast<std::size_t>(s)].zeta *
-                                             journal_gaps(0.0, foils.normals_on(s), half_width_of(foils) * slope);
+/// Of a block, for a journal that tilts under a moment.
+int unknowns_of_journal(const Foils& foils, const JournalOverWidth& journal) {
+  return journal.moment ? 4 + 2 * foils.journal_contacts() : 0;
+}
+
+/// Lets the journal tilt under its moment. Its tilt is an unknown of every block, tied to that of the next, and so is
+/// how far outward it stands on each line, tied to its tilt; ties have a force each. Contacts of the journal press
+/// that.
+/// @param first  of its unknowns in each block
+void free_tilt(int first, Foils& foils) {
+  BlockTridiagonal& K = foils.problem.K;
+  const double tie = stiffest_of_bump_foils(foils.structure);  // brings its rows to the size of the others
+  foils.journal_tilt = first;
+  for (int b = 0; b < K.blocks(); ++b) {
+    const bool last = b + 1 == K.blocks();
+    for (int axis = 0; axis < 2; ++axis) {
+      const int tilt = first + axis;
+      const int force = first + 2 + axis;
+      if (last) {
+        K.add(b, tilt, b, tilt, spring_of_journal * tie);
+        K.add(b, force, b, force, tie);  // none
+      } else {
+        K.add(b, tilt, b, force, tie);
+        K.add(b, force, b + 1, tilt, -tie);
+      }
+    }
+    const int bump = b - foils.structure.first_bump;
+    for (int s = 0; s < foils.journal_contacts(); ++s) {
+      const int outward = first + 4 + 2 * s;
+      const int force = outward + 1;
+      K.add(b, outward, b, force, -tie);
+      const double zeta = foils.lines[static_cast<std::size_t>(s)].zeta;
+      for (int axis = 0; bump >= 0 && axis < 2; ++axis) {
+        K.add(b, first + axis, b, force, tie * zeta * foils.normals_on(s)(axis, bump));
+      }
+      foils.problem.sites[static_cast<std::size_t>(b * foils.contacts_per_block() + s)].minus = outward;
+    }
   }
+  const Eigen::Index end = K.rows() - K.block_size();
+  foils.forming.segment<2>(end + first) += *foils.over_width.moment / half_width_of(foils);
+}
+
+/// Adds to the gaps of the journal on each line how much farther it stands there than in the mid-plane where its tilt
+/// is given.
+void add_distances(Foils& foils) {
+  for (int s = 0; s < foils.journal_contacts(); ++s) {
+    const double zeta = foils.lines[static_cast<std::size_t>(s)].zeta;
+    const Vector by_tilt = journal_gaps(0.0, foils.normals_on(s), half_width_of(foils) * foils.over_width.slope);
+    foils.assembled_gap(foils.pressed(s)).array() += foils.over_width.profile.widening(zeta) + zeta * by_tilt.array();
+  }
+}
+
+/// Puts the journal to foils that are on lines or strips.
+/// @param first  place in a block of unknowns_of_journal()
+void put_journal(const JournalOverWidth& journal, int first, Foils& foils) {
+  foils.over_width = journal;
+  add_distances(foils);
+  if (journal.moment) free_tilt(first, foils);
 }
 
 }  // namespace
 
-Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
+Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
-  Foils tilted = foils;
-  tilted.lines = foil_lines_of(width, foils.structure.dofs, foils.structure.dofs.size);
-  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(tilted) + unknowns_of_membrane(width));
-  add_bump_foils(tilted, width, K);
-  for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(tilted, pad, width, {0}, K);
-  tilted.problem.K = std::move(K);
-  tilted.forming = forming_on_lines(tilted);
-  put_contacts_on_lines({&foils, 1}, 0.0, tilted);
-  add_tilt(slope, tilted);
-  return tilted;
+  Foils varied = foils;
+  varied.lines = foil_lines_of(width, foils.structure.dofs, foils.structure.dofs.size);
+  const int of_foils = unknowns_on_lines(varied);
+  BlockTridiagonal K(foils.structure.K.blocks(),
+                     of_foils + unknowns_of_journal(varied, journal) + unknowns_of_membrane(width));
+  add_bump_foils(varied, width, K);
+  for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(varied, pad, width, {0}, K);
+  varied.problem.K = std::move(K);
+  varied.forming = forming_on_lines(varied);
+  put_contacts_on_lines({&foils, 1}, 0.0, varied);
+  put_journal(journal, of_foils, varied);
+  return varied;
 }
 
-Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
+Foils on_strips(const Foils& foils, int modes, const JournalOverWidth& journal) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
   const PadDesign& pad_design = foils.placed.front().alone;
@@ -101,12 +158,12 @@ Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
   const int blocks = foils.structure.K.blocks();
   if (pad_design.top_foil.split) {
     lay_out_split_foils(split);
-    K = BlockTridiagonal(blocks, unknowns_on_lines(split));
+    K = BlockTridiagonal(blocks, unknowns_on_lines(split) + unknowns_of_journal(split, journal));
     add_slices(split, strips, K);
   } else {
     lay_out_strips(width, foils.structure.dofs.size, split);
     const int of_membrane = static_cast<int>(stations.size()) * unknowns_of_membrane(width);
-    K = BlockTridiagonal(blocks, unknowns_on_lines(split) + of_membrane);
+    K = BlockTridiagonal(blocks, unknowns_on_lines(split) + unknowns_of_journal(split, journal) + of_membrane);
     add_strips(split, strips, width, K);
     for (int pad = 0; pad < split.pad_count(); ++pad) add_top_foil(split, pad, width, stations, K);
   }
@@ -114,13 +171,13 @@ Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
   split.forming = forming_on_lines(split);
   put_contacts_on_lines(strips, 0.0, split);
   if (!foils.assembly.empty()) split.assembly = assemble_without_journal(split);
-  add_tilt(slope, split);
+  put_journal(journal, unknowns_on_lines(split), split);
   return split;
 }
 
 Foils foils_without_journal(const BearingDesign& design) {
   Foils foils = make_foils(design);
-  return design.has_own_strips() ? on_strips(foils, 3, Eigen::Vector2d::Zero()) : foils;
+  return design.has_own_strips() ? on_strips(foils, 3, {}) : foils;
 }
 
 }  // namespace bumpfoil

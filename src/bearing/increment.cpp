@@ -39,6 +39,9 @@ Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vec
   const Eigen::Vector2d moment = holding_moment(foils, step.state.contacts.normal_force);
   increment.moment_x = moment.x();
   increment.moment_y = moment.y();
+  const Eigen::Vector2d slope = journal_slope(foils, step.state.contacts.x);
+  increment.tilt_x = slope.x();
+  increment.tilt_y = slope.y();
   increment.dissipated_energy = cleared(step.state.dissipated_energy, foils.roundings.energy);
   increment.work = cleared(step.state.work, foils.roundings.energy);
   return increment;
@@ -54,8 +57,9 @@ void judge(const Foils& foils, const BearingState& state, Increment& increment) 
 
 Increment failed_increment(const Step& step, const Eigen::Vector2d& direction) {
   Increment increment = place(step, direction);
-  for (double* value : {&increment.force_x, &increment.force_y, &increment.force_direct, &increment.force_cross,
-                        &increment.moment_x, &increment.moment_y, &increment.dissipated_energy, &increment.work}) {
+  for (double* value :
+       {&increment.force_x, &increment.force_y, &increment.force_direct, &increment.force_cross, &increment.moment_x,
+        &increment.moment_y, &increment.tilt_x, &increment.tilt_y, &increment.dissipated_energy, &increment.work}) {
     *value = absent_number;
   }
   return increment;

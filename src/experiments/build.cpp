@@ -12,13 +12,23 @@
 
 namespace bumpfoil {
 
+namespace {
+
+JournalOverWidth journal_of(const WidthSettings& width) {
+  JournalOverWidth journal{.slope = {width.tilt[0], width.tilt[1]}, .profile = width.profile()};
+  if (!width.moment.empty()) journal.moment = Eigen::Vector2d(width.moment[0], width.moment[1]);
+  return journal;
+}
+
+}  // namespace
+
 SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
   require_bearing(input, commands);
   if (!input.varies_over_the_width()) return std::make_shared<const Foils>(make_foils(input));
-  const Eigen::Vector2d slope(input.width.tilt[0], input.width.tilt[1]);
+  const JournalOverWidth journal = journal_of(input.width);
   if (input.bump_foil.is_split())
-    return std::make_shared<const Foils>(on_strips(make_foils(input), input.width.modes, slope));
-  return std::make_shared<const Foils>(under_tilted_journal(make_foils(input), input.width.modes, slope));
+    return std::make_shared<const Foils>(on_strips(make_foils(input), input.width.modes, journal));
+  return std::make_shared<const Foils>(on_lines(make_foils(input), input.width.modes, journal));
 }
 
 SharedFoils make_strip_foils(const Case& input) {
@@ -70,7 +80,7 @@ JournalTilt tilt_of(const Case& input) {
 FilmSurroundings surroundings_of(const Case& input, double ambient) {
   FilmSurroundings surroundings{.inlet_pressure = input.film.inlet_pressure.value_or(ambient) / ambient,
                                 .tilt = tilt_of(input),
-                                .profile = {input.width.conicity, input.width.crowning}};
+                                .profile = input.width.profile()};
   if (const std::vector<double>& sides = input.film.side_pressure; !sides.empty()) {
     surroundings.side_pressure = Eigen::Vector2d(sides[0], sides[1]) / ambient;
   }

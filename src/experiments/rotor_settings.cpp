@@ -369,7 +369,13 @@ void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t co
 
 /// Bearings that resist inclinations need a rotor that has them.
 void judge_tilting(Judge& judge, const RotorSettings& rotor, const Case& input) {
-  if (!rotor.matrices || (input.width.modes == 1 && input.has_equal_halves())) return;
+  if (!rotor.matrices) return;
+  bool resists = false;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, input.rotor_bearings.size()); ++i) {
+    const Case bearing = bearing_at(input, i);
+    resists |= bearing.width.modes > 1 || !bearing.has_equal_halves();
+  }
+  if (!resists) return;
   for (const char* const command : {"stability", "unbalance", "transient"}) {
     judge.require_for(command, false, "rotor.matrices", "",
                       "name displacements at the bearings alone, and these bearings resist inclinations, too",

@@ -2,12 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace bumpfoil {
 
 void add_bearing_numbers(std::size_t count, Dataset& data) {
   data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
+}
+
+std::vector<JournalQuantity> journal_quantities(const Machine& machine) {
+  std::vector<JournalQuantity> all;
+  const bool tilts = std::any_of(machine.bearings.begin(), machine.bearings.end(),
+                                 [](const auto& bearing) { return bearing->tilts(); });
+  for (const int axis : {0, 1}) {
+    const char letter = axis == 0 ? 'x' : 'y';
+    const char direction = axis == 0 ? 'X' : 'Y';
+    all.push_back({{std::string(1, letter), "m", fmt::format("journal centre in equilibrium, {}", direction)},
+                   [axis](const FilmBearing&, const BearingState& state) { return state.position[axis]; }});
+    if (!tilts) continue;
+    all.push_back({{fmt::format("tilt_{}", letter), "rad",
+                    fmt::format("slope of the axis of the journal in equilibrium towards {}", direction)},
+                   [axis](const FilmBearing& bearing, const BearingState& state) {
+                     return bearing.tilts() ? state.tilt[axis] / bearing.half_width() : absent;
+                   }});
+    all.push_back({{fmt::format("moment_{}", letter), "N m",
+                    fmt::format("moment on the journal in equilibrium along {} about the mid-plane", direction)},
+                   [axis](const FilmBearing& bearing, const BearingState& state) {
+                     if (!bearing.tilts()) return absent;
+                     return bearing.half_width() * journal_force(bearing, state.film, state.speed)[2 + axis];
+                   }});
+  }
+  return all;
 }
 
 void add_stations(const std::vector<RotorStation>& stations, Dataset& data) {

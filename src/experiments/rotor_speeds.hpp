@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/core/status.hpp"
+#include "bumpfoil/experiments/rotor_settings.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/rotor/rotor.hpp"
@@ -25,19 +28,30 @@ struct SpeedStatus {
 /// Adds the dimension `bearing`.
 void add_bearing_numbers(std::size_t count, Dataset& data);
 
-/// Adds it, and the journal centres over speed and bearing.
-/// @param points  with the states of the bearings in equilibrium; they live as long as the data
+/// What is told of a journal in equilibrium.
+struct JournalQuantity {
+  VariableMeaning meaning;
+  std::function<double(const FilmBearing& bearing, const BearingState& state)> value;
+};
+
+/// Its centre, and how it is tilted where any bearing resists that, with the moments that hold it so.
+std::vector<JournalQuantity> journal_quantities(const Machine& machine);
+
+/// Adds the dimension of bearings, and their journals over speed and bearing.
+/// @param points   with the states of the bearings in equilibrium; they live as long as the data, as does the machine
 template <typename Point>
-void add_journals(const std::vector<Point>& points, std::size_t count, Dataset& data) {
-  add_bearing_numbers(count, data);
-  for (const int axis : {0, 1}) {
-    data.add({axis == 0 ? "x" : "y", "m",
-              axis == 0 ? "journal centre in equilibrium, X" : "journal centre in equilibrium, Y"},
-             {"speed", "bearing"}, [&points, axis, count] {
-               return padded_rows(points.size(), count, [&](std::size_t i) {
-                 return each(points[i].states, [axis](const BearingState& state) { return state.position[axis]; });
-               });
-             });
+void add_journals(const std::vector<Point>& points, const Machine& machine, Dataset& data) {
+  add_bearing_numbers(machine.bearings.size(), data);
+  for (JournalQuantity& quantity : journal_quantities(machine)) {
+    data.add(quantity.meaning, {"speed", "bearing"}, [&points, &machine, value = std::move(quantity.value)] {
+      return padded_rows(points.size(), machine.bearings.size(), [&](std::size_t i) {
+        std::vector<double> row;
+        row.reserve(points[i].states.size());
+        for (std::size_t k = 0; k < points[i].states.size(); ++k)
+          row.push_back(value(*machine.bearings[k], points[i].states[k]));
+        return row;
+      });
+    });
   }
 }
 

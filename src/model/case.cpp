@@ -41,6 +41,7 @@ Case bearing_at(const Case& input, std::size_t place) {
   alone.friction = own.friction.value_or(alone.friction);
   alone.gas = own.gas.value_or(alone.gas);
   alone.film = own.film.value_or(alone.film);
+  alone.width = own.width.value_or(alone.width);
   if (own.asperity) alone.asperity = own.asperity;
   return alone;
 }

@@ -82,6 +82,8 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
   radius_ = constant("bearing_radius").front();
   clearance_ = constant("radial_clearance").front();
   half_width_ = 0.5 * constant("axial_length").front();
+  if (image_.variables().contains("conicity"))
+    profile_ = {.conicity = constant("conicity").front(), .crowning = constant("crowning").front()};
   bumps_ = nodes("", "bump");
   feet_ = nodes("foot_", "foot");
   if (has("pressure")) {
@@ -192,8 +194,8 @@ std::map<std::string, double> FoilShapes::numbers_of(std::size_t state) const {
 }
 
 double FoilShapes::journal_radius(std::size_t state, double polar, double z) const {
-  return radius_ - clearance_ + (x_[state] + tilt_x_[state] * z) * std::cos(polar) +
-         (y_[state] + tilt_y_[state] * z) * std::sin(polar);
+  return radius_ - clearance_ - profile_.widening(z / half_width_) +
+         (x_[state] + tilt_x_[state] * z) * std::cos(polar) + (y_[state] + tilt_y_[state] * z) * std::sin(polar);
 }
 
 /// Of a place of the film; of what is the same over the width its column.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "results/netcdf_image.hpp"
 
@@ -109,6 +110,7 @@ class FoilShapes {
   std::map<std::string, std::size_t> widths_{};          ///< numbers of each state
   std::vector<double> x_, tilt_x_, y_, tilt_y_;          ///< of each state
   double radius_{}, clearance_{}, half_width_{};
+  WidthProfile profile_;
   std::vector<Node> bumps_, feet_, columns_;
   std::vector<double> rises_, half_lengths_, height_errors_;
   std::vector<std::pair<double, std::size_t>> rows_;  ///< places over the whole width, m, and their rows in the film

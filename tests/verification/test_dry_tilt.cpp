@@ -36,7 +36,7 @@ Pushed pushed(bool stuck, int modes, double tilt) {
   Case input = reference_case();
   input.bump_foil.model = BumpFoilModel::frame;
   input.friction = {.top_bump = 0.0, .bump_sleeve = stuck ? 0.1 : 0.0};
-  const Foils foils = under_tilted_journal(make_foils(input), modes, Eigen::Vector2d(tilt / length, 0.0));
+  const Foils foils = on_lines(make_foils(input), modes, {.slope = Eigen::Vector2d(tilt / length, 0.0)});
   const auto system = make_mode_system(foils.problem);
   std::vector<ContactMode> contacts(static_cast<std::size_t>(foils.problem.contacts()), ContactMode::stick);
   const int lines = foils.crest_contacts();
@@ -169,7 +169,7 @@ TEST(DryTilt, MomentsAndForcesAreDerivativesOfTheEnergyWithoutFriction) {
     for (const int modes : {2, 3}) {
       SCOPED_TRACE(testing::Message() << "pads " << pads << ", modes " << modes);
       const auto at = [&](const Eigen::Vector2d& tilted, const Eigen::Vector2d& place) {
-        return taken(under_tilted_journal(uniform, modes, tilted), {place});
+        return taken(on_lines(uniform, modes, {.slope = tilted}), {place});
       };
       const Eigen::Vector2d place = there.back();
       const Increment here = at(slope, place);
@@ -193,11 +193,46 @@ TEST(DryTilt, MomentsAndForcesAreDerivativesOfTheEnergyWithoutFriction) {
   }
 }
 
+/// A cone narrows one side as much as it widens the other, a barrel widens both: the energy falls by the loads there.
+TEST(DryTilt, WideningsAreWorkedAgainstLikeTilts) {
+  const Foils uniform = make_foils(some_case(true, 0.0));
+  const Eigen::Vector2d place = there.back();
+  const auto energy_at = [&](const WidthProfile& profile) {
+    return taken(on_lines(uniform, 3, {.slope = {3e-4, 0.0}, .profile = profile}), {place}).elastic_energy;
+  };
+  const WidthProfile profile{.conicity = 6e-6, .crowning = -4e-6};
+  const Foils foils = on_lines(uniform, 3, {.slope = {3e-4, 0.0}, .profile = profile});
+  FoilStepper stepper = make_stepper(std::make_shared<const Foils>(foils), {});
+  Step assembled, pressed;
+  stepper.assemble({}, assembled);
+  stepper.advance(assembled.state, {.position = place}, pressed);
+  ASSERT_TRUE(pressed.converged());
+  double by_cone = 0.0;
+  double by_barrel = 0.0;
+  for (std::size_t s = 0; s < foils.lines.size(); ++s) {
+    const double load = pressed.state.contacts.normal_force(foils.pressed(static_cast<int>(s))).sum();
+    by_cone -= 0.5 * foils.lines[s].zeta * load;
+    by_barrel -= foils.lines[s].zeta * foils.lines[s].zeta * load;
+  }
+  EXPECT_GT(std::abs(by_cone), 1.0);
+  const double step = 1e-10;
+  const auto difference = [&](double cone, double barrel) {
+    const auto moved = [&](double sign) {
+      return energy_at({.conicity = profile.conicity + sign * cone, .crowning = profile.crowning + sign * barrel});
+    };
+    return (moved(1.0) - moved(-1.0)) / (2.0 * step);
+  };
+  EXPECT_NEAR(difference(step, 0.0), by_cone, 1e-6 * std::abs(by_barrel));
+  EXPECT_NEAR(difference(0.0, step), by_barrel, 1e-6 * std::abs(by_barrel));
+}
+
 TEST(DryTilt, IsMirroredWithTheBearing) {
   const Foils uniform = make_foils(some_case(true, 0.1));
   const Eigen::Vector2d slope(3e-4, -2e-4);
-  const Increment one = taken(under_tilted_journal(uniform, 3, slope), there);
-  const Increment other = taken(under_tilted_journal(uniform, 3, -slope), there);
+  const WidthProfile cone{.conicity = 5e-6, .crowning = 3e-6};
+  const WidthProfile turned{.conicity = -5e-6, .crowning = 3e-6};
+  const Increment one = taken(on_lines(uniform, 3, {.slope = slope, .profile = cone}), there);
+  const Increment other = taken(on_lines(uniform, 3, {.slope = -slope, .profile = turned}), there);
   EXPECT_NEAR(one.force_x, other.force_x, 1e-9 * one.force_x);
   EXPECT_NEAR(one.force_y, other.force_y, 1e-9 * one.force_x);
   EXPECT_NEAR(one.moment_x, -other.moment_x, 1e-9 * std::abs(one.moment_x));
@@ -210,7 +245,7 @@ TEST(DryTilt, OfNothingIsTheAlignedBearing) {
     const Foils uniform = make_foils(some_case(pads, 0.1));
     const Increment aligned = taken(uniform, there);
     for (const int modes : {1, 2, 3}) {
-      const Increment one = taken(under_tilted_journal(uniform, modes, Eigen::Vector2d::Zero()), there);
+      const Increment one = taken(on_lines(uniform, modes, {}), there);
       EXPECT_NEAR(one.force_x, aligned.force_x, 1e-7 * aligned.force_x) << modes;
       EXPECT_NEAR(one.force_y, aligned.force_y, 1e-7 * aligned.force_x) << modes;
       EXPECT_NEAR(one.elastic_energy, aligned.elastic_energy, 1e-7 * aligned.elastic_energy) << modes;
@@ -220,10 +255,11 @@ TEST(DryTilt, OfNothingIsTheAlignedBearing) {
   }
 }
 
-/// What the journal puts in is stored or rubbed away, to rounding from one change of contact to the next.
-TEST(DryTilt, EnergiesOfACycleBalance) {
+/// What the journal and a moment on it put in is stored or rubbed away, to rounding from one change of contact to the
+/// next.
+void expect_balance(const WidthSettings& width) {
   Case input = some_case(false, 0.1);
-  input.width = {.modes = 3, .tilt = {3e-4, -2e-4}};
+  input.width = width;
   input.solver.name = SolverName::events;
   input.cycle.directions = {0.3};
   input.cycle.steps = 20;
@@ -243,6 +279,55 @@ TEST(DryTilt, EnergiesOfACycleBalance) {
   EXPECT_GT(std::abs(cycle.turns.front().moment_x), 0.1);
   EXPECT_EQ(cycle.fields.crest_v_slope.cols(), 26);
   EXPECT_GT(cycle.fields.crest_v_slope.row(20).maxCoeff(), 1e-6);
+}
+
+TEST(DryTilt, EnergiesOfACycleBalance) {
+  expect_balance({.modes = 3, .tilt = {3e-4, -2e-4}});
+  expect_balance({.modes = 3, .moment = {0.4, -0.2}});
+}
+
+/// Without friction nothing depends on the path: what a tilt needs tilts the journal by as much.
+TEST(DryTilt, IsFoundFromTheMomentThatItNeeds) {
+  const Eigen::Vector2d slope(3e-4, -2e-4);
+  const WidthProfile profile{.conicity = 4e-6, .crowning = 3e-6};
+  for (const bool split : {false, true}) {
+    Case input = some_case(true, 0.0);
+    if (split) {
+      input.top_foil.formed_radius = {};
+      input.bump_foil.strips = 3;
+    }
+    const auto foils = [&](const JournalOverWidth& journal) {
+      return split ? on_strips(make_foils(input), 3, journal) : on_lines(make_foils(input), 3, journal);
+    };
+    const Increment held = taken(foils({.slope = slope, .profile = profile}), there);
+    const Increment free =
+        taken(foils({.moment = Eigen::Vector2d(held.moment_x, held.moment_y), .profile = profile}), there);
+    // The spring that holds a journal which nothing touches takes 1e-9 of the largest stiffness.
+    EXPECT_NEAR(free.tilt_x, slope.x(), 1e-7 * slope.norm());
+    EXPECT_NEAR(free.tilt_y, slope.y(), 1e-7 * slope.norm());
+    EXPECT_NEAR(free.moment_x, held.moment_x, 1e-7 * held.moment_x);
+    EXPECT_NEAR(free.moment_y, held.moment_y, 1e-7 * held.moment_x);
+    EXPECT_NEAR(free.force_x, held.force_x, 1e-7 * held.force_x);
+    EXPECT_NEAR(free.force_y, held.force_y, 1e-7 * held.force_x);
+    EXPECT_NEAR(free.elastic_energy, held.elastic_energy, 1e-7 * held.elastic_energy);
+  }
+}
+
+/// A journal that no moment acts on stays parallel to alike halves, friction included, and turns to lie on a cone.
+TEST(DryTilt, WithoutAMomentEvensOutBothSides) {
+  const Foils uniform = make_foils(some_case(true, 0.1));
+  const Increment aligned = taken(uniform, there);
+  const Eigen::Vector2d none = Eigen::Vector2d::Zero();
+  const Increment free = taken(on_lines(uniform, 3, {.moment = none}), there);
+  EXPECT_NEAR(free.tilt_x, 0.0, 1e-9);
+  EXPECT_NEAR(free.force_x, aligned.force_x, 1e-7 * aligned.force_x);
+  EXPECT_NEAR(free.force_y, aligned.force_y, 1e-7 * aligned.force_x);
+  const WidthProfile cone{.conicity = 5e-6};
+  const Increment held = taken(on_lines(uniform, 3, {.profile = cone}), there);
+  const Increment turned = taken(on_lines(uniform, 3, {.moment = none, .profile = cone}), there);
+  EXPECT_LT(held.moment_x, -0.1);  // the narrow side carries more
+  EXPECT_NEAR(turned.moment_x, 0.0, 1e-7 * std::abs(held.moment_x));
+  EXPECT_GT(turned.tilt_x, 0.5 * cone.conicity / length);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "bumpfoil/motion/whirl.hpp"
 #include "bumpfoil/motion/work_balance.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
+#include "experiments/stability/stability_dataset.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -253,33 +254,77 @@ TEST(TiltingRotor, FollowsItsLinearResponseInTime) {
   EXPECT_LT(std::abs(in - out), 0.05 * std::abs(turn.forces));
 }
 
-/// Through a case file: half widths, stations and moments are those of the machine.
+/// Of a rotor of 2 kg through its case file, at -14,000 rpm.
+StabilityResult stability_of(const std::vector<std::string>& width) {
+  std::vector<std::string> keys{"rotor.mass=2 kg",
+                                "rotor.transverse_inertia=1.2e-3 kg m2",
+                                "rotor.polar_inertia=0.24e-3 kg m2",
+                                "rotor.bearings=[\"-30 mm\", \"30 mm\"]",
+                                "rotor.gravity=[9.81, 0]",
+                                "stability.speeds=[\"-14000 rpm\"]"};
+  keys.insert(keys.end(), width.begin(), width.end());
+  const Case input = parse_case(case_to_toml(film_reference_case({.columns_per_pitch = 4, .rows = 3})), "tilt.toml",
+                                {.overrides = keys, .commands = {"stability"}});
+  StabilityResult result = run_stability(input);
+  EXPECT_EQ(result.map.points.at(0).status, Status::converged);
+  return result;
+}
+
+/// Half widths, stations and moments are those of the machine.
 TEST(TiltingRotor, IsThatOfItsCase) {
-  const auto run = [](std::vector<std::string> width) {
-    std::vector<std::string> keys{"rotor.mass=2 kg",
-                                  "rotor.transverse_inertia=1.2e-3 kg m2",
-                                  "rotor.polar_inertia=0.24e-3 kg m2",
-                                  "rotor.bearings=[\"-30 mm\", \"30 mm\"]",
-                                  "rotor.gravity=[9.81, 0]",
-                                  "stability.speeds=[\"-14000 rpm\"]"};
-    keys.insert(keys.end(), width.begin(), width.end());
-    const Case input = parse_case(case_to_toml(film_reference_case({.columns_per_pitch = 4, .rows = 3})), "tilt.toml",
-                                  {.overrides = keys, .commands = {"stability"}});
-    StabilityResult result = run_stability(input);
-    EXPECT_EQ(result.map.points.at(0).status, Status::converged);
-    return result;
-  };
   const FilmBearing film = tilting_bearing();
   TiltingMachine machine(make_rigid_rotor(rigid(2.0, 1.2e-3, {-0.03, 0.03})), {film, film}, -14000.0);
-  const StabilityResult of_case = run({"width.modes=3"});
+  const StabilityResult of_case = stability_of({"width.modes=3"});
   ASSERT_TRUE(of_case.map.points[0].sliding.has_value());
   const std::vector<Whirl> expected = machine.whirls();
   ASSERT_EQ(of_case.map.points[0].sliding->whirls.size(), expected.size());
   for (const Whirl& whirl : of_case.map.points[0].sliding->whirls) {
     EXPECT_LT(distance_to_nearest(expected, whirl.rate), 1e-7 * std::abs(whirl.rate));
   }
-  EXPECT_FALSE(run({}).machine.bearings[0]->tilts());
-  EXPECT_TRUE(run({"width.modes=2", "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"}).machine.bearings[0]->tilts());
+  EXPECT_FALSE(stability_of({}).machine.bearings[0]->tilts());
+  EXPECT_TRUE(stability_of({"width.modes=2", "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"}).machine.bearings[0]->tilts());
+}
+
+/// What results say of journals: they tilt as the rotor does, on bearings that are misaligned by 0.1 mrad, and moments
+/// and forces of both bearings leave the rotor none about its centre of mass.
+TEST(TiltingRotor, TellsTiltsAndMomentsOfItsJournals) {
+  const StabilityResult result =
+      stability_of({"width.modes=2", "rotor.bearing=[{width={tilt=[\"0.1 mrad\", \"0 mrad\"]}}, {}]"});
+  const Dataset data = stability_dataset(result);
+  const auto values = [&data](const std::string& name) {
+    for (const Variable& variable : data.variables) {
+      if (variable.meaning.name == name) return variable.values();
+    }
+    return std::vector<double>();
+  };
+  const std::vector<double> tilts = values("tilt_x");
+  ASSERT_EQ(tilts.size(), 2U);
+  EXPECT_NEAR(tilts[0] - tilts[1], 1e-4, 1e-12);
+  EXPECT_GT(std::abs(tilts[1]), 1e-7);  // the rotor gives way
+  double moment = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const FilmBearing& bearing = *result.machine.bearings[i];
+    const BearingState& state = result.map.points[0].states[i];
+    const double arm = result.machine.rotor.bearings[i].z;
+    const double of_bearing = values("moment_x")[i];
+    moment += of_bearing + arm * journal_force(bearing, state.film, state.speed)[0];
+    largest = std::max(largest, std::abs(of_bearing));
+  }
+  EXPECT_GT(largest, 1e-3);
+  EXPECT_NEAR(moment, 0.0, 1e-6 * largest);
+}
+
+/// Bearings that are misaligned the opposite way are mirror images: each journal answers like the other from the other
+/// side, and the rotor stays level.
+TEST(TiltingRotor, MayStandOnBearingsThatAreMisalignedEachByItself) {
+  const JournalTilt one{.value = 0.5 * 38.1e-3 * Eigen::Vector2d(1e-4, 0.0)};
+  const JournalTilt opposite{.value = -one.value};
+  TiltingMachine machine(make_rigid_rotor(rigid(2.0, 1.2e-3, {-0.03, 0.03})),
+                         {tilting_bearing(one), tilting_bearing(opposite)}, -14000.0);
+  const Matrix& film = machine.states[0].film.thickness;
+  EXPECT_LT((film.colwise().reverse() - machine.states[1].film.thickness).norm(), 1e-7 * film.norm());
+  EXPECT_GT((film - machine.states[1].film.thickness).norm(), 1e-3 * film.norm());
 }
 
 }  // namespace

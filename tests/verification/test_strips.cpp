@@ -113,8 +113,8 @@ TEST(Strips, OfOneAreTheLinearFoilOnTwoLines) {
     cases.push_back(input);
   }
   for (const Case& input : cases) {
-    const Taken one = taken_to(on_strips(make_foils(input), 2, some_slope), on_the_way);
-    const Taken other = taken_to(under_tilted_journal(make_foils(input), 2, some_slope), on_the_way);
+    const Taken one = taken_to(on_strips(make_foils(input), 2, {.slope = some_slope}), on_the_way);
+    const Taken other = taken_to(on_lines(make_foils(input), 2, {.slope = some_slope}), on_the_way);
     expect_same(one.last, other.last, 1e-7);  // as each is to its solver's bounds
     EXPECT_GT(one.last.dissipated_energy, 0.01 * one.last.elastic_energy);
     EXPECT_LT((one.fields.crest_v_slope - other.fields.crest_v_slope).norm(), 1e-6 * other.fields.crest_v_slope.norm());
@@ -133,7 +133,7 @@ TEST(Strips, ThatAreAlikeAreOneOfTheirWidth) {
     for (const int modes : {1, 2, 3}) {
       // A parabola bulges a little over the gaps where the journal does not hold it.
       const double bulge = modes == 3 ? 1e-3 : 1e-6;
-      const Taken split = taken_to(on_strips(make_foils(input), modes, Eigen::Vector2d::Zero()), on_the_way);
+      const Taken split = taken_to(on_strips(make_foils(input), modes, {}), on_the_way);
       expect_same(split.last, whole.last, modes == 3 ? 1e-5 : 1e-7);
       const double each = whole.fields.top_bump.normal_force.sum() / 3.0;
       for (const double load : split.strips) EXPECT_NEAR(load, each, bulge * each) << modes;
@@ -142,7 +142,7 @@ TEST(Strips, ThatAreAlikeAreOneOfTheirWidth) {
       EXPECT_LT((split.fields.crest_v - whole.fields.crest_v).norm(), bulge * whole.fields.crest_v.norm());
     }
     input.top_foil.split = true;
-    const Taken split = taken_to(on_strips(make_foils(input), 1, Eigen::Vector2d::Zero()), on_the_way);
+    const Taken split = taken_to(on_strips(make_foils(input), 1, {}), on_the_way);
     expect_same(split.last, whole.last, 1e-7);
     EXPECT_LT((split.fields.top_displacement - whole.fields.top_displacement).norm(),
               1e-6 * whole.fields.top_displacement.norm());
@@ -160,7 +160,7 @@ TEST(Strips, HavePointsThatIntegrateOverTheirWidth) {
     const double length = input.bearing.axial_length;
     const double width = strip_width(input);
     EXPECT_NEAR(strips * width + (strips - 1) * input.bump_foil.strip_gap, length, 1e-15);
-    const Foils foils = on_strips(make_foils(input), 3, Eigen::Vector2d::Zero());
+    const Foils foils = on_strips(make_foils(input), 3, {});
     ASSERT_EQ(std::ssize(foils.points), 2 * strips);
     double sum = 0.0;
     double first = 0.0;
@@ -190,7 +190,7 @@ TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
   Case input = differing_case(0.0);
   input.top_foil.youngs_modulus *= 1e-7;
   input.bump_foil.strip[2].stagger = 0.0;  // the journal holds the foil over these crests at both sides, too
-  const Taken split = taken_to(on_strips(make_foils(input), 3, Eigen::Vector2d::Zero()), on_the_way);
+  const Taken split = taken_to(on_strips(make_foils(input), 3, {}), on_the_way);
   const double length = input.bearing.axial_length;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
@@ -228,7 +228,7 @@ TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
       input.bump_foil.model = model;
       input.bump_foil.strip[1].thickness = 0.12e-3;
       input.top_foil.split = true;
-      const Taken split = taken_to(on_strips(make_foils(input), 1, slope), on_the_way);
+      const Taken split = taken_to(on_strips(make_foils(input), 1, {.slope = slope}), on_the_way);
       const double length = input.bearing.axial_length;
       Increment sum;
       Vector loads(3);
@@ -246,7 +246,7 @@ TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
         const double z = strip_middle(input, k);
         std::vector<Eigen::Vector2d> places = on_the_way;
         for (Eigen::Vector2d& place : places) place += z * slope;
-        const Taken one = taken_to(under_tilted_journal(make_foils(alone), 2, slope), places);
+        const Taken one = taken_to(on_lines(make_foils(alone), 2, {.slope = slope}), places);
         sum.force_x += one.last.force_x;
         sum.force_y += one.last.force_y;
         sum.moment_x += one.last.moment_x + z * one.last.force_x;
@@ -267,9 +267,9 @@ TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
 
 TEST(Strips, AreMirroredWithTheBearing) {
   Case input = differing_case(0.1);
-  const Taken one = taken_to(on_strips(make_foils(input), 3, some_slope), on_the_way);
+  const Taken one = taken_to(on_strips(make_foils(input), 3, {.slope = some_slope}), on_the_way);
   std::reverse(input.bump_foil.strip.begin(), input.bump_foil.strip.end());
-  const Taken other = taken_to(on_strips(make_foils(input), 3, -some_slope), on_the_way);
+  const Taken other = taken_to(on_strips(make_foils(input), 3, {.slope = -some_slope}), on_the_way);
   const double force = std::abs(one.last.force_x);
   EXPECT_NEAR(one.last.force_x, other.last.force_x, 1e-8 * force);
   EXPECT_NEAR(one.last.force_y, other.last.force_y, 1e-8 * force);
@@ -283,7 +283,7 @@ TEST(Strips, AnswerWithTheDerivativesOfTheirEnergyWithoutFriction) {
   const Case input = differing_case(0.0);
   const Eigen::Vector2d place = on_the_way.back();
   const auto at = [&](const Eigen::Vector2d& slope, const Eigen::Vector2d& position) {
-    return taken_to(on_strips(make_foils(input), 3, slope), {position}).last;
+    return taken_to(on_strips(make_foils(input), 3, {.slope = slope}), {position}).last;
   };
   const Increment here = at(some_slope, place);
   const auto difference = [](auto&& energy, double step) { return (energy(step) - energy(-step)) / (2.0 * step); };

@@ -30,18 +30,6 @@ struct JournalTilt {
   bool operator==(const JournalTilt&) const = default;
 };
 
-/// How the clearance varies over the width where journal or sleeve are no cylinders: at zeta = 2 z / L, from -1 to 1,
-/// it is wider than in the middle by conicity zeta / 2 + crowning zeta^2. Foils lie on such a sleeve unstressed, so
-/// that only the difference of both surfaces counts. A plain value.
-struct WidthProfile {
-  double conicity{};  ///< clearance at the side z > 0 less that at the side z < 0, m: of a cone
-  double crowning{};  ///< clearance at both sides less that in the middle, m: of a barrel or a bell-mouthed sleeve
-
-  bool operator==(const WidthProfile&) const = default;
-  /// Of a place, m.
-  [[nodiscard]] double widening(double zeta) const { return (0.5 * conicity + crowning * zeta) * zeta; }
-};
-
 /// What else there is between journal and foils. A plain value.
 struct FilmSurroundings {
   double inlet_pressure{1.0};               ///< P at the free ends of the foils

@@ -49,6 +49,13 @@ struct FoilLine {
   int strip{};  ///< of the bump foil, from 0, over whose crests it is
 };
 
+/// How a journal without a film stands over the width.
+struct JournalOverWidth {
+  Eigen::Vector2d slope{0.0, 0.0};          ///< of its axis towards X and Y, rad; stays so
+  std::optional<Eigen::Vector2d> moment{};  ///< on it instead, int z dF, N m: it tilts until the foils balance that
+  WidthProfile profile{};                   ///< of journal and sleeve
+};
+
 /// Foils ready to be loaded: elastic foils and the contacts between the journal (or the plate that presses on a strip,
 /// called journal below), the foils, and what carries them (sleeve, base). Never changed once they are made, so that
 /// any number of runs and threads may share them.
@@ -81,7 +88,7 @@ struct Foils {
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
   Roundings roundings;
   Vector assembled_gap;  ///< g0 of each contact without the journal, m: height errors, sleeve gaps and waviness; and
-                         ///< by what a tilted journal stands nearer than one that is not
+                         ///< by what it stands nearer or farther over the width (JournalOverWidth)
   Vector forming;        ///< FoilStructure::forming on the unknowns of the problem without a film, N
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
@@ -93,6 +100,10 @@ struct Foils {
   bool split_top_foil{};  ///< each strip has one of its own: then the points are the lines, too, and all is on them
   std::vector<Eigen::Matrix2Xd> strip_normals{};         ///< as `normals`, of each strip where any is staggered
   std::vector<std::vector<StressModel>> strip_stress{};  ///< as `stress`, of each strip where any has its own thickness
+  JournalOverWidth over_width{};                         ///< how the journal stands to the lines
+  /// Where a moment is given: place in each block of how far the journal is tilted, as displacements of its side z > 0
+  /// along X and, behind it, Y.
+  int journal_tilt{-1};
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {
@@ -176,19 +187,19 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
 /// The foils of a bearing, pressed by its journal. The design must be valid.
 Foils make_foils(const BearingDesign& design);
 
-/// The foils of a bearing whose journal is tilted by `slope` (rad, towards X and Y) and stays so: displacements are
-/// given on the lines of so many `modes` over the whole width, as under a film (WidthLines), and each line has contacts
-/// of its own with the journal, too. What varies over the width stretches the top foil.
+/// The foils of a bearing whose journal does not press them alike over the width: displacements are given on the lines
+/// of so many `modes` over the whole width, as under a film (WidthLines), and each line has contacts of its own with
+/// the journal, too. What varies over the width stretches the top foil.
 /// @param foils  uniform over the width, with a top foil and without an elastic law
-Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope);
+Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal);
 
-/// The foils of a bearing whose bump foil is split into strips that do not move alike: they differ, or the journal is
-/// tilted by `slope` (rad, towards X and Y) and stays so. A whole top foil is given on lines by so many `modes` over
-/// the whole width as under_tilted_journal() has them; one that is split is slices. Nothing joins the bump foils under
-/// the points of the strips, which slide and lift one by one.
+/// The foils of a bearing whose bump foil is split into strips that do not move alike: they differ, or the journal
+/// does not press them alike. A whole top foil is given on lines by so many `modes` over the whole width as on_lines()
+/// has them; one that is split is slices. Nothing joins the bump foils under the points of the strips, which slide and
+/// lift one by one.
 /// @param foils  uniform over the width, with a top foil and without an elastic law; where strips are staggered, it is
 ///               not formed
-Foils on_strips(const Foils& foils, int modes, const Eigen::Vector2d& slope);
+Foils on_strips(const Foils& foils, int modes, const JournalOverWidth& journal);
 
 /// The foils of a bearing without a journal: of strips that differ on_strips(), to which the top foil answers linearly
 /// and as a parabola over the width, too. The design must be valid.
@@ -216,6 +227,12 @@ Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force);
 
 /// Moment of these forces about the mid-plane, int z dF, N m: none where all is uniform over the width.
 Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force);
+
+/// Slope of the axis of the journal towards X and Y, rad: as given, or what a given moment tilts it by.
+Eigen::Vector2d journal_slope(const Foils& foils, const Vector& x);
+
+/// What a given moment has worked since the journal stood parallel to the sleeve, J.
+double work_of_moment(const Foils& foils, const Vector& x);
 
 /// Elastic forces and energy of the foils on the unknowns of their problem, see elastic_response() in structure/. On
 /// lines over the width the rows of unknowns that are no displacements hold what they lack.

@@ -20,6 +20,7 @@ struct Increment {
   double force_cross{};         ///< F.t with t = n turned by +90 deg, N
   double moment_x{};            ///< of the applied forces along X about the mid-plane, int z dF, N m
   double moment_y{};            ///< along Y
+  double tilt_x{}, tilt_y{};    ///< slope of the axis of the journal towards X and Y, rad
   double elastic_energy{};      ///< J
   double dissipated_energy{};   ///< since increment 0, J; at increment 0 that of the assembly is kept apart
   double work{};                ///< of the journal since increment 0, trapezoidal rule, J

@@ -168,6 +168,18 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
+/// How the clearance varies over the width where journal or sleeve are no cylinders: at zeta = 2 z / L, from -1 to 1,
+/// it is wider than in the middle by conicity zeta / 2 + crowning zeta^2. Foils lie on such a sleeve unstressed, so
+/// that only the difference of both surfaces counts. A plain value.
+struct WidthProfile {
+  double conicity{};  ///< clearance at the side z > 0 less that at the side z < 0, m: of a cone
+  double crowning{};  ///< clearance at both sides less that in the middle, m: of a barrel or a bell-mouthed sleeve
+
+  bool operator==(const WidthProfile&) const = default;
+  /// Of a place, m.
+  [[nodiscard]] double widening(double zeta) const { return (0.5 * conicity + crowning * zeta) * zeta; }
+};
+
 /// How the film of a running bearing and its foils vary over the width.
 struct WidthSettings {
   int modes{1};                        ///< of the displacement of the foils, see make_width_lines(): P_0, P_1, ...
@@ -176,6 +188,7 @@ struct WidthSettings {
   double conicity{};                   ///< WidthProfile, m
   double crowning{};                   ///< WidthProfile, m
 
+  [[nodiscard]] WidthProfile profile() const { return {conicity, crowning}; }
   /// Whether the axis of the journal is not parallel to the sleeve's, or need not be.
   [[nodiscard]] bool tilts() const {
     return !moment.empty() || std::any_of(tilt.begin(), tilt.end(), [](double slope) { return slope != 0.0; });
@@ -238,6 +251,7 @@ struct RotorBearing {
   std::optional<Friction> friction{};
   std::optional<GasSettings> gas{};
   std::optional<FilmSettings> film{};
+  std::optional<WidthSettings> width{};
   std::optional<AsperitySettings> asperity{};
 
   bool operator==(const RotorBearing&) const = default;
@@ -262,7 +276,9 @@ struct Case : BearingDesign {
   std::vector<std::string> remarks{};
 
   /// Whether foils without a film answer differently over the width.
-  [[nodiscard]] bool varies_over_the_width() const { return width.tilts() || has_own_strips(); }
+  [[nodiscard]] bool varies_over_the_width() const {
+    return width.tilts() || width.profile() != WidthProfile{} || has_own_strips();
+  }
   /// Whether strips of the bump foil may move each by itself: the top foil answers to that. Under a film they do.
   [[nodiscard]] bool lets_strips_move_apart() const {
     return bump_foil.is_split() && (width.modes > 1 || top_foil.split);

@@ -55,12 +55,7 @@ class CycleDataset {
                         numbers_from(0.0, layout_.increments));
   }
 
-  void add_nodes() {
-    add_foils(layout_, wording_.carrying, data_);
-    if (!result_.over_width) return;
-    data_.add_coordinate({"tilt_x", "rad", "slope of the axis of the journal towards X"}, {}, {input_.width.tilt[0]});
-    data_.add_coordinate({"tilt_y", "rad", "slope of the axis of the journal towards Y"}, {}, {input_.width.tilt[1]});
-  }
+  void add_nodes() { add_foils(layout_, wording_.carrying, data_); }
 
   void add_quantities(RunStatus status) {
     for (const CycleQuantity& quantity : cycle_quantities(result_.experiment, result_.over_width)) {

@@ -138,6 +138,12 @@ ResultLayout layout_of_bearing(const Case& input) {
       layout.scalars.end(),
       {{"bearing_radius", "m", "radius R of the circle on which the foils lie", {input.bearing.radius}},
        {"radial_clearance", "m", "radial clearance; negative means interference", {input.bearing.radial_clearance}}});
+  if (input.width.profile() != WidthProfile{}) {
+    layout.scalars.insert(
+        layout.scalars.end(),
+        {{"conicity", "m", "clearance at the side z > 0 less that at z < 0", {input.width.conicity}},
+         {"crowning", "m", "clearance at both sides less that in the middle", {input.width.crowning}}});
+  }
   layout.at_bumps.insert(layout.at_bumps.end(),
                          {{"theta", "rad", "angle of the crest from the weld along the foil", theta},
                           {"phi", "rad", "polar angle of the crest from X towards Y", phi}});

@@ -72,8 +72,9 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
   using enum Dimension;
   keys.value(
       {"modes", defaulted, "Modes over the width",
-       "of the displacement of the foils, for equilibrium and the commands with a rotor, and under a tilted journal: "
-       "1, uniform; 2, linear, too; 3, with a parabola. With 2 or 3 bearings resist the tilt of a rotor"},
+       "of the displacement of the foils, for equilibrium and the commands with a rotor, and without a film where the "
+       "journal is tilted or no cylinder: 1, uniform; 2, linear, too; 3, with a parabola. With 2 or 3 bearings resist "
+       "the tilt of a rotor"},
       &width.modes);
   keys.value({"tilt", defaulted, "Tilt",
               "misalignment: slope of the axis of the journal, or under a rotor of the line through the centres of its "
@@ -83,20 +84,18 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
   keys.value({.name = "moment",
               .presence = optional,
               .title = "Moment",
-              .text = "on the journal instead, for the command equilibrium, of forces along X and Y about the "
-                      "mid-plane: the journal tilts until the bearing balances it",
+              .text = "on the journal instead, of forces along X and Y about the mid-plane: the journal tilts until "
+                      "the bearing balances it; not for film, nor under a rotor",
               .example = "[\"50 N mm\", \"0 N mm\"]",
               .dimension = moment,
               .instead = true},
              &width.moment);
-  keys.value({"conicity", defaulted, "Conicity",
-              "clearance at the side z > 0 less that at the side z < 0, of a conical journal or sleeve, for all "
-              "commands with a film",
-              "5 um", length},
-             &width.conicity);
+  keys.value(
+      {"conicity", defaulted, "Conicity",
+       "clearance at the side z > 0 less that at the side z < 0, of a conical journal or sleeve", "5 um", length},
+      &width.conicity);
   keys.value({"crowning", defaulted, "Crowning",
-              "clearance at both sides less that in the middle, of a barrel-shaped journal or a bell-mouthed sleeve, "
-              "for all commands with a film",
+              "clearance at both sides less that in the middle, of a barrel-shaped journal or a bell-mouthed sleeve",
               "5 um", length},
              &width.crowning);
 }
@@ -258,21 +257,24 @@ void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, 
   for (std::size_t i = 0; i < 2; ++i) judge_size(judge, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
 }
 
-/// What a tilted journal needs where there is no film.
-void judge_dry_tilt(Judge& judge, const Case& input, const char* command) {
-  judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "width.tilt", "",
+/// What a journal that does not press alike over the width needs where there is no film.
+/// @param key  that says so
+void judge_dry_width(Judge& judge, const Case& input, const char* key, const char* command) {
+  judge.require_for(command, input.width.modes != 1 || input.top_foil.split, key, "",
                     "needs foils that answer to it where there is no film",
                     "set width.modes = 3, or 2 without a parabola");
-  judge.require_for(command, input.bump_foil.geometry == Geometry::linear, "width.tilt", "",
+  judge.require_for(command, input.bump_foil.geometry == Geometry::linear, key, "",
                     "is not supported with large displacements", "set bump_foil.geometry = \"linear\"");
-  judge.require_for(command, input.bump_foil.model != BumpFoilModel::former, "width.tilt", "",
+  judge.require_for(command, input.bump_foil.model != BumpFoilModel::former, key, "",
                     "needs a top foil, of which the Le Lez (2007) model has none",
                     "set model = \"truss\" or \"frame\"");
 }
 
-/// What makes both halves of the width differ, so that the whole width is computed.
-void judge_halves(Judge& judge, const Case& input) {
+/// Journals that are tilted or no cylinders, and sleeves alike.
+void judge_journal(Judge& judge, const Case& input) {
   const WidthSettings& width = input.width;
+  judge_size(judge, "width.conicity", width.conicity, most_widening, "m");
+  judge_size(judge, "width.crowning", width.crowning, most_widening, "m");
   judge_pair(judge, "width.tilt", width.tilt, most_slope, "rad", "[\"0.2 mrad\", \"0 mrad\"]");
   if (!width.moment.empty())
     judge_pair(judge, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
@@ -280,38 +282,20 @@ void judge_halves(Judge& judge, const Case& input) {
                     "give width.tilt, or run equilibrium");
   for (const char* const command : {"stability", "unbalance", "transient"}) {
     judge.require_for(command, width.moment.empty(), "width.moment", "",
-                      "is for the command equilibrium alone: here the rotor puts moments on its bearings",
+                      "is not for bearings under a rotor, which puts moments on them itself",
                       "remove it, or give width.tilt for bearings that are misaligned");
   }
-  const bool by_strips = !width.tilts() && width.conicity == 0.0 && input.film.has_equal_sides();
-  if (input.has_equal_halves() || by_strips) return;
-  const bool by_gas_alone = !width.tilts() && width.conicity == 0.0;
-  const char* const key = !width.moment.empty() ? "width.moment"
-                          : width.tilts()       ? "width.tilt"
-                          : by_gas_alone        ? "film.side_pressure"
-                                                : "width.conicity";
-  const bool by_given_tilt = width.moment.empty() && width.tilts() && width.conicity == 0.0;
+  const char* const key = !width.moment.empty()   ? "width.moment"
+                          : width.tilts()         ? "width.tilt"
+                          : width.conicity != 0.0 ? "width.conicity"
+                          : width.crowning != 0.0 ? "width.crowning"
+                                                  : nullptr;
+  if (key == nullptr) return;
   for (const char* const command : {"cycle", "path", "vibration"}) {
-    if (by_gas_alone) continue;
-    if (by_given_tilt) {
-      judge_dry_tilt(judge, input, command);
-      continue;
-    }
-    judge.require_for(command, false, key, "",
-                      width.moment.empty() ? "is supported by commands with a film alone"
-                                           : "is supported by the command equilibrium alone",
-                      fmt::format("remove {}: the command computes what is the same on both halves of the width", key));
-  }
-}
-
-void judge_profile(Judge& judge, const Case& input) {
-  judge_size(judge, "width.conicity", input.width.conicity, most_widening, "m");
-  judge_size(judge, "width.crowning", input.width.crowning, most_widening, "m");
-  if (input.width.crowning == 0.0) return;
-  for (const char* const command : {"cycle", "path", "vibration"}) {
-    judge.require_for(command, false, "width.crowning", quantity(input.width.crowning, "m"),
-                      "is supported by commands with a film alone",
-                      "remove width.crowning: the command presses the foils by a cylinder");
+    judge_dry_width(judge, input, key, command);
+    judge.require_for(command, width.moment.empty() || input.solver.chosen() != SolverName::uzawa, "solver.name",
+                      std::string(name_of(input.solver.chosen())), "does not support a journal that tilts by itself",
+                      "set name = \"newton\" or \"events\"");
   }
 }
 
@@ -349,8 +333,7 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
 /// What is not computed yet where the film varies over the width.
 void judge_width(Judge& judge, const Case& input) {
   judge_strips_in_use(judge, input);
-  judge_halves(judge, input);
-  judge_profile(judge, input);
+  judge_journal(judge, input);
   const int modes = input.width.modes;
   if (!judge.require(modes >= 1 && modes <= 3, "width.modes", std::to_string(modes),
                      "is not a number of modes over the width",
@@ -404,6 +387,7 @@ void describe_own_film(CaseVisitor& keys, const Case& common, RotorBearing& own)
   };
   own_part("gas", "Its gas", "any keys of [gas] that differ", common.gas, own.gas);
   own_part("film", "Its film", "any keys of [film] that differ", common.film, own.film);
+  own_part("width", "Its width", "any keys of [width] that differ", common.width, own.width);
   own_part("asperity", "Its mixed contact", "any keys of [asperity] that differ",
            common.asperity.value_or(AsperitySettings{}), own.asperity);
 }

@@ -21,7 +21,7 @@ std::vector<double> speeds_of(const StabilityResult& result) {
 }
 
 void add_bearings(const StabilityResult& result, Dataset& data) {
-  add_journals(result.map.points, result.machine.rotor.bearings.size(), data);
+  add_journals(result.map.points, result.machine, data);
   for (const int axis : {0, 1}) {
     data.add({axis == 0 ? "load_x" : "load_y", "N",
               fmt::format("weight of the rotor on the bearing, {}", axis == 0 ? 'X' : 'Y')},

@@ -22,7 +22,7 @@ void add_points(const UnbalanceResult& result, Dataset& data) {
                }));
     }
   }
-  add_journals(result.points, result.machine.rotor.bearings.size(), data);
+  add_journals(result.points, result.machine, data);
 }
 
 }  // namespace

@@ -538,7 +538,7 @@ TEST(ParseCase, ReadsBearingsOfARotor) {
   };
   EXPECT_TRUE(with(rotor).rotor_bearings.empty());
   const Case input = with(on(R"([{}, {bearing={diameter="40 mm"}, friction={top_bump=0.3}, film={rows=9}, )"
-                             R"(bump_foil={shim={from=3, to=4, thickness="2 um"}}, )"
+                             R"(bump_foil={shim={from=3, to=4, thickness="2 um"}}, width={modes=3}, )"
                              R"(asperity={sigma="0.2 um", friction=0.1, pressure_factor=1e8}}])"));
   ASSERT_EQ(input.rotor_bearings.size(), 2U);
   EXPECT_EQ(input.rotor_bearings[0], RotorBearing{});
@@ -557,6 +557,8 @@ TEST(ParseCase, ReadsBearingsOfARotor) {
   EXPECT_EQ(second.top_foil, input.top_foil);
   EXPECT_EQ(second.film.rows, 9);
   EXPECT_EQ(second.film.columns_per_pitch, input.film.columns_per_pitch);
+  EXPECT_EQ(second.width, WidthSettings{.modes = 3});
+  EXPECT_EQ(first.width, WidthSettings{});
   EXPECT_DOUBLE_EQ(second.asperity->sigma, 0.2e-6);
   EXPECT_EQ(parse_case(case_to_toml(input), "written"), input);
   expect_in(case_to_json(input), "\"bearing\": [\n      {},\n");

@@ -118,9 +118,9 @@ TEST(FindFaults, JudgesTheTilt) {
     EXPECT_FALSE(blames(width(tilt, command), "width.tilt")) << command;
     EXPECT_TRUE(blames(width(moment, command), "width.moment")) << command;  // the rotor puts moments on bearings
   }
-  EXPECT_EQ(width(tilt, "montecarlo"), Keys{});  // what is run for each bearing is judged by itself
-  EXPECT_EQ(width(moment, "cycle"), Keys{"width.moment"});
-  EXPECT_EQ(width(tilt, "cycle"), Keys{"width.tilt"});  // of foils that do not answer to it
+  EXPECT_EQ(width(tilt, "montecarlo"), Keys{});             // what is run for each bearing is judged by itself
+  EXPECT_EQ(width(moment, "cycle"), Keys{"width.moment"});  // of foils that do not answer to it
+  EXPECT_EQ(width(tilt, "cycle"), Keys{"width.tilt"});      // of foils that do not answer to it
   for (const char* const command : {"cycle", "path", "vibration"}) {
     const auto dry = [&](const std::function<void(Case&)>& change) {
       Case input = reference_case();
@@ -136,7 +136,9 @@ TEST(FindFaults, JudgesTheTilt) {
       input.bump_foil.geometry = Geometry::nonlinear;
     };
     EXPECT_EQ(dry(at_large), Keys{"width.tilt"}) << command;
-    EXPECT_EQ(dry([](Case& input) { input.width.conicity = 1e-6; }), Keys{"width.tilt"}) << command;
+    EXPECT_EQ(dry([](Case& input) { input.width = {.modes = 2, .conicity = 1e-6}; }), Keys{}) << command;
+    EXPECT_EQ(dry([](Case& input) { input.width = {.modes = 1, .crowning = 1e-6}; }), Keys{"width.crowning"})
+        << command;
   }
   const auto between = [](const std::vector<double>& pressures, const std::string& command) {
     Case input = reference_case();
