@@ -259,6 +259,26 @@ test('bumps are given one by one, by a law or all alike', () =>
     assert.equal(await page.locator('.general-faults').textContent(), '');
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
+test('a bump foil is split into strips, each with fields of its own, as many as are counted', () =>
+  withPage(async (page) => {
+    const strips = page.locator('[data-table="bump_foil.strip"]').first();
+    await strips.locator('summary').click();
+    await answered(page, () => strips.getByRole('button', { name: 'Add: Strip' }).click());
+    assert.match(await textOf(page), /^strips = 2 /m);
+    assert.equal((await textOf(page)).match(/^\[\[bump_foil\.strip\]\]$/gm).length, 2);
+    const whole = await tile(page, 'max_force_N');
+    await slide(page, 'bump_foil.strips', '3');
+    await type(page, 'bump_foil.strip[2].thickness', '0.2 mm');
+    assert.match(await textOf(page), /^\[\[bump_foil\.strip\]\]\n\n\[\[bump_foil\.strip\]\]\nthickness = "0\.2 mm"\n\n\[\[bump_foil\.strip\]\]$/m);
+    assert.notEqual(await tile(page, 'max_force_N'), whole);
+    await slide(page, 'bump_foil.strip[2].stagger', '0.5');
+    assert.match(await textOf(page), /^stagger = 0\.5$/m);
+    await type(page, 'bump_foil.strip[3].height_errors', '-900 um');
+    assert.match(await page.locator('[data-key="bump_foil.strip[3].height_errors"] .fault').textContent(), /is more than the rise of the bump/);
+    assert.equal(await page.locator('.general-faults').textContent(), '');
+    await answered(page, () => strips.getByRole('button', { name: 'Remove: Strip' }).click());
+    assert.equal((await textOf(page)).trim(), reference.trim().replace('strips = 1 ', 'strips = 3 '));
+  }));
 
 test('a bearing of pads is shown and changed pad by pad', () =>
   withPage(async (page) => {
