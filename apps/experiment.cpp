@@ -105,8 +105,9 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   if (outcome.status != RunStatus::interrupted) remove_all(options.folder, experiment.checkpoints);
   if (!session.quiet) {
     print_output(outcome.table());
-    print_output(fmt::format("\nsolver {}; results in {} ({})\n", name_of(input.solver.chosen()), place,
-                             fmt::join(written, ", ")));
+    const std::string solvers =
+        experiment.solvers ? experiment.solvers(input) : std::string(name_of(input.solver.chosen()));
+    print_output(fmt::format("\nsolver {}; results in {} ({})\n", solvers, place, fmt::join(written, ", ")));
     for (const std::string& warning : outcome.warnings) print_message("warning: " + warning);
   }
   const std::string partial = fmt::format("the results in {} are partial and flagged as such", place);

@@ -45,7 +45,7 @@ struct Example {
   Status status{};
 };
 
-/// Half of the way of the journal along X and Y in the first turns behind the kick, and in the last.
+/// Half the peak-to-peak displacement of the journal along X and Y in the first turns behind the kick, and in the last.
 struct Decay {
   void see(int step, const Eigen::Vector2d& place) {
     const int turn_number = step / steps_per_turn;

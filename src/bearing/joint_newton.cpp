@@ -9,7 +9,7 @@ namespace {
 
 /// Halvings of a Newton step: at 1/256 of it the search for a smaller residual ends.
 constexpr int newton_max_halvings = 8;
-/// From so many halvings on a step is vain.
+/// A step that is halved so often or more makes next to no progress.
 constexpr int halvings_in_vain = 6;
 /// Fraction of a step that is taken where no halving reduces the residual.
 constexpr double newton_forced_fraction = 0.25;

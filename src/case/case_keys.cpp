@@ -385,7 +385,7 @@ void describe(CaseVisitor& keys, Case& input) {
   keys.value({"title", defaulted, "Title"}, &input.title);
   table(keys, {"bearing", required, "Bearing"}, input.bearing);
   table(keys, {"bump_foil", required, "Bump foil"}, input.bump_foil);
-  // The former model has none.
+  // The Le Lez (2007) model has none.
   const Presence top_foil = input.bump_foil.model == BumpFoilModel::former ? optional : required;
   table(keys, {"top_foil", top_foil, "Top foil"}, input.top_foil);
   list_of_tables(

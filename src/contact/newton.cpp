@@ -19,7 +19,7 @@ namespace {
 
 /// Rounds of mode changes after the interior point, while it still moves and once it has ended. In a long foil fronts
 /// of wrong modes remain then, with forces of 1e-11 of the largest, that travel contact by contact until they meet one
-/// that is loaded: in frames of 10,000 bumps up to some 500.
+/// that is loaded: in frames of 10,000 bumps over up to 500 of them.
 constexpr int rounds_on_the_way = 3;
 constexpr int rounds_at_the_end = 30;
 constexpr int blocks_per_round_at_the_end = 20;

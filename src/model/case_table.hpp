@@ -15,7 +15,7 @@ class CaseVisitor;
 struct CaseTable {
   std::string_view experiment;
   std::string_view needs;  ///< the table without which it does not run: its own, or that of another experiment
-  bool flat{};             ///< it has a strip of one foil between plates: needs no bearing, and knows no pads
+  bool flat{};             ///< it has a strip of one foil between plates: no bearing is needed, and pads do not count
   /// Visits its keys; what is not in a table of the case file has its default.
   void (*describe)(CaseVisitor& keys, Case& input);
   /// Checks its settings, where there are any. @param foil  what is known of the bump foil, of which nothing may be

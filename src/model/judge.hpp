@@ -111,7 +111,7 @@ class Judge {
                    fmt::format("give a whole number from {} to {}", ends.first, ends.second));
   }
 
-  /// An error of the former model, which has no history, that prevents a command.
+  /// An error of the Le Lez (2007) model, which has no history, that prevents a command.
   bool require_history(std::string_view command, bool right, std::string what,
                        std::string advice = "set model = \"truss\" or \"frame\"") {
     return right || require_for(command, false, "bump_foil.model", std::string(name_of(BumpFoilModel::former)),

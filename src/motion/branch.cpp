@@ -12,7 +12,7 @@ namespace {
 /// Steps that take no more iterations than this let the next one grow.
 constexpr int easy_iterations = 12;
 /// A step that reaches the end but for this part of it does.
-constexpr double round_off = 1e-12;
+constexpr double last_step_round_off = 1e-12;
 /// Steps grow until the departure from the tangent is this part of what is accepted, by no more than this at once.
 constexpr double aimed_departure = 0.5;
 constexpr double largest_growth = 8.0;
@@ -151,7 +151,7 @@ FilmReport BranchFollower::follow() {
   double too_far = 0.0;  // departure of the last step, if that was too large
   while (reached_ < 1.0) {
     step = std::min(step, 1.0 - reached_);
-    const double next = step < (1.0 - round_off) * (1.0 - reached_) ? reached_ + step : 1.0;
+    const double next = step < (1.0 - last_step_round_off) * (1.0 - reached_) ? reached_ + step : 1.0;
     const FilmReport report = solve_on_branch(at(next), too_far);
     total_ += report;
     if (report.status == Status::interrupted) return total_;

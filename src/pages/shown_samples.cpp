@@ -49,7 +49,7 @@ Json run_shown_samples(const Case& input, std::size_t count, std::size_t most_va
       runs.push_back(run_json(sampled, fmt::format("Sample {}", i), std::max<std::size_t>(1, most_values / count)));
       runs.back()["sample"] = i;
     } catch (const Error&) {
-      // What was drawn makes no bearing: the ensemble says so.
+      // An invalid sample, which the ensemble reports.
     }
   }
   return runs;

@@ -11,7 +11,7 @@ namespace bumpfoil {
 std::filesystem::path work_folder(const std::filesystem::path& folder);
 
 /// The right to write to a folder: a locked file in its work folder. It lasts as long as its owner, and no longer than
-/// the process. Where the file system knows no locks, the last one who claims a folder has it, and is_held() tells the
+/// the process. Where the file system has no locks, the last one who claims a folder has it, and is_held() tells the
 /// others.
 class FolderClaim {
  public:

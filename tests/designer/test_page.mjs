@@ -259,6 +259,32 @@ test('bumps are given one by one, by a law or all alike', () =>
     assert.equal(await page.locator('.general-faults').textContent(), '');
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
+test('a bump foil is split into strips, each with fields of its own, as many as are counted', () =>
+  withPage(async (page) => {
+    // Strips that differ need a top foil that varies over the width, staggered ones room for one bump less.
+    await slide(page, 'width.modes', '3');
+    await slide(page, 'bump_foil.bumps', '25');
+    const strips = page.locator('[data-table="bump_foil.strip"]').first();
+    await strips.locator('summary').click();
+    await answered(page, () => strips.getByRole('button', { name: 'Add: Strip' }).click());
+    assert.match(await textOf(page), /^strips = 2 /m);
+    assert.equal((await textOf(page)).match(/^\[\[bump_foil\.strip\]\]$/gm).length, 2);
+    await slide(page, 'bump_foil.strips', '3');
+    const alike = await tile(page, 'max_force_N');
+    await type(page, 'bump_foil.strip[2].thickness', '0.2 mm');
+    assert.match(await textOf(page), /^\[\[bump_foil\.strip\]\]\n\n\[\[bump_foil\.strip\]\]\nthickness = "0\.2 mm"\n\n\[\[bump_foil\.strip\]\]$/m);
+    const stiffer = await tile(page, 'max_force_N');
+    // A third of the width is (0.2/0.102)^3 as stiff: 3.2 times the force, had the take-up been the same.
+    assert.deepEqual([alike, stiffer], ['739.3 N', '2.209 kN']);
+    await slide(page, 'bump_foil.strip[2].stagger', '0.5');
+    assert.match(await textOf(page), /^stagger = 0\.5$/m);
+    assert.notEqual(await tile(page, 'max_force_N'), stiffer);
+    await type(page, 'bump_foil.strip[3].height_errors', '-900 um');
+    assert.match(await page.locator('[data-key="bump_foil.strip[3].height_errors"] .fault').textContent(), /is more than the rise of the bump/);
+    assert.equal(await page.locator('.general-faults').textContent(), '');
+    await answered(page, () => strips.getByRole('button', { name: 'Remove: Strip' }).click());
+    assert.equal((await textOf(page)).trim(), `${reference.trim().replace('strips = 1 ', 'strips = 3 ').replace(/^bumps = 26$/m, 'bumps = 25')}\n\n[width]\nmodes = 3`);
+  }));
 
 test('a bearing of pads is shown and changed pad by pad', () =>
   withPage(async (page) => {

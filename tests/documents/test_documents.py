@@ -177,6 +177,8 @@ class Validation(unittest.TestCase):
 class English(unittest.TestCase):
     """Phrases that were translated word by word, or ask riddles; what engineers write stands in their places."""
 
+    CODE = ("src", "apps", "include", "bench", "tests", "web/solver", "python/src")
+
     PHRASES = """
         how the foils answer | force that holds the journal | results are told | that was right | height is: overall
         least film thickness | highest pressure | lowest pressure | highest stress | pressure beyond ambient
@@ -194,17 +196,20 @@ class English(unittest.TestCase):
     """.replace("\n", "|").split("|")
 
     def texts(self):
-        """Documents, cases, pages and the Python package as they are; of C++ the texts: help, messages, labels."""
+        """Documents, cases, pages, the Python package; of C++ comments, and texts: help, messages, labels."""
         for path in [*documents(), *(ROOT / "examples").glob("*.toml"), *(ROOT / "studies").rglob("*.toml")]:
             if path.name != "CHANGELOG.md":
                 yield path, path.read_text(encoding="utf-8")
         for folder, kind in (("web/src", "ts"), ("python/bumpfoil", "py"), ("docs/site", "py")):
             for path in (ROOT / folder).rglob(f"*.{kind}"):
                 yield path, re.sub(r"^\s*(//|#|\*)", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
-        for path in [*(ROOT / "src").rglob("*.[ch]pp"), *(ROOT / "apps").rglob("*.cpp")]:
-            code = re.sub(r"^\s*(//|\*|/\*).*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
-            joined = re.sub(r'"\s*\n\s*"', "", code)
-            yield path, "\n".join(re.findall(r'"(?:[^"\\\n]|\\.)*"', joined))
+        for path in [file for folder in self.CODE for file in (ROOT / folder).rglob("*.[ch]pp")]:
+            text = path.read_text(encoding="utf-8")
+            comments = re.findall(r"//[/!]?<?(.*)", text)
+            code = re.sub(r"^\s*//.*$", "", text, flags=re.MULTILINE)
+            texts = re.findall(r'"(?:[^"\\\n]|\\.)*"', re.sub(r'"\s*\n\s*"', "", code))
+            # What tests expect or refuse is not of the program.
+            yield path, "\n".join(comments if path.is_relative_to(ROOT / "tests") else comments + texts)
 
     def test_no_phrase_comes_back(self):
         phrases = [" ".join(phrase.split()) for phrase in self.PHRASES if phrase.strip()]

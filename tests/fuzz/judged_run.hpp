@@ -14,8 +14,8 @@ struct Verdict {
   std::string wrong;
 };
 
-/// Runs a case for `budget` seconds at most, and judges the answer by what knows no solver: residuals of all equations,
-/// inequalities of the contacts, balances of forces, energies and masses.
+/// Runs a case for `budget` seconds at most, and judges the answer by what does not depend on the solver: residuals of
+/// all equations, inequalities of the contacts, balances of forces, energies and masses.
 Verdict judge_case(const DrawnCase& drawn, double budget);
 
 }  // namespace bumpfoil

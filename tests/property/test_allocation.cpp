@@ -88,7 +88,7 @@ TEST(Allocation, NeitherDoItsOtherMethods) {
 }
 
 /// Ensembles keep a runner per thread, and the foils are shared: what a runner holds is its workspace, with the
-/// event-driven solver beside it the matrix of all contacts and what it is built from, four times some 150 by 130
+/// event-driven solver beside it the matrix of all contacts and what it is built from, four times about 150 by 130
 /// numbers.
 TEST(Allocation, ARunnerHoldsLittle) {
   Case input = reference_case();

@@ -8,8 +8,8 @@ namespace bumpfoil {
 namespace {
 
 /// Hundreds of bumps meet the journal in one increment: no halving, and no more work per increment than the interior
-/// point takes for a few bumps, some 10 to 40 steps of two solves where everything changes and none where nothing does.
-/// Measured: 19 to 40 solves per increment.
+/// point takes for a few bumps, about 10 to 40 steps of two solves where everything changes and none where nothing
+/// does. Measured: 19 to 40 solves per increment.
 void expect_long_solved(const Case& input) {
   const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
   ASSERT_EQ(first_failure(cycle), "");

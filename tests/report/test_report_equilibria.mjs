@@ -48,6 +48,21 @@ test('curves over speed and load are those of equilibrium.csv', () =>
     assert.deepEqual(await panelOf(page, 'Minimum film thickness').locator('.legend li').allTextContents(), ['Speed 30000 rpm', 'Speed 45000 rpm']);
   }));
 
+test('bump loads fill their panel beside taller ones, and have the usual height alone', async () => {
+  for (const [width, least, most] of [[2560, 500, 900], [1366, 200, 330]]) {
+    await withReport(
+      'grid.html',
+      async (page) => {
+        const height = async (place) => (await panelOf(page, 'Bump loads').locator(place).first().boundingBox()).height;
+        await panelOf(page, 'Bump loads').locator('svg').first().scrollIntoViewIfNeeded();
+        assert.ok((await height('svg')) > least && (await height('svg')) < most, `${await height('svg')} px at ${width}`);
+        near(await height('svg'), await height('.chart'), 0.01, `at ${width}`);
+      },
+      { viewport: { width, height: 1300 } },
+    );
+  }
+});
+
 test('coefficients over the speed are the synchronous ones of summary.json', () =>
   withReport('grid.html', async (page) => {
     await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Speed');

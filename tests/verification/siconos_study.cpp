@@ -58,7 +58,7 @@ struct Tally {
 constexpr std::array methods = {SiconosMethod::lemke, SiconosMethod::gauss_seidel, SiconosMethod::conjugate_gradients,
                                 SiconosMethod::enumeration};
 
-/// Runs all problems; prints how the methods did and the forces of the first method that was right.
+/// Runs all problems; prints how the methods did and the forces of the first method that succeeded.
 void study() {
   std::string rows;
   std::map<std::pair<int, SiconosMethod>, Tally> tallies;

@@ -208,8 +208,8 @@ TEST(FilmOnStrips, HasTheStiffnessOfDifferences) {
   }
 }
 
-/// The mesh that errors are told by has columns over all crests: twice as many as six, and the state of the bearing on
-/// it is that of a bearing made with it.
+/// The mesh that errors are estimated with has columns over all crests: twice as many as six, and the state of the
+/// bearing on it is that of a bearing made with it.
 TEST(FilmOnStrips, HasTheMeshErrorOfAMeshWithColumnsOverAllCrests) {
   Case input = staggered_case(0.0);
   input.film.rows = 2;

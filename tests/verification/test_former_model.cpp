@@ -4,7 +4,7 @@
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 
-/// Present and former model on the reference bearing: docs/theory/former_model.md.
+/// The present and the Le Lez (2007) model on the reference bearing: docs/theory/former_model.md.
 namespace bumpfoil {
 namespace {
 

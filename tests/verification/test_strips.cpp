@@ -328,7 +328,7 @@ TEST(Strips, BalanceTheEnergiesOfACycle) {
   }
 }
 
-/// Staggered crests are touched earlier than those of the bearing where the journal is pushed between these.
+/// Staggered crests are touched earlier than those of the bearing under a push between these.
 TEST(Strips, AreTouchedFirstWhereACrestIs) {
   Case input = split_case(0.0);
   input.width.modes = 2;

@@ -48,7 +48,7 @@ TEST_P(TrussCycles, AgreeWithTheDensePrototype) {
   expect_loads(turning.bump_sleeve.normal_force, reference.foot_loads);
   expect_loads(turning.journal_top.normal_force, reference.journal_loads);
 
-  // Without friction the loop is zero to rounding: then the measure is the work of the push, some 14 mJ.
+  // Without friction the loop is zero to rounding: then the measure is the work of the push, about 14 mJ.
   ASSERT_TRUE(cycle.loop_energy);
   const double work = cycle.turns.front().work;
   EXPECT_NEAR(*cycle.loop_energy, reference.loop_energy,

@@ -23,7 +23,7 @@ TEST_P(UzawaDefaults, AreCloseToTheExactSolver) {
   const UzawaDeviation deviation = compare_uzawa(input, run_cycles(input), UzawaParameters());
   EXPECT_EQ(deviation.failures, 0);
   EXPECT_EQ(deviation.halvings, 0);
-  // What is asked for is 0.5 % in force and 3 % in loop energy; the page states less than 0.01 % and 0.02 %.
+  // Required are 0.5 % in force and 3 % in loop energy; the page states less than 0.01 % and 0.02 %.
   EXPECT_LT(deviation.max_force, 1e-4);
   // Without friction it is a part of the work of the push, left by multipliers that end at 1e-6 of the largest force.
   EXPECT_LT(deviation.loop_energy, friction == 0.0 ? 1e-6 : 3e-4);

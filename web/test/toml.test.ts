@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Design } from '../src/designer/design';
 import { converted, readQuantity, writeQuantity } from '../src/designer/quantity';
-import { inList, outlineOf, without, withValue, writtenValue } from '../src/designer/toml';
+import { inList, outlineOf, withCount, without, withValue, writtenValue } from '../src/designer/toml';
 
 const text = `title = "a # no comment"  # one
 [bearing]
@@ -57,6 +57,21 @@ describe('case files', () => {
     inline.set('bearing.wave[2].amplitude', '3');
     inline.set('bearing.wave[2].phase', '4');
     expect(inline.text).toBe('[bearing]\nwave = [{ amplitude = 1 }, { amplitude = 3, phase = 4 }]\n');
+  });
+
+  it('hold as many tables of a list as are counted', () => {
+    expect(withCount('a = 1\n', 'foil.strip', 2)).toBe('a = 1\n\n[[foil.strip]]\n\n[[foil.strip]]\n');
+    expect(withCount('[foil.strip]\nb = 1\n', 'foil.strip', 2)).toBe('[[foil.strip]]\nb = 1\n\n[[foil.strip]]\n');
+    const three = '[[foil.strip]]\nb = 1\n[[foil.strip]]\nb = 2\n[[foil.strip]]\nb = 3\n[gas]\nc = 4\n';
+    expect(withCount(three, 'foil.strip', 1)).toBe('[[foil.strip]]\nb = 1\n[gas]\nc = 4\n');
+    expect(withCount(three, 'foil.strip', 0)).toBe('[gas]\nc = 4\n');
+    const design = new Design('[bump_foil]\nstrips = 2\n[[bump_foil.strip]]\n[[bump_foil.strip]]\nstagger = 0.5\n');
+    design.set('bump_foil.strips', '3');
+    expect(design.count('bump_foil.strip')).toBe(3);
+    design.set('bump_foil.strips', '1');
+    expect(design.text.trim()).toBe('[bump_foil]\nstrips = 1');
+    design.set('bump_foil.strips', '4');
+    expect(design.count('bump_foil.strip')).toBe(0);
   });
 
   it('are read as far as they are right', () => {

@@ -19,8 +19,8 @@ double gap_work(const Vector& mean_force, const Vector& gap_change);
 /// Work that friction takes between two states, -sum t du with the mean of the forces t at both, J.
 double friction_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
 
-/// Energy dissipated by the friction of a problem, sum of f p |du|, J. Made once: ensembles ask for it some 400 times a
-/// sample.
+/// Energy dissipated by the friction of a problem, sum of f p |du|, J. Made once: ensembles ask for it about 400 times
+/// a sample.
 class FrictionDissipation {
  public:
   explicit FrictionDissipation(const ContactProblem& problem);

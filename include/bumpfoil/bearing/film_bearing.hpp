@@ -18,7 +18,7 @@ Gas gas_of(const GasSettings& settings);
 /// Asperities of a case that is valid.
 Asperities asperities_of(const AsperitySettings& settings, const TopFoil& top_foil);
 
-/// c of a bearing, m: its clearance or interference, 10 um at least.
+/// c of a bearing, m: its clearance or interference, but not less than 10 um.
 double film_thickness_scale(double clearance);
 
 /// How a journal is tilted, or by what. A plain value.
@@ -133,7 +133,7 @@ struct FilmBearing : Foils {
   /// H of the undeformed foils with the journal at a place (m; of two entries: not tilted), at all nodes, where the
   /// foils stand farther out than they do by `opening` (m).
   [[nodiscard]] Matrix undeformed_thickness(const JournalVector& journal, double opening = 0.0) const;
-  /// Change of H where the journal is displaced (m) and the foils are not.
+  /// Change of H under a displacement of the journal (m) and the foils are not.
   [[nodiscard]] Matrix thinning(const JournalVector& displacement) const;
   /// Places in the block of a bump. Only where there are foils.
   [[nodiscard]] const BumpDofs& dofs() const { return structure.dofs; }

@@ -17,7 +17,7 @@
 namespace bumpfoil {
 
 /// What was run of a bearing of an ensemble, as its case says by montecarlo.command: of a rotor the values of
-/// sampled_variables(); nothing if what was drawn makes no bearing.
+/// sampled_variables(); nothing if the sample is invalid.
 using SampleResult = std::variant<std::monostate, CycleResult, EquilibriumResult, std::vector<double>>;
 
 /// Where numbers of a bearing are kept: the direction of a cycle, rad, or a state in which it runs; of a rotor there is

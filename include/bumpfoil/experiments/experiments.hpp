@@ -85,6 +85,7 @@ struct ExperimentInfo {
   ExperimentRun run;
   /// Errors of a valid case that only the run of the experiment can tell; may be left out.
   std::function<std::vector<Fault>(const Case&)> check{};
+  std::function<std::string(const Case&)> solvers{};  ///< names of those it takes; null: the solver of the case
   /// Runs it for the command line, and stages its files as it goes: of an experiment whose results the memory may not
   /// hold. Its outcome has the totals, and no files. Others are run, and then written.
   std::function<Outcome(const Case&, const StagedRun& run, const ProgressCallback& progress)> staged{};

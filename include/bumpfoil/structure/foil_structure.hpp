@@ -70,8 +70,8 @@ struct FoilStructure {
 
 /// The truss or the frame model of the bump foil, and the top foil over it.
 ///
-/// Truss, 6 unknowns per bump: crest u, v; foot (after the crest) u, v; top foil displacement, moment. The former model
-/// has the first four alone. Frame, 11 unknowns per bump: see frame_dofs().
+/// Truss, 6 unknowns per bump: crest u, v; foot (after the crest) u, v; top foil displacement, moment. The Le Lez
+/// (2007) model has the first four alone. Frame, 11 unknowns per bump: see frame_dofs().
 ///
 /// Unknowns without meaning (the top foil where there is none, all but the foot of the block before bump 1) are kept,
 /// so that all blocks have one size: held by springs that nothing else is coupled to, they stay zero. Foils that are

@@ -9,7 +9,7 @@
 namespace bumpfoil {
 
 /// Bending stress at the surfaces of the foils, |M| / W, Pa. Quantities that a model does not have are empty or absent:
-/// the bump foil of the truss, the top foil of the former model.
+/// the bump foil of the truss, the top foil of the Le Lez (2007) model.
 struct FoilStress {
   Vector top_crest;                ///< top foil over each crest
   std::optional<double> top_weld;  ///< where the top foil is clamped

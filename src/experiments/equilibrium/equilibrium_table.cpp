@@ -30,6 +30,17 @@ std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, do
   return number_text(value, quantity.shown.size);
 }
 
+/// Dynamic coefficients at the frequency of the rotation are the synchronous ones.
+std::string label_of(const RunningQuantity& quantity, const EquilibriumResult& result) {
+  constexpr std::string_view dynamic = "dynamic";
+  const bool synchronous = std::all_of(result.states.begin(), result.states.end(), [](const RunningState& state) {
+    return std::all_of(state.whirls.begin(), state.whirls.end(),
+                       [&](const FilmWhirl& whirl) { return whirl.frequency == std::abs(state.asked.speed); });
+  });
+  if (!synchronous || !quantity.label.starts_with(dynamic)) return std::string(quantity.label);
+  return fmt::format("synchronous{}", quantity.label.substr(dynamic.size()));
+}
+
 /// Whether a quantity of any of the states is known.
 bool is_known(const EquilibriumResult& result, const RunningQuantity& quantity) {
   return std::any_of(result.states.begin(), result.states.end(), [&](const RunningState& state) {
@@ -55,7 +66,7 @@ std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::si
   return out;
 }
 
-/// Whirl stiffness and damping at the frequencies behind the first, which is among the quantities.
+/// Dynamic stiffness and damping at the frequencies behind the first, which is among the quantities.
 std::string whirl_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
   std::string out;
   std::size_t frequencies = 0;
@@ -98,9 +109,9 @@ std::string spread_lines(const EquilibriumResult& result) {
         most = std::max(most, value);
       }
       if (!std::isfinite(least) || !std::isfinite(most)) continue;
-      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", quantity.label, name_width, quantity.shown.name, unit_width,
-                         cell(*result.bearing, quantity, least), column_width, cell(*result.bearing, quantity, most),
-                         column_width);
+      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", label_of(quantity, result), name_width, quantity.shown.name,
+                         unit_width, cell(*result.bearing, quantity, least), column_width,
+                         cell(*result.bearing, quantity, most), column_width);
     }
   }
   return out;
@@ -137,7 +148,7 @@ std::string equilibrium_table(const EquilibriumResult& result) {
     if (!out.empty()) out += '\n';
     for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
       if (quantity.label.empty() || !is_known(result, quantity)) continue;
-      out += fmt::format("{:<{}}{:<{}}", quantity.label, name_width, quantity.shown.name, unit_width);
+      out += fmt::format("{:<{}}{:<{}}", label_of(quantity, result), name_width, quantity.shown.name, unit_width);
       for (std::size_t i = first; i < end; ++i) {
         const double value = value_of(quantity, *result.bearing, result.states[i]);
         out += fmt::format("{:>{}}", cell(*result.bearing, quantity, value), column_width);

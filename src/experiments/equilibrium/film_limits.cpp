@@ -22,7 +22,7 @@ constexpr double last_step = 1e-3;
 /// Steps to loads below the first that are taken in search of a stable state: to a tenth of it.
 constexpr int max_smaller_loads = 10;
 
-/// Looks for one limit along a path. What is asked of the film is a demand, 1 at the start: load, or one over speed.
+/// Looks for one limit along a path. The demand on the film, load or one over speed, is 1 at the start.
 class LimitSearch {
  public:
   LimitSearch(FilmStepper& stepper, double threshold, FilmLimitKind kind, const OperatingPoint& start)

@@ -85,7 +85,7 @@ RossElement element_of(const StatesOverSpeed& states, Impedance impedance, bool 
     element.speeds.push_back(std::abs(state->asked.speed));
     for (const FilmWhirl& whirl : whirls_of(*state, synchronous)) {
       if (!synchronous && state == states.front()) element.frequencies.push_back(whirl.frequency);
-      const Eigen::Matrix2cd in_plane = (whirl.*impedance)->topLeftCorner<2, 2>();  // ROSS knows no tilt
+      const Eigen::Matrix2cd in_plane = (whirl.*impedance)->topLeftCorner<2, 2>();  // bearings of ROSS do not tilt
       element.stiffness.push_back(in_plane.real());
       element.damping.push_back(in_plane.imag() / whirl.frequency);
     }

@@ -23,7 +23,7 @@ constexpr double lowest_frequency = 0.2;
 constexpr double highest_frequency = 1.2;
 constexpr double frequency_intervals = 9.0;
 
-/// How a state answers to small motions: with sliding contacts that keep sliding, and with all stuck.
+/// How a state responds to small motions: with sliding contacts that keep sliding, and with full stick.
 struct Impedances {
   const FilmBearing& bearing;
   std::optional<FilmImpedance> moving, stuck;

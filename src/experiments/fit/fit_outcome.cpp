@@ -1,9 +1,14 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/fit/fit.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "experiments/fit/fit_output.hpp"
 #include "results/result_files.hpp"
 
@@ -48,6 +53,17 @@ std::vector<ResultFile> fit_files(const Case& input, const FitResult& result, Ru
                            });
 }
 
+/// Running bearings take Newton's method, whatever solves loops and vibrations.
+std::string fit_solvers(const Case& input) {
+  const std::vector<FitData>& data = input.settings.find<FitSettings>()->data;
+  const auto runs = [](const FitData& one) { return one.experiment == FittedExperiment::equilibrium; };
+  if (std::none_of(data.begin(), data.end(), runs)) return std::string(name_of(input.solver.chosen()));
+  const std::string_view newton = name_of(SolverName::newton);
+  if (std::all_of(data.begin(), data.end(), runs) || input.solver.chosen() == SolverName::newton)
+    return std::string(newton);
+  return fmt::format("{}, {} with films", name_of(input.solver.chosen()), newton);
+}
+
 }  // namespace
 
 ExperimentInfo fit_experiment() {
@@ -77,6 +93,7 @@ ExperimentInfo fit_experiment() {
                 .dataset = [=] { return fit_dataset(*result); },
                 .files = [=](const Provenance& provenance) { return fit_files(input, *result, status, provenance); }};
           },
+      .solvers = fit_solvers,
       .small_runs = {{"bump_foil.bumps=8", "fit.starts=1", "fit.profile=true", loop,
                       "fit.parameter=[{key=\"friction.coefficient\", start=0.1, lower=0.0, upper=0.5}]"}}};
 }

@@ -113,7 +113,7 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
       const ContactState& end = part.end;
       EXPECT_EQ(begin.x, joint) << seed;
       joint = end.x;
-      // Gaps of the first and second loading differ everywhere: they tell how far the path has come.
+      // Gaps of the first and second loading differ everywhere: they show the progress on the path.
       const Vector initial_gap = end.gap - contact_gaps(problem, Vector::Zero(end.gap.size()), end.x);
       const double fraction = (initial_gap - random.first.initial_gap).norm() /
                               (random.second.initial_gap - random.first.initial_gap).norm();

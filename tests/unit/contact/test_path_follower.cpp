@@ -46,7 +46,7 @@ ContactState start() {
           .mode = {}};
 }
 
-/// Follows a path from its begin to its end in one increment.
+/// Follows a path from start to end in one increment.
 FollowReport follow(const ScriptedSolver::Likes& likes, const LoadingPath& path, ContactState& state,
                     const PartVisitor& visit = {}, int max_halvings = 8) {
   const auto follower = make_increment_follower(std::make_unique<ScriptedSolver>(likes), max_halvings);

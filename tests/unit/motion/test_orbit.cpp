@@ -14,7 +14,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A point mass under 100 N, with an unbalance that moves it by some 0.3 um.
+/// A point mass under 100 N, with an unbalance that moves it by about 0.3 um.
 class OrbitSearch : public ::testing::Test {
  protected:
   [[nodiscard]] MachineState start() {

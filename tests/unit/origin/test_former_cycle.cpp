@@ -29,7 +29,7 @@ TEST(FormerCycle, UnloadsOnTheCurveOfLoading) {
     EXPECT_EQ(cycle.substeps, 0);
     EXPECT_LT(cycle.max_residual, 1e-9);
     ASSERT_TRUE(cycle.loop_energy && cycle.turning_point);
-    EXPECT_NEAR(*cycle.loop_energy, 0.0, 1e-15);  // rounding of some 15 mJ
+    EXPECT_NEAR(*cycle.loop_energy, 0.0, 1e-15);  // round-off of about 15 mJ
     EXPECT_EQ(cycle.turning_point->tangent.loading, cycle.turning_point->tangent.unloading);
     EXPECT_GT(cycle.turning_point->tangent.loading.value(), 0.0);
     for (const Increment& increment : cycle.increments) EXPECT_EQ(increment.dissipated_energy, 0.0);

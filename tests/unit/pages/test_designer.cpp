@@ -106,7 +106,7 @@ TEST(DesignerAnswer, CyclesAreThoseOfAReport) {
     const json& stored = expected["cycles"][i];
     for (const char* part : {"at", "increments", "fields"}) EXPECT_EQ(cycle[part], stored[part]) << i << ' ' << part;
     for (const auto& [name, values] : stored["series"].items()) {
-      // A truss knows no stresses of the bump foil; the file says so number by number.
+      // A truss has no stresses of the bump foil; the file says so number by number.
       if (name.find("stress_bump_foil") == 0) {
         EXPECT_FALSE(cycle["series"].contains(name));
       } else {

@@ -61,7 +61,7 @@ TEST(VtkExport, PutsFoilsWhereTheResultHasThem) {
     const double polar = pad.weld + pad.sense * point.along;
     force += point.force_outward * std::cos(polar);
     if (point.force_outward > 0.0) touched = std::max(touched, point.radius);
-    // Where the journal is, R - C + x cos(phi), the foil cannot be.
+    // Within the journal, R - C + x cos(phi), the foil cannot be.
     EXPECT_GE(point.radius, 19.05e-3 - 31.8e-6 + 79.5e-6 * std::cos(polar) - 1e-15);
     EXPECT_NEAR(point.radius, 19.05e-3 + point.outward, 1e-12);
   }

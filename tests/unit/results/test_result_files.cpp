@@ -98,7 +98,7 @@ TEST_F(StagedResultFiles, AreRefusedWhereTheDiskHasNoRoom) {
   }
 }
 
-/// Rows of a march, of which some are in memory at a time.
+/// Rows of a march, a few of them in memory at a time.
 TEST_F(StagedResultFiles, AreWrittenAsTheyCome) {
   std::vector<double> loads, torques;
   Dataset dataset;

@@ -180,7 +180,7 @@ TEST(ResultFolder, AClaimThatWasLostIsNoticedBeforeAnythingChanges) {
   outer.write("summary.json", "old");
   ResultFolder folder(outer.path(), Existing::replace, names);
   folder.stage("summary.json", "new");
-  // As where the file system knows no locks: another one writes its name into the claim.
+  // As where the file system has no locks: another one writes its name into the claim.
   outer.write(".bumpfoil/claim", "process 1 on another");
   EXPECT_NE(message_of([&] { folder.publish(); }).find("another run has meanwhile taken over this folder"),
             std::string::npos);

@@ -101,7 +101,7 @@ TEST(Rotor, WeighsOnItsBearings) {
 }
 
 /// Whirl speeds on springs that turn in the range of interest, with what the gyroscopic terms make of them, are those
-/// of all unknowns but for a few times the error that the reduction states, which knows no gyroscopic terms; the more
+/// of all unknowns but for a few times the error that the reduction states, which leaves out gyroscopic terms; the more
 /// modes are kept, the smaller it is.
 TEST(ReducedRotor, WhirlsAsTheWholeOneDoes) {
   const Rotor whole = make_flexible_rotor(shaft_design());

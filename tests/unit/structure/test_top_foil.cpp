@@ -119,7 +119,7 @@ TEST(TopFoilMoments, StayAccurateForTwoThousandCrestsWhereInversionDoesNot) {
   const double inversion_error = (inverted.tail(last) - exact).norm() / exact.norm();
   EXPECT_GT(inversion_error, 1e-6);
 
-  // Loads along the whole foil: K_t (S f) returns f but for the rounding of u = S f.
+  // Loads along the whole foil: K_t (S f) returns f but for round-off of u = S f.
   const Vector f = Vector::LinSpaced(crests, 0.0, 40.0).array().sin();
   const Vector displaced_foil = top_foil_compliance(beam) * f;
   const double stiffest = 16.0 * loads.norm();

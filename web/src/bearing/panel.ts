@@ -1,6 +1,7 @@
 import { capital, contactStates, largest, type Cycle } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
+import { afterwards } from '../ui/afterwards';
 import { dropDown, el, svg, tickBox } from '../ui/dom';
 import type { LegendEntry } from '../ui/legend';
 import { Panel } from '../ui/panel';
@@ -140,9 +141,25 @@ export class BearingPanels {
 
   private draw(): void {
     if (this.cycle.size === 0) return;
-    const { index, run } = this.selection;
-    const current = look();
-    const scene: Scene = {
+    if (!this.selection.run.kind.flat) this.roundStretch = drawRound(this.roundDrawing, this.scene, look(), this.roundSize);
+    this.panels.round.refresh();
+    this.roundDrawing.setAttribute('aria-label', `Deformed bearing, ${this.where}`);
+    afterwards(this.drawFlat);
+  }
+
+  private readonly drawFlat = (): void => {
+    if (this.room > 0) {
+      this.layout = drawUnwrapped(this.flatDrawing, this.scene, look(), Math.max(this.room, leastWidth(this.geometry)));
+      this.flatDrawing.style.width = `${this.layout.width}px`;
+    }
+    this.panels.unwrapped.refresh();
+    this.flatDrawing.setAttribute('aria-label', `Deformed foils, ${this.where}. Arrow keys choose a bump.`);
+    this.bumpText.textContent = this.bump === undefined ? 'Point at a bump to read its values.' : this.bumpValues(this.bump);
+  };
+
+  private get scene(): Scene {
+    const { index } = this.selection;
+    return {
       geometry: this.geometry,
       cycle: this.cycle,
       index,
@@ -153,12 +170,6 @@ export class BearingPanels {
       forces: this.forces,
       bump: this.bump,
     };
-    if (this.room > 0) {
-      this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.room, leastWidth(this.geometry)));
-      this.flatDrawing.style.width = `${this.layout.width}px`;
-    }
-    if (!run.kind.flat) this.roundStretch = drawRound(this.roundDrawing, scene, current, this.roundSize);
-    this.describe();
   }
 
   private get where(): string {
@@ -173,14 +184,6 @@ export class BearingPanels {
     const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
     const grading = gradingOf(this.geometry);
     return `${this.where}. Against true scale: height of bumps ${times(stretch)}, displacements and gaps ${times(stretch * this.inwards)}, slip ${times(this.along)}; displacements and gaps against heights ×${this.inwards}.${grading === '' ? '' : ` ${capital(grading)}.`}`;
-  }
-
-  private describe(): void {
-    this.panels.round.refresh();
-    this.panels.unwrapped.refresh();
-    this.flatDrawing.setAttribute('aria-label', `Deformed foils, ${this.where}. Arrow keys choose a bump.`);
-    this.roundDrawing.setAttribute('aria-label', `Deformed bearing, ${this.where}`);
-    this.bumpText.textContent = this.bump === undefined ? 'Point at a bump to read its values.' : this.bumpValues(this.bump);
   }
 
   private bumpValues(bump: number): string {

@@ -8,6 +8,8 @@ export interface ChartPanelContents extends Omit<PanelContents, 'drawing'> {
   description: () => string;
   /** Of the width; of the usual shape without it. */
   height?: (width: number) => number;
+  /** Taller where the panels beside it are, so that none of its room is empty. */
+  fills?: true;
   option: (current: Look, width: number) => Option;
   ready?: (chart: Chart, instance: EChartsType) => void;
 }
@@ -23,10 +25,16 @@ export class ChartPanel {
   private readonly panel: Panel;
 
   constructor(contents: ChartPanelContents) {
-    const { description, height = usualHeight, option, ready } = contents;
-    this.chart = new Chart(description, height, option, (instance) => ready?.(this.chart, instance));
+    const { description, height = usualHeight, fills, option, ready } = contents;
+    const filling = (width: number): number => {
+      const { root } = this.chart;
+      root.style.minHeight = `${height(width)}px`;
+      return root.clientHeight;
+    };
+    this.chart = new Chart(description, fills ? filling : height, option, (instance) => ready?.(this.chart, instance));
     this.panel = new Panel({ ...contents, drawing: () => this.chart.drawing }, this.chart.root);
     this.root = this.panel.root;
+    this.root.classList.toggle('fills', fills === true);
   }
 
   /** To be called when what is shown has changed. */

@@ -15,7 +15,7 @@ import { ChartPanel, type ChartPanelContents } from './chart_panel';
 import { colourBar, rangeText } from './colour_bar';
 
 /** What a chart of a state has of its own. */
-type Contents = Pick<ChartPanelContents, 'title' | 'note' | 'legend' | 'csv' | 'option' | 'height'> & { what: string; told: () => string };
+type Contents = Pick<ChartPanelContents, 'title' | 'note' | 'legend' | 'csv' | 'option' | 'height' | 'fills'> & { what: string; told: () => string };
 
 /** Follows the state that the reader looks at. */
 function statePanel(states: States, selection: GridSelection, { what, told, ...contents }: Contents): HTMLElement {
@@ -293,6 +293,7 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
   return statePanel(states, selection, {
     title: 'Bump loads',
     what: 'bump-loads',
+    fills: true,
     told: () =>
       states.isFound(selection.place)
         ? `maximum ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; detached from ${lifted()} of ${loads().length} bumps${atInlet()}`

@@ -2,6 +2,7 @@ import { at, capital, largest, type Cycle, type Interface, type Run } from '../d
 import { axisText, tickText } from '../data/counted';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
+import { afterwards } from '../ui/afterwards';
 import type { Comparison } from '../ui/comparison';
 import { choice, el, svg } from '../ui/dom';
 import type { LegendEntry } from '../ui/legend';
@@ -48,8 +49,10 @@ class LoadPanel {
       this.chart.root,
     );
     this.root = this.panel.root;
-    comparison.onChange(() => this.refresh());
-    comparison.selection.onChange(() => this.chart.update({ series: this.curves.map((curve, i) => ({ id: `now${i}`, data: this.now(curve) })) }));
+    const refresh = (): void => this.refresh();
+    const follow = (): void => this.chart.update({ series: this.curves.map((curve, i) => ({ id: `now${i}`, data: this.now(curve) })) });
+    comparison.onChange(() => afterwards(refresh));
+    comparison.selection.onChange(() => afterwards(follow));
   }
 
   show(kind: Interface): void {

@@ -1,6 +1,6 @@
 /** The case that is worked on: the text of its file, with what was done to it before. */
-import { alternatives, commons } from './ranges';
-import { outlineOf, without, withValue, writtenValue, type Outline } from './toml';
+import { alternatives, commons, groups } from './ranges';
+import { outlineOf, withCount, without, withValue, writtenValue, type Outline } from './toml';
 
 /** Texts that can be gone back to. */
 const mostSteps = 200;
@@ -65,7 +65,12 @@ export class Design {
       if (path === once) text = each.reduce(without, text);
       else if (each.includes(path) && common !== undefined) text = each.reduce((now, key) => withValue(now, key, common), without(text, once));
     }
-    this.change(withValue(text, this.spelled(path), value), going);
+    text = withValue(text, this.spelled(path), value);
+    for (const { path: list, countedBy } of groups) {
+      // One strip is a whole foil.
+      if (countedBy === path && this.count(list) > 0 && !this.isInline(list) && Number(value) > 0) text = withCount(text, list, Number(value) > 1 ? Number(value) : 0);
+    }
+    this.change(text, going);
   }
 
   remove(path: string): void {

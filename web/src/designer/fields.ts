@@ -6,7 +6,7 @@ import type { Design } from './design';
 import type { CaseKey, Fault, Units } from './format';
 import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
 import { groups, pairs, ranges, without, type Group } from './ranges';
-import { inList } from './toml';
+import { inList, withCount, withValue } from './toml';
 import { listOf, valueOf, withPoint } from './typed';
 
 /** What a field needs to know of the page. */
@@ -150,7 +150,7 @@ function numberField(
       const [least, most, step] = range;
       slider.min = String(Number((least / size).toPrecision(6)));
       slider.max = String(Number((most / size).toPrecision(6)));
-      slider.step = String(Number(((step ?? (most - least) / fineSteps) / size).toPrecision(3)));
+      slider.step = String(Number(((step ?? (most - least) / fineSteps) / size).toPrecision(step === undefined ? 3 : 6)));
       slider.disabled = !now && written !== undefined;
       if (now) slider.value = String(now.number);
       slider.setAttribute('aria-valuetext', now ? `${now.number} ${unit}` : 'not given');
@@ -275,7 +275,7 @@ function ownFoilKeys(pad: string, keys: CaseKey[]): CaseKey[] {
 }
 
 /** The tables of a list, each with its fields, and what adds one more. */
-function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Section {
+function listSection({ path, open, countedBy }: Group, keys: CaseKey[], place: Place): Section {
   const { design } = place;
   const head = keys.find((key) => key.path === `${path}[1]`);
   const title = head?.title ?? path;
@@ -284,7 +284,13 @@ function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Sect
   const add = el('button', { type: 'button', class: 'quiet', 'aria-label': `Add: ${title}` }, 'Add');
   const body = el('div');
   const root = el('details', { class: 'group', 'data-table': path, open }, heading, el('div', { class: 'group-tools' }, el('p', { class: 'note' }, head?.text ?? ''), add), body);
-  add.addEventListener('click', () => design.change(withTable(inList(design.text, path), `${path}[${design.count(path) + 1}]`, keys), false));
+  /** One for each of what is counted, or none; at first of two. */
+  const countedText = (by: string): string => {
+    if (design.count(path) > 0) return withCount(design.text, path, 0);
+    const count = Math.max(2, Number(place.understood(by) ?? 0));
+    return withCount(withValue(design.text, by, String(count)), path, count);
+  };
+  add.addEventListener('click', () => design.change(countedBy === undefined ? withTable(inList(design.text, path), `${path}[${design.count(path) + 1}]`, keys) : countedText(countedBy), false));
   let entries: { fields: Field[]; takeOut: HTMLElement; root: HTMLElement }[] = [];
   const entry = (number: number): (typeof entries)[number] => {
     const table = `${path}[${number}]`;
@@ -307,7 +313,12 @@ function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Sect
     }
     heading.textContent = count === 0 ? title : `${title} (${count})`;
     const inline = design.isInline(path);
-    for (const button of [add, ...entries.map(({ takeOut }) => takeOut)]) button.hidden = inline;
+    add.hidden = inline;
+    for (const { takeOut } of entries) takeOut.hidden = inline || countedBy !== undefined;
+    if (countedBy !== undefined) {
+      add.textContent = count > 0 ? 'Remove' : 'Add';
+      add.setAttribute('aria-label', `${add.textContent}: ${title}`);
+    }
     for (const { fields } of entries) for (const field of fields) field.refresh(faults);
     const faulty = faults.some((fault) => fault.key.startsWith(`${path}[`));
     root.classList.toggle('faulty', faulty);

@@ -34,6 +34,9 @@ function button(text: string, title: string, action: () => void): HTMLButtonElem
   return one;
 }
 
+/** Of the loops, after which no browser found more to compile. */
+const warmingRuns = 8;
+
 function runOf(answer: CyclesAnswer, name: string): Run {
   return new Run({ ...answer.run, name } as RunData);
 }
@@ -91,6 +94,13 @@ class Page {
     this.editor.addEventListener('change', () => this.design.change(this.editor.value, false));
     document.addEventListener('keydown', (event) => this.key(event));
     this.changed();
+  }
+
+  /** Browsers compile what is called often once more, into faster code: here before the first change. */
+  private async warmUp(): Promise<void> {
+    const text = withCycle(this.design.text, this.keys.keys);
+    // The first change ends it.
+    for (let run = 0; run < warmingRuns && !this.design.canUndo; run += 1) await askLoops(this.solvers.loops, text);
   }
 
   private masthead(): HTMLElement {
@@ -171,7 +181,7 @@ class Page {
 
   private pin(): void {
     this.before = this.now;
-    this.show();
+    this.show()();
   }
 
   /** The text has changed: it is computed, and shown once that is done. */
@@ -193,6 +203,7 @@ class Page {
     const tilted = first && isFaulty(first) && first.faults.every(({ key }) => key.startsWith('width.'));
     const answer = tilted ? await askLoops(this.solvers.loops, without(whole, 'width')) : first;
     if (!answer) return;
+    let drawRest = (): void => {};
     if (isFaulty(answer)) {
       this.faults = answer.faults;
     } else {
@@ -202,7 +213,7 @@ class Page {
       if (typeof radius === 'number') this.understood.set('bearing.diameter', 2 * radius);
       this.now = { answer, text };
       this.before ??= this.now;
-      this.show();
+      drawRest = this.show();
     }
     this.fields.refresh(this.faults);
     const elsewhere = this.faults.filter((fault) => !this.fields.tells(fault));
@@ -214,19 +225,24 @@ class Page {
     requestAnimationFrame(() =>
       setTimeout(() => {
         const { dataset } = document.documentElement;
-        dataset['answered'] = String(Number(dataset['answered'] ?? 0) + 1);
         dataset['took'] = (performance.now() - began).toFixed(1);
+        drawRest();
+        const answered = Number(dataset['answered'] ?? 0) + 1;
+        dataset['answered'] = String(answered);
+        if (answered === 1) void this.warmUp();
       }),
     );
   }
 
-  private show(): void {
-    if (!this.now || !this.before) return;
+  /** @return what draws all that waits until the rest is painted */
+  private show(): () => void {
+    let drawRest = (): void => {};
+    if (!this.now || !this.before) return drawRest;
     const now = runOf(this.now.answer, 'current');
     const runs = this.before.text === this.now.text ? [now] : [now, runOf(this.before.answer, 'baseline')];
     const { running, rotor } = this.kinds;
     const layout = `${layoutOf(runs)} ${running} ${rotor}`;
-    if (this.results && layout === this.layout) this.results.show(runs);
+    if (this.results && layout === this.layout) drawRest = this.results.show(runs);
     else this.layOut(runs, layout);
     this.vibration.show(this.now.text, this.before.text);
     // What samples are drawn of has a cycle, too.
@@ -234,6 +250,7 @@ class Page {
     this.running.show(whole(this.now), whole(this.before));
     this.rotor.show(this.now, this.before);
     this.ensemble.show(whole(this.now));
+    return drawRest;
   }
 
   /** What the case is of, beside loops. */

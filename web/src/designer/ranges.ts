@@ -8,6 +8,8 @@ export interface Group {
   open: boolean;
   /** There may be several of it, counted from 1. */
   list?: true;
+  /** Key that counts it: the list has as many tables as that says, or none. */
+  countedBy?: string;
 }
 
 export const groups: Group[] = [
@@ -23,6 +25,7 @@ export const groups: Group[] = [
   { path: 'bearing.journal_waviness', optional: true, open: false, list: true },
   { path: 'bump_foil.section', optional: true, open: false, list: true },
   { path: 'bump_foil.shim', optional: true, open: false, list: true },
+  { path: 'bump_foil.strip', optional: true, open: false, list: true, countedBy: 'bump_foil.strips' },
   { path: 'bump_foil.truss', optional: true, open: false },
   { path: 'gas', optional: false, open: false },
   { path: 'film', optional: false, open: false },
@@ -66,6 +69,8 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'bearing.journal_waviness[1].amplitude': [0, 30 * um],
   'bearing.journal_waviness[1].phase': [0, 360 * deg, 1 * deg],
   'bump_foil.shim[1].thickness': [0, 100 * um],
+  'bump_foil.strip[1].stagger': [0, 5 / 6, 1 / 6],
+  'bump_foil.strip[1].thickness': [0.03 * mm, 0.3 * mm],
   'pad[1].weld_angle': [0, 360 * deg, 1 * deg],
   'pad[1].arc': [20 * deg, 180 * deg, 1 * deg],
   'pad[1].lobe': [0, 60 * um],
@@ -75,6 +80,8 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'bump_foil.length': [0.5 * mm, 10 * mm],
   'bump_foil.height': [0.15 * mm, 1.5 * mm],
   'bump_foil.thickness': [0.03 * mm, 0.3 * mm],
+  'bump_foil.strips': [1, 7, 1],
+  'bump_foil.strip_gap': [0, 10 * mm, 0.1 * mm],
   'bump_foil.youngs_modulus': [50 * GPa, 300 * GPa],
   'bump_foil.poisson_ratio': [0, 0.49, 0.01],
   'top_foil.thickness': [0.03 * mm, 0.4 * mm],

@@ -7,6 +7,7 @@ import { LoopPanel } from '../charts/loops';
 import { allKeys, at, type Run } from '../data/run';
 import { warningsOf } from '../data/outcome';
 import { resultTable } from '../tables/results';
+import { inTwoSteps } from '../ui/afterwards';
 import { Comparison } from '../ui/comparison';
 import { el, svg } from '../ui/dom';
 import { Selection } from '../ui/selection';
@@ -26,8 +27,8 @@ export function layoutOf(runs: Run[]): string {
 
 export interface Results {
   root: HTMLElement;
-  /** Shows others of the same layout. */
-  show: (runs: Run[]) => void;
+  /** Shows others of the same layout, what is above the fold first. @return what draws the rest */
+  show: (runs: Run[]) => () => void;
   readonly comparison: Comparison;
 }
 
@@ -68,7 +69,7 @@ export function results(runs: Run[]): Results {
       // At the foot of the window.
       player(selection, comparison),
     ),
-    show: (next) => comparison.replace(next, at(next, next.length - 1)),
+    show: (next) => inTwoSteps(() => comparison.replace(next, at(next, next.length - 1))),
     comparison,
   };
 }

@@ -119,6 +119,17 @@ export function inList(text: string, path: string): string {
   return head ? `${text.slice(0, head.start)}${text.slice(head.start, head.end).replace(/\[([^\[\]]*)\]/, '[[$1]]')}${text.slice(head.end)}` : text;
 }
 
+/** The text with so many tables of a list: empty ones are added behind those there are, or the last ones taken out. */
+export function withCount(text: string, path: string, count: number): string {
+  let counted = inList(text, path);
+  const has = (number: number): boolean => outlineOf(counted).heads.has(`${path}[${number}]`);
+  let tables = 0;
+  while (has(tables + 1)) tables += 1;
+  for (; tables > count; tables -= 1) counted = without(counted, `${path}[${tables}]`);
+  for (; tables < count; tables += 1) counted = `${counted.replace(/\s*$/, '')}\n\n[[${path}]]\n`;
+  return counted;
+}
+
 /** The text without a key, or without a table and all that is in it; comments on lines of their own stay. */
 export function without(text: string, path: string): string {
   const { statements, heads } = outlineOf(text);

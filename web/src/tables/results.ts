@@ -2,6 +2,7 @@ import type { CycleSummary, Quantity, StressPlace } from '../data/format';
 import { at, capital, largest, type Run } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { differences, formatNumber, formatQuantity, scaleFor, type Scale } from '../data/units';
+import { afterwards } from '../ui/afterwards';
 import type { Comparison } from '../ui/comparison';
 import { choice, dropDown, el } from '../ui/dom';
 import { Panel } from '../ui/panel';
@@ -165,7 +166,7 @@ export function resultTable(comparison: Comparison, keys: number[]): HTMLElement
     panel.refresh();
     fill();
   };
-  comparison.onChange(refresh);
+  comparison.onChange(() => afterwards(refresh));
   onPrint(() => {
     if (comparison.many) refresh();
   });

@@ -136,7 +136,7 @@ struct Cycle {
   std::optional<double> take_up;
   std::vector<Clearance> clearances;           ///< of a push, at the thresholds that were asked for
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
-  std::optional<StressPeak> bump_foil_stress;  ///< absent where the model knows none: truss and former model
+  std::optional<StressPeak> bump_foil_stress;  ///< absent where the model has none: truss, Le Lez (2007)
   std::optional<CompressionPeak> compression;  ///< absent with quantities alone
   Vector largest_pad_forces;                   ///< N, per pad of several; empty with quantities alone
   double max_residual{};                       ///< equilibrium, largest at the start and where legs end

@@ -13,7 +13,7 @@ namespace bumpfoil {
 ///     stiffness = (1/(pi X)) closed integral of F cos(tau) dtau,   loss = (1/(pi X^2)) closed integral of F dx
 ///
 /// so that F - mean = stiffness x + (loss/omega) dx/dt + higher harmonics, at any frequency omega: Coulomb friction
-/// knows no rate. Along n, pi X^2 loss is the loop energy.
+/// is independent of the rate. Along n, pi X^2 loss is the loop energy.
 struct FirstHarmonic {
   Eigen::Vector2d stiffness{0.0, 0.0};  ///< K n, N/m
   Eigen::Vector2d loss{0.0, 0.0};       ///< omega c n, N/m

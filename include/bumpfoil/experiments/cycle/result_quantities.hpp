@@ -63,7 +63,7 @@ enum class Node {
   strip,  ///< of several that do not move alike
 };
 
-/// Strips whose results are told apart: those of the bump foil, or one where they move alike.
+/// Strips with results of their own: those of the bump foil, or one where they move alike.
 std::size_t strips_apart(const Case& input);
 
 /// Of the foils at one increment: a matrix of increments and nodes, see FoilFields. No columns where it is not known.

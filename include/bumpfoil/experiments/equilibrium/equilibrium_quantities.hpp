@@ -79,7 +79,7 @@ HeldPlace held_place(const FilmBearing& bearing, const HeldMotion& motion);
 /// pads, on that where they are most; 0 for a state that was not found, and where no bump is loaded at all.
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
 
-/// What is asked for as messages call it: "45000 rpm, load (50, 0) N"; without a speed that is not a number.
+/// The operating point as messages call it: "45000 rpm, load (50, 0) N"; without a speed that is not a number.
 std::string name_of_point(const OperatingPoint& point);
 
 /// A state as messages call it, by where it was reached from: "load_ramp from rest, 45000 rpm, load (20, 0) N", or

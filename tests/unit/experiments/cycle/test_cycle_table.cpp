@@ -98,7 +98,7 @@ TEST(CycleTable, HasUnitsWhereThereAreValues) {
   for (Cycle& cycle : result.cycles) cycle.loop_energy.reset();
   result.cycles[0].secant_stiffness.reset();
   for (const std::string& line : lines_of(cycle_table(reference_case(), result))) {
-    // The truss knows no stress of the bump foil.
+    // The truss has no stress of the bump foil.
     if (line.starts_with("loop energy") || line.starts_with("maximum stress, bump foil")) {
       EXPECT_EQ(line.find_first_not_of(' ', line.find("  ")), line.find('-')) << line;
     }

@@ -66,7 +66,7 @@ TEST(Equilibrium, TellsHowStatesAnswerToSmallMotions) {
   EXPECT_EQ(state.whirls[0].frequency, 0.1 * speed);
   const FilmWhirl& again = state.whirls[1];
   ASSERT_TRUE(of_rotation.impedance && of_rotation.stuck_impedance && again.impedance && again.stuck_impedance);
-  // Where the equations are factored depends on what is asked for: to 1e-10 of what is stored.
+  // Where the equations are factored depends on the results requested: to 1e-10 of what is stored.
   EXPECT_LT((*again.impedance - *of_rotation.impedance).norm(), 1e-8 * again.impedance->norm());
   EXPECT_LT((*again.stuck_impedance - *of_rotation.stuck_impedance).norm(), 1e-8 * again.impedance->norm());
   EXPECT_GT((*again.stuck_impedance - *again.impedance).norm(), 1e-3 * again.impedance->norm());

@@ -152,6 +152,7 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   const json motions = json::parse(files[4].contents).at("states").at(1).at("motions");
   ASSERT_EQ(motions.size(), 3U);
   const std::string table = equilibrium_table(result);
+  EXPECT_NE(table.find("dynamic stiffness, xx"), std::string::npos) << table;
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(stiffness[3 + i], (*whirls[i].impedance)(0, 1).real());
     EXPECT_EQ(damping[3 + i], (*whirls[i].stuck_impedance)(1, 0).imag() / whirls[i].frequency);
@@ -180,6 +181,7 @@ TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
   // Of one frequency alone there is nothing to say beside the whirl of the state.
   const std::string table = equilibrium_table(result);
   EXPECT_EQ(table.find("whirl frequency"), table.rfind("whirl frequency"));
+  EXPECT_NE(table.find("synchronous stiffness, xx"), std::string::npos) << table;
 }
 
 TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {

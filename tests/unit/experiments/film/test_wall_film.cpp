@@ -171,7 +171,7 @@ TEST(WallFilm, IsAsLongAsTheFoils) {
   EXPECT_NEAR(bearing.pads.front().foil.mesh.angles().tail(1)[0], 26.0 * 4.55e-3 / input.bearing.radius, 1e-12);
 }
 
-/// A closed bearing knows no place on its circumference.
+/// On a closed bearing no place of the circumference differs from another.
 TEST(WallFilm, ClosedWallTurnsWithItsLoad) {
   Case input = wall_case();
   input.film.closed = true;

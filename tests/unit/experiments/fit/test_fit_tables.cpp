@@ -6,11 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/fit/fit.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -178,6 +181,22 @@ TEST(FitTables, FindClearanceAndOriginFromEquilibria) {
   EXPECT_EQ(measured.points[3].at, 50.0);
   EXPECT_NE(fit_csv(result).find("1,0,\"45000 rpm, load towards 0 deg\",h_min,m,Load,N,1,40,"), std::string::npos);
   EXPECT_NE(fit_table(result).find("equilibrium 1, torque: residual"), std::string::npos);
+}
+
+TEST(FitTables, NameTheSolversThatAreUsed) {
+  FitData loop;
+  FitData film;
+  film.experiment = FittedExperiment::equilibrium;
+  const auto solvers = [](SolverName of_case, std::vector<FitData> data) {
+    Case input;
+    input.solver.name = of_case;
+    input.settings.set(FitSettings{.data = std::move(data)});
+    return experiment_named("fit").solvers(input);
+  };
+  EXPECT_EQ(solvers(SolverName::events, {loop}), "events");
+  EXPECT_EQ(solvers(SolverName::events, {film}), "newton");
+  EXPECT_EQ(solvers(SolverName::newton, {loop, film}), "newton");
+  EXPECT_EQ(solvers(SolverName::events, {loop, film}), "events, newton with films");
 }
 
 /// Damping of a running bearing in which contacts slide, over their friction.

@@ -247,7 +247,7 @@ TEST(RunStrip, SwingHasNoStiffnessBeforeItsLowerTurningPoint) {
   }
 }
 
-/// Loading from nothing to 20 um and back, and going about 10 um by as much, is the same loop: so is its loss factor.
+/// Loading from 0 to 20 um and back, and going about 10 um by as much, is the same loop: so is its loss factor.
 TEST(RunStrip, LossFactorDoesNotAskWhereTheLoopBegan) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
   input.strip->amplitude = {.control = Control::displacement, .value = 20e-6};
