@@ -1,41 +1,16 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <atomic>
 #include <cstddef>
 #include <memory>
 
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "property/counted_allocator.hpp"
 #include "support/random_problem.hpp"
 
-// Under a sanitizer the allocator is its own: nothing is counted there.
-#if !defined(__SANITIZE_ADDRESS__)
-
-namespace {
-std::atomic<long> allocations{0};
-}  // namespace
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-
-// Stands before the C library's: operator new and Eigen both end here.
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* realloc(void* old, std::size_t size) {
-  ++allocations;
-  return __libc_realloc(old, size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
-}
+#ifdef BUMPFOIL_COUNTS_ALLOCATIONS
 
 namespace bumpfoil {
 namespace {

@@ -122,6 +122,46 @@ TEST(FilmBearing, HoldsTheJournalAgainstThePressure) {
   EXPECT_NEAR(outcome.power, 100.0 * outcome.torque, 1e-15);
 }
 
+/// The displacement leads the force by 2 pi - 2.5 - pi / 2 where the journal turns from X to Y, and lags by it where it
+/// turns the other way.
+TEST(FilmBearing, HasAnAttitudeFromTheForceToTheDisplacement) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  const double eccentricity = 0.3 * bearing.clearance;
+  for (const double speed : {-100.0, 100.0}) {
+    BearingState state = resting(bearing, eccentricity * Eigen::Vector2d(std::cos(-2.5), std::sin(-2.5)), speed);
+    for (int k = 0; k < bearing.columns(); ++k)
+      state.film.pressure.col(k).array() += 0.1 * bearing.column_normals(1, k);
+    const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
+    const double of_force = std::atan2(outcome.force.y(), outcome.force.x());
+    EXPECT_NEAR(of_force, 0.5 * std::numbers::pi, 0.05);
+    EXPECT_NEAR(outcome.attitude_angle, std::copysign(2.0 * std::numbers::pi - 2.5 - of_force, speed), 1e-12);
+    EXPECT_EQ(outcome.max_pressure, state.film.pressure.maxCoeff());
+    EXPECT_EQ(outcome.min_pressure, state.film.pressure.minCoeff());
+    EXPECT_LT(outcome.min_pressure, 0.95);
+  }
+}
+
+/// What a pressure that is the same in all rows between the sides drives out at both.
+TEST(FilmBearing, LeaksAtBothSides) {
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width = WidthPart::whole});
+  BearingState state = resting(bearing, JournalVector::Zero(4), 0.0);
+  state.film.pressure.middleRows(1, state.film.pressure.rows() - 2).array() += 0.1;
+  const FilmFlows flows = film_bearing_outcome(bearing, state).flows;
+  EXPECT_GT(flows.sides, 0.0);
+  EXPECT_NEAR(flows.right_side, 0.5 * flows.sides, 1e-12 * flows.sides);
+}
+
+TEST(FilmBearing, IsFedAtItsSides) {
+  const Case input = film_reference_case(coarse);
+  const FilmBearing bearing = make_film_bearing(make_foils(input), gas_of(input.gas),
+                                                {.columns_per_pitch = 4, .rows = 4, .width = WidthPart::whole},
+                                                {.side_pressure = Eigen::Vector2d(1.2, 1.5)});
+  const Matrix pressure = bearing.resting_pressure();
+  EXPECT_EQ(pressure(0, 7), 1.2);
+  EXPECT_EQ(pressure(pressure.rows() - 1, 7), 1.5);
+  EXPECT_EQ(pressure(1, 7), 1.0);
+}
+
 /// Petroff's law: a centred journal without pressure shears mu Omega R^3 / c over the foil.
 TEST(FilmBearing, DragsByCouetteFlowAlone) {
   const FilmBearing bearing = film_reference_bearing(coarse);

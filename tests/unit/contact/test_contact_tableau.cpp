@@ -6,6 +6,7 @@
 
 #include "bumpfoil/core/vector_instructions.hpp"
 #include "support/random_problem.hpp"
+#include "support/toy_problems.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -138,6 +139,18 @@ TEST(ContactTableau, TakesAnotherPath) {
     expect_near(led.gap, expected.gap, 1e-12, 0);
     expect_near(led.normal_force, expected.normal_force, 1e-12, 0);
   }
+}
+
+/// A block that nothing but friction holds along the floor.
+TEST(ContactTableau, RefusesModesThatLeaveAMechanism) {
+  ContactProblem problem = toy::dragged_block();
+  problem.K = BlockTridiagonal(1, 2);
+  problem.K.add(0, 1, 0, 1, 1e6);
+  ContactTableau tableau(problem, make_mode_system(problem));
+  tableau.set_path({toy::pull(0.0, 1.0), toy::pull(0.0, 2.0)});
+  ASSERT_TRUE(tableau.set_modes({ContactMode::stick}));
+  EXPECT_FALSE(tableau.set_modes({ContactMode::slip_forward}));
+  EXPECT_TRUE(tableau.set_modes({ContactMode::stick}));
 }
 
 /// An ensemble asks for the same to the last bit whatever ran before.

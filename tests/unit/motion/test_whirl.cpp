@@ -96,6 +96,46 @@ TEST(Whirl, TiltsOnSpringsThatResistIt) {
   }
 }
 
+/// On equal springs k at l on both sides a rigid rotor tilts with I_t w^2 -+ Omega I_p w = 2 l^2 k: faster forward.
+TEST(Whirl, SplitsByTheGyroscopicEffect) {
+  constexpr double k = 1e6;
+  constexpr double l = 0.05;
+  constexpr double inertia = 2e-3;
+  constexpr double polar = 1e-3;
+  constexpr double speed = 2000.0;
+  const Rotor rotor =
+      make_rigid_rotor({.mass = 2.0, .transverse_inertia = inertia, .polar_inertia = polar, .bearings = {-l, l}});
+  const FilmImpedance spring = linear_impedance(k * Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero(), 1000.0);
+  const auto whirls = whirls_on(rotor, speed, {spring, spring}, usual_window(speed));
+  for (const double turn : {1.0, -1.0}) {
+    const double gyroscopic = turn * speed * polar;
+    const double frequency =
+        (gyroscopic + std::sqrt(gyroscopic * gyroscopic + 8.0 * inertia * l * l * k)) / (2.0 * inertia);
+    EXPECT_TRUE(std::any_of(whirls.begin(), whirls.end(), [&](const Whirl& whirl) {
+      return std::abs(whirl.rate - Complex(0.0, frequency)) < 1e-8 * frequency &&
+             std::abs(whirl.direction - turn) < 1e-6;
+    })) << frequency;
+  }
+}
+
+/// A mass whose forward whirl grows however slowly is seen up to 8 times the speed, what decays up to twice.
+TEST(Whirl, IsSeenFartherOutWhereItGrows) {
+  constexpr double m = 0.8;
+  constexpr double c = 100.0;
+  constexpr double growth = 0.5;
+  constexpr double frequency = 2000.0;
+  constexpr double k = m * (frequency * frequency - growth * growth) - c * growth;
+  constexpr double q = frequency * (2.0 * m * growth + c);
+  Eigen::Matrix2d K;
+  K << k, q, -q, k;
+  const FilmImpedance impedance = linear_impedance(K, c * Eigen::Matrix2d::Identity(), 1000.0);
+  constexpr double speed = 700.0;
+  const auto whirls = whirls_on(make_point_mass(m), speed, {impedance}, usual_window(speed));
+  ASSERT_EQ(whirls.size(), 1U);
+  EXPECT_LT(std::abs(whirls[0].rate - Complex(growth, frequency)), 1e-9 * frequency);
+  EXPECT_GT(whirls[0].residual, 0.0);  // round-off
+}
+
 /// Coefficients of a spring and a damper are themselves, at any speed.
 TEST(Whirl, OnCoefficientsOfSpringsIsThatOnSprings) {
   const Eigen::Matrix2d K = (Eigen::Matrix2d() << 3e6, 4e5, -3e5, 2e6).finished();

@@ -101,6 +101,7 @@ TEST(Fit, ProfilesAreWideWhereHardlyMoreThanASumIsSeen) {
     Case input = fit_of(few_bumps(0.1, 28e-6), data, parameters);
     input.settings.find<FitSettings>()->profile = true;
     const FittedValue found = run_fit(input).parameters[0];
+    EXPECT_EQ(found.profile_upper_95.has_value(), parameters.size() == 1);
     return found.profile_upper_95.value_or(1.0) - found.profile_lower_95.value_or(-1.0);
   };
   const double alone = width({clearance});
@@ -403,6 +404,7 @@ TEST(Fit, StopsWhenAsked) {
   const FitResult result =
       run_fit(fit_of(few_bumps(0.1, 28e-6), data, {any_friction}, 3), [](double) { return false; });
   EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_GT(result.runs, 0U);
 }
 
 }  // namespace
