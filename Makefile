@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized fuzz mutations lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized fuzz mutations compilers lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -111,6 +111,23 @@ mutations: ## change one token of the sources at a time and see whether tests no
 	@scripts/require_packages.sh build plot test
 	$(call BUILD,release-audit)
 	/usr/bin/python3 -B scripts/mutations.py build/release-audit results/mutations.jsonl $(MUTATIONS)
+
+# The baseline leaves out the wider vector instructions, which are chosen at run time elsewhere.
+compilers: ## build the program by g++ and clang++, -O2 and -O3, with and without wide vectors; results agree to 1e-9
+	@scripts/require_packages.sh build test fuzz
+	build_by() {
+	  cmake --log-level=WARNING --preset release -B "build/compilers/$$1" -DCMAKE_CXX_COMPILER="$$2" \
+	    -DCMAKE_CXX_FLAGS_RELEASE="$$3 -DNDEBUG" -DBUMPFOIL_BUILD_DESIGNER=OFF -DBUMPFOIL_BUILD_REPORT=OFF > /dev/null
+	  cmake --build "build/compilers/$$1" --parallel $(JOBS) --target bumpfoil
+	}
+	baseline="'-D__builtin_cpu_supports(x)=0'"
+	build_by gcc g++ -O2
+	build_by gcc-baseline g++ "-O3 $$baseline"
+	build_by clang clang++ -O3
+	build_by clang-baseline clang++ "-O2 $$baseline"
+	for other in gcc-baseline clang clang-baseline; do
+	  /usr/bin/python3 -B scripts/compare_programs.py build/compilers/{gcc,"$$other"}/bumpfoil --drawn 0 --zero 1e-9
+	done
 
 lint: ## install what is missing, let clang-tidy read the sources
 	@scripts/require_packages.sh build python test bench lint

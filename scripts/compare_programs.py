@@ -4,8 +4,10 @@
     scripts/compare_programs.py OLD NEW [--examples DIR] [--drawn N] [--seed S] [--tolerance T]
 
 Runs every command on each case in examples/ that can take it, and as many of them with keys drawn at random, by both
-programs. Compares exit codes, messages, and of every number in the files of netCDF, CSV and summary.json the difference
-over the largest of its quantity, and coefficients.toml line by line. Prints a line per run; exit code 1 where one differs by more than the tolerance.
+programs. Compares exit codes, messages, and of every number in the files of netCDF, CSV, TOML and summary.json the
+difference over the largest of its quantity. Prints a line per run; exit code 1 where one differs by more than the
+tolerance. With --zero a quantity whose largest is less than that counts as zero (in SI units), as do residuals: other
+compilers round otherwise.
 """
 
 import argparse
@@ -98,10 +100,10 @@ def numbers_of(value, name=""):
     elif isinstance(value, list):
         for inner in value:
             yield from numbers_of(inner, name)
-    elif isinstance(value, bool) or value is None or isinstance(value, str):
+    elif isinstance(value, (bool, str)):
         yield name, str(value)
     else:
-        yield name, float(value)
+        yield name, np.nan if value is None else float(value)
 
 
 def quantities_of(folder):
@@ -124,19 +126,23 @@ def quantities_of(folder):
                     if name not in NOT_COMPARED:
                         found.setdefault(f"{path.name}:{name}", []).append(number_or_text(text))
     for path in sorted(folder.glob("*.toml")):
-        found[path.name] = [line for line in path.read_text().splitlines() if not line.startswith(("#", "source =", "run_id ="))]
+        lines = [line for line in path.read_text().splitlines() if not line.startswith(("#", "source =", "run_id ="))]
+        # Tables and keys, and the numbers between them, of each key by itself.
+        for line in lines:
+            key = line.split("=")[0].strip()
+            found.setdefault(f"{path.name}:{key}", []).extend(map(number_or_text, re.split(r"[\s,\[\]]+", line)))
     return found
 
 
 def number_or_text(text):
     """A cell of a table."""
     try:
-        return float(text)
+        return float(text or "nan")
     except ValueError:
         return text
 
 
-def difference(old, new):
+def difference(old, new, zero):
     """The largest difference over the largest of its quantity, and the quantity; infinite where texts differ. Keys of the
     case that the new program alone knows are left out."""
     worst, where = 0.0, ""
@@ -144,18 +150,19 @@ def difference(old, new):
         if name.startswith("summary.case.") and name not in old:
             continue
         a, b = old.get(name), new.get(name)
-        if a == b:
+        if a == b or (zero > 0.0 and "residual" in name):
             continue
         if a is None or b is None or len(a) != len(b):
             return float("inf"), name
-        try:
-            x, y = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-        except ValueError:
+        if any(p != q for p, q in zip(a, b) if isinstance(p, str) or isinstance(q, str)):
             return float("inf"), name
+        x, y = (np.array([number for number in numbers if not isinstance(number, str)], dtype=float) for numbers in (a, b))
         if not np.array_equal(np.isnan(x), np.isnan(y)):
             return float("inf"), name
-        largest = np.nanmax(np.abs(x), initial=0.0)
-        relative = np.nanmax(np.abs(x - y), initial=0.0) / (largest if largest > 0.0 else 1.0)
+        largest = np.max(np.abs(x[~np.isnan(x)]), initial=0.0)
+        if max(largest, np.max(np.abs(y[~np.isnan(y)]), initial=0.0)) < zero:
+            continue
+        relative = np.max(np.abs(x - y)[~np.isnan(x)], initial=0.0) / (largest if largest > 0.0 else 1.0)
         if relative > worst:
             worst, where = float(relative), name
     return worst, where
@@ -169,6 +176,7 @@ def main():
     parser.add_argument("--drawn", type=int, default=100, help="cases drawn at random (100)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--tolerance", type=float, default=1e-9, help="of the largest of each quantity (1e-9)")
+    parser.add_argument("--zero", type=float, default=0.0, help="what is smaller counts as zero (0)")
     options = parser.parse_args()
 
     known = [(case, command) for case in sorted(options.examples.glob("*.toml")) for command in commands_of(options.old, case)]
@@ -182,7 +190,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             folders = [Path(folder) / name for name in ("old", "new")]
             ends = [run(program, command, case, keys, where) for program, where in zip((options.old, options.new), folders)]
-            worst, where = difference(*map(quantities_of, folders))
+            worst, where = difference(*map(quantities_of, folders), options.zero)
         if ends[0] != ends[1]:
             worst, where = float("inf"), f"exit code or errors: {ends}"
         same += worst == 0.0

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "support/film_bearing_cases.hpp"
@@ -229,6 +231,20 @@ TEST(FilmBearing, FindsTheThinnestPlaceOfAllPads) {
   EXPECT_EQ(outcome.first_loaded, 8 + 2);
   EXPECT_EQ(outcome.loaded_bumps, 1);
   EXPECT_EQ(bump_loads(bearing, state)[8 + 2], 3.0);
+}
+
+/// A formed top foil bulges otherwise over strips that are not equally high than over their mean.
+TEST(FilmBearing, AssemblesFormedFoilsOnTheirStrips) {
+  const Case input = parse_case(case_template("gen1"), "case.toml",
+                                {.overrides = {"top_foil.formed_radius=seated", "width.modes=3", "bump_foil.strips=2",
+                                               "bump_foil.strip=[{}, {height_errors=\"-5 um\"}]"},
+                                 .commands = {}});
+  const Foils foils = make_foils(input);
+  const FilmBearing bearing = make_film_bearing(
+      foils, gas_of(input.gas), {.columns_per_pitch = 4, .rows = 3, .width_modes = 3, .width = WidthPart::whole});
+  ASSERT_EQ(bearing.assembly.size(), 1U);
+  EXPECT_EQ(bearing.assembly[0].load, on_strips(foils, 3, Eigen::Vector2d::Zero()).assembly.at(0).load);
+  EXPECT_NE(bearing.assembly[0].load, foils.assembly.at(0).load);
 }
 
 TEST(FilmBearing, HasAScaleWithoutClearanceToo) {
