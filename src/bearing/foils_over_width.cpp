@@ -72,12 +72,14 @@ void add_tilt(const Eigen::Vector2d& slope, Foils& foils) {
 
 }  // namespace
 
-Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope) {
+Foils under_tilted_journal(const Foils& foils, int modes, const Eigen::Vector2d& slope, SheetModel sheet) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
   Foils tilted = foils;
-  tilted.lines = foil_lines_of(width, foils.structure.dofs, foils.structure.dofs.size);
-  BlockTridiagonal K(foils.structure.K.blocks(), unknowns_on_lines(tilted) + unknowns_of_membrane(width));
+  tilted.sheet = sheet;
+  tilted.lines = foil_lines_of(width, sheet, foils.structure.dofs, foils.structure.dofs.size);
+  BlockTridiagonal K(foils.structure.K.blocks(),
+                     unknowns_on_lines(tilted) + unknowns_of_sheet(tilted, width) + unknowns_of_membrane(width));
   add_bump_foils(tilted, width, K);
   for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(tilted, pad, width, {0}, K);
   tilted.problem.K = std::move(K);

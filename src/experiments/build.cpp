@@ -12,13 +12,22 @@
 
 namespace bumpfoil {
 
+namespace {
+
+SheetModel sheet_of(const Case& input) {
+  return input.width.sheet ? SheetModel::elastic : SheetModel::held;
+}
+
+}  // namespace
+
 SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
   require_bearing(input, commands);
   if (!input.varies_over_the_width()) return std::make_shared<const Foils>(make_foils(input));
   const Eigen::Vector2d slope(input.width.tilt[0], input.width.tilt[1]);
   if (input.bump_foil.is_split())
     return std::make_shared<const Foils>(on_strips(make_foils(input), input.width.modes, slope));
-  return std::make_shared<const Foils>(under_tilted_journal(make_foils(input), input.width.modes, slope));
+  return std::make_shared<const Foils>(
+      under_tilted_journal(make_foils(input), input.width.modes, slope, sheet_of(input)));
 }
 
 SharedFoils make_strip_foils(const Case& input) {
@@ -91,6 +100,7 @@ FilmResolution resolution_of(const Case& input) {
   return {.columns_per_pitch = input.film.columns_per_pitch,
           .rows = input.film.rows,
           .width_modes = input.width.modes,
+          .sheet = sheet_of(input),
           .width = input.has_equal_halves() ? WidthPart::half : WidthPart::whole};
 }
 
