@@ -39,6 +39,9 @@ constexpr auto displacements = std::to_array<NamedField>({{"top_displacement", &
                                                           {"foot_u_slope", &FoilFields::foot_u_slope},
                                                           {"foot_v_slope", &FoilFields::foot_v_slope},
                                                           {"crest_v_parabola", &FoilFields::crest_v_parabola},
+                                                          {"crest_u_parabola", &FoilFields::crest_u_parabola},
+                                                          {"foot_u_parabola", &FoilFields::foot_u_parabola},
+                                                          {"foot_v_parabola", &FoilFields::foot_v_parabola},
                                                           {"pad_force_x", &FoilFields::pad_force_x},
                                                           {"pad_force_y", &FoilFields::pad_force_y},
                                                           {"strip_load", &FoilFields::strip_load}});

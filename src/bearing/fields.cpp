@@ -161,7 +161,10 @@ void record_modes(const Foils& foils, const Vector& x, Eigen::Index increment, F
   put(fields.crest_v_slope, 1, first_bump, {dofs.crest_v});
   put(fields.foot_u_slope, 1, 0, dofs.foot_u);
   put(fields.foot_v_slope, 1, 0, dofs.foot_v);
+  put(fields.crest_u_parabola, 2, first_bump, {dofs.crest_u});
   put(fields.crest_v_parabola, 2, first_bump, {dofs.crest_v});
+  put(fields.foot_u_parabola, 2, 0, dofs.foot_u);
+  put(fields.foot_v_parabola, 2, 0, dofs.foot_v);
 }
 
 StressFields make_stress_fields(const Foils& foils, int increments) {
@@ -196,17 +199,12 @@ void InterfaceFields::truncate(Eigen::Index increments) {
 }
 
 void FoilFields::truncate(Eigen::Index increments) {
-  for (FieldMatrix* field : {&top_displacement, &crest_u,
-                             &crest_v,          &foot_u,
-                             &foot_v,           &compression,
-                             &top_slope,        &crest_u_slope,
-                             &crest_v_slope,    &foot_u_slope,
-                             &foot_v_slope,     &top_parabola,
-                             &crest_v_parabola, &pad_force_x,
-                             &pad_force_y,      &strip_load,
-                             &stress.top_weld,  &stress.top_crest,
-                             &stress.bump_weld, &stress.bump_crest,
-                             &stress.bump_foot, &stress.bump_largest}) {
+  for (FieldMatrix* field :
+       {&top_displacement, &crest_u,          &crest_v,           &foot_u,           &foot_v,
+        &compression,      &top_slope,        &crest_u_slope,     &crest_v_slope,    &foot_u_slope,
+        &foot_v_slope,     &top_parabola,     &crest_u_parabola,  &crest_v_parabola, &foot_u_parabola,
+        &foot_v_parabola,  &pad_force_x,      &pad_force_y,       &strip_load,       &stress.top_weld,
+        &stress.top_crest, &stress.bump_weld, &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
     field->conservativeResize(increments, Eigen::NoChange);
   }
   for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
@@ -270,7 +268,8 @@ FoilFields make_fields(const Foils& foils, int increments) {
   fields.journal_top.resize(increments, foils.top_bump() > 0 ? bumps : 0);
   fields.top_bump.resize(increments, bumps);
   fields.bump_sleeve.resize(increments, feet);
-  const bool has_slope = foils.foot_contacts() > 1;  // all of a bump foil varies linearly, or nothing does
+  // All of a bump foil varies linearly, or nothing does.
+  const bool has_slope = foils.foot_contacts() > 1 && foils.crest_lines().front().zeta < 0.0;
   for (FieldMatrix* field : {&fields.crest_u_slope, &fields.crest_v_slope}) {
     field->resize(increments, has_slope ? bumps : 0);
   }
@@ -282,6 +281,11 @@ FoilFields make_fields(const Foils& foils, int increments) {
   const bool has_parabola = foils.points.empty() && foils.crest_contacts() > (has_slope ? 2 : 1);
   fields.top_parabola.resize(increments, has_pressed_top && has_parabola ? bumps : 0);
   fields.crest_v_parabola.resize(increments, has_parabola ? bumps : 0);
+  const bool slides_as_parabola = has_parabola && foils.sheet == SheetModel::elastic;
+  fields.crest_u_parabola.resize(increments, slides_as_parabola ? bumps : 0);
+  for (FieldMatrix* field : {&fields.foot_u_parabola, &fields.foot_v_parabola}) {
+    field->resize(increments, slides_as_parabola ? feet : 0);
+  }
   for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
     field->resize(increments, foils.pad_count() > 1 && !foils.under_film ? foils.pad_count() : 0);
   }

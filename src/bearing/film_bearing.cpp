@@ -208,7 +208,7 @@ double room_of(const FilmBearing& bearing) {
 /// Unknowns of a block.
 int block_size_of(const FilmBearing& bearing) {
   const FilmPad& pad = bearing.pads.front();
-  return std::max(bearing.behind_pressures(), unknowns_on_lines(bearing)) +
+  return std::max(bearing.behind_pressures(), unknowns_on_lines(bearing)) + unknowns_of_sheet(bearing, pad.foil.lines) +
          pad.stations * 2 * static_cast<int>(pad.foil.stretching.rows());
 }
 
@@ -234,6 +234,7 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   bearing.scales = {gas, foils.placed.front().alone.bearing.radius, film_thickness_scale(foils.clearance)};
   const BumpFoil& bump_foil = foils.placed.front().alone.bump_foil;
   const bool split = resolution.width_modes > 1 && bump_foil.is_split();
+  BUMPFOIL_ASSERT(!split || resolution.sheet == SheetModel::held);
   const std::vector<int> stations = split ? bump_foil.stations() : std::vector<int>{0};
   for (const PlacedPad& placed : foils.placed) append(placed, resolution, stations, bearing);
   const FoilFilm& foil = bearing.pads.front().foil;
@@ -245,7 +246,8 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
       bearing.assembly = on_strips(foils, resolution.width_modes, {}).assembly;
     }
   } else {
-    bearing.lines = foil_lines_of(foil.lines, bearing.dofs(), bearing.behind_pressures());
+    bearing.sheet = resolution.sheet;
+    bearing.lines = foil_lines_of(foil.lines, resolution.sheet, bearing.dofs(), bearing.behind_pressures());
   }
   bearing.room = room_of(bearing);
   BlockTridiagonal K(foils.structure.K.blocks() + bearing.pad_count(), block_size_of(bearing));

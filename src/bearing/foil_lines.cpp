@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/held_crests.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// Springs against what higher modes do not displace, over the stiffest of the bump foils: what such a sheet is against
-/// shear and stretch in its own surface counts as rigid.
+/// Springs against what higher modes do not displace, over the stiffest of the bump foils: what a sheet that is held is
+/// against shear and stretch in its own surface counts as rigid.
 constexpr double rigidity_of_sheet = 1e2;
 
 bool is_of_top_foil(const BumpDofs& dofs, int place) {
@@ -35,11 +36,38 @@ void add_block(const Foils& foils, const Matrix& block, const Alike& alike, Matr
   }
 }
 
+/// Adds the sheets of the bump foils, which join their slices in the modes that stretch them.
+void add_sheets(const Foils& foils, const WidthLines& width, BlockTridiagonal& K) {
+  const BumpDofs& dofs = foils.structure.dofs;
+  const Matrix to_modes = width.to_stretching_modes();
+  const Eigen::Index of_slices = to_modes.rows() * dofs.size;
+  const Eigen::Index of_sheet = to_modes.rows() * sheet_nodes(dofs);
+  // From the unknowns of a block to those that a sheet knows.
+  Matrix known = Matrix::Zero(of_slices + of_sheet, K.block_size());
+  known.block(of_slices, unknowns_on_lines(foils), of_sheet, of_sheet).setIdentity();
+  for (Eigen::Index mode = 0; mode < to_modes.rows(); ++mode) {
+    for (Eigen::Index s = 0; s < width.count(); ++s) {
+      for (int i = 0; i < dofs.size; ++i) {
+        if (!is_of_top_foil(dofs, i)) known(mode * dofs.size + i, foils.place(s, i)) = to_modes(mode, s);
+      }
+    }
+  }
+  for (int pad = 0; pad < foils.pad_count(); ++pad) {
+    const FoilDesign design = make_bearing_design(foils.placed[static_cast<std::size_t>(pad)].alone);
+    const BlockTridiagonal sheet = bump_sheet_stiffness(design, width.stretching_orders());
+    const auto first = static_cast<std::size_t>(foils.block(foils.structure.blocks_of(pad).first));
+    for (std::size_t b = 0; b < sheet.diagonal.size(); ++b) {
+      K.diagonal[first + b] += known.transpose() * sheet.diagonal[b] * known;
+      if (b < sheet.upper.size()) K.upper[first + b] += known.transpose() * sheet.upper[b] * known;
+    }
+  }
+}
+
 }  // namespace
 
-std::vector<FoilLine> foil_lines_of(const WidthLines& lines, const BumpDofs& dofs, int further) {
+std::vector<FoilLine> foil_lines_of(const WidthLines& lines, SheetModel sheet, const BumpDofs& dofs, int further) {
   std::vector<FoilLine> placed(static_cast<std::size_t>(lines.count()));
-  const bool all_vary = lines.orders.size() > 1 && lines.orders[1] == 1;
+  const bool all_vary = lines.orders.size() > 1 && (lines.orders[1] == 1 || sheet == SheetModel::elastic);
   const auto varies = [&](int i) {
     return all_vary || is_of_top_foil(dofs, i) || i == dofs.crest_u || i == dofs.crest_v;
   };
@@ -66,6 +94,11 @@ int unknowns_on_lines(const Foils& foils) {
   return largest + 1;
 }
 
+int unknowns_of_sheet(const Foils& foils, const WidthLines& width) {
+  if (foils.sheet == SheetModel::held) return 0;
+  return static_cast<int>(width.stretching_orders().size()) * sheet_nodes(foils.structure.dofs);
+}
+
 double stiffest_of_bump_foils(const FoilStructure& structure) {
   double largest = 0.0;
   for (Matrix block : structure.K.diagonal) {
@@ -84,6 +117,7 @@ void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagona
   const double largest = stiffest_of_bump_foils(structure);
   for (Eigen::Index mode = 0; mode < width.count(); ++mode) {
     const int order = width.orders[static_cast<std::size_t>(mode)];
+    const bool is_held = order >= 2 && foils.sheet == SheetModel::held;
     const double square = 1.0 / (2 * order + 1);  // of P_k over the width
     const auto alike = [&](Eigen::Index s, Eigen::Index r) {
       return square * width.to_modes(mode, s) * width.to_modes(mode, r);
@@ -94,12 +128,12 @@ void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagona
     }
     for (int pad = 0; pad < foils.pad_count(); ++pad) {
       const PadBlocks blocks = structure.blocks_of(pad);
-      const Matrix held = order >= 2 ? held_crest_stiffness(structure, pad) : Matrix();
+      const Matrix held = is_held ? held_crest_stiffness(structure, pad) : Matrix();
       for (int b = 0; b < blocks.count; ++b) {
         const auto from = static_cast<std::size_t>(blocks.first) + static_cast<std::size_t>(b);
         const auto to = static_cast<std::size_t>(foils.block(blocks.first + b));
         const bool last = b + 1 == blocks.count;
-        if (order < 2) {
+        if (!is_held) {
           add_block(foils, structure.K.diagonal[from], alike, K.diagonal[to]);
           if (!last) add_block(foils, structure.K.upper[from], alike, K.upper[to]);
           continue;
@@ -113,6 +147,7 @@ void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagona
       }
     }
   }
+  if (foils.sheet == SheetModel::elastic) add_sheets(foils, width, K);
 }
 
 void put_contacts_on_lines(std::span<const Foils> strips, double elsewhere, Foils& on_lines) {

@@ -127,12 +127,13 @@ void put_journal(const JournalOverWidth& journal, int first, Foils& foils) {
 
 }  // namespace
 
-Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal) {
+Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal, SheetModel sheet) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
   Foils varied = foils;
-  varied.lines = foil_lines_of(width, foils.structure.dofs, foils.structure.dofs.size);
-  const int of_foils = unknowns_on_lines(varied);
+  varied.sheet = sheet;
+  varied.lines = foil_lines_of(width, sheet, foils.structure.dofs, foils.structure.dofs.size);
+  const int of_foils = unknowns_on_lines(varied) + unknowns_of_sheet(varied, width);
   BlockTridiagonal K(foils.structure.K.blocks(),
                      of_foils + unknowns_of_journal(varied, journal) + unknowns_of_membrane(width));
   add_bump_foils(varied, width, K);

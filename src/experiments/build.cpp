@@ -20,6 +20,10 @@ JournalOverWidth journal_of(const WidthSettings& width) {
   return journal;
 }
 
+SheetModel sheet_of(const Case& input) {
+  return input.width.sheet ? SheetModel::elastic : SheetModel::held;
+}
+
 }  // namespace
 
 SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
@@ -28,7 +32,7 @@ SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>
   const JournalOverWidth journal = journal_of(input.width);
   if (input.bump_foil.is_split())
     return std::make_shared<const Foils>(on_strips(make_foils(input), input.width.modes, journal));
-  return std::make_shared<const Foils>(on_lines(make_foils(input), input.width.modes, journal));
+  return std::make_shared<const Foils>(on_lines(make_foils(input), input.width.modes, journal, sheet_of(input)));
 }
 
 SharedFoils make_strip_foils(const Case& input) {
@@ -101,6 +105,7 @@ FilmResolution resolution_of(const Case& input) {
   return {.columns_per_pitch = input.film.columns_per_pitch,
           .rows = input.film.rows,
           .width_modes = input.width.modes,
+          .sheet = sheet_of(input),
           .width = input.has_equal_halves() ? WidthPart::half : WidthPart::whole};
 }
 

@@ -26,11 +26,12 @@ void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
         "the tilt with about twice the moment that they have; set width.modes = 3");
   }
   const double slenderness = 0.5 * input.bearing.axial_length / input.bearing.radius;
-  if (input.width.modes == 3 && !input.bump_foil.is_split() && slenderness > longest_held_sheet) {
+  if (input.width.modes >= 3 && !input.width.sheet && !input.bump_foil.is_split() && slenderness > longest_held_sheet) {
     warnings.push_back(
-        fmt::format("the bearing is {:.3g} times as long as its diameter: with width.modes = 3 its bump foil is held "
-                    "against sliding that differs over the width, which is too stiff beyond {:.3g}",
-                    slenderness, longest_held_sheet));
+        fmt::format("the bearing is {:.3g} times as long as its diameter: with width.modes = {} its bump foil is held "
+                    "against sliding that differs over the width, which is too stiff beyond {:.3g}; set width.sheet = "
+                    "true",
+                    slenderness, input.width.modes, longest_held_sheet));
   }
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t journal_points = 73;
 constexpr int dry_lines = 9;
 
 /// Fields that shapes are made of, and the last dimension of each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 26> used_fields{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 29> used_fields{{
     {"film_thickness", "column"},
     {"pressure", "column"},
     {"film_top_displacement", "column"},
@@ -30,11 +30,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> used_fie
     {"crest_v", "bump"},
     {"crest_u_slope", "bump"},
     {"crest_v_slope", "bump"},
+    {"crest_u_parabola", "bump"},
     {"crest_v_parabola", "bump"},
     {"foot_u", "foot"},
     {"foot_v", "foot"},
     {"foot_u_slope", "foot"},
     {"foot_v_slope", "foot"},
+    {"foot_u_parabola", "foot"},
+    {"foot_v_parabola", "foot"},
     {"gap_journal_top", "bump"},
     {"gap_top_bump", "bump"},
     {"normal_force_journal_top", "bump"},

@@ -18,12 +18,12 @@ class BondedUnknowns {
     of_bumps_.assign(static_cast<std::size_t>(K.rows()), -1);
     for (int b = 0; b < bearing.structure.K.blocks(); ++b) {
       const Eigen::Index first = Eigen::Index{bearing.block(b)} * K.block_size();
+      const Matrix& block = K.diagonal[static_cast<std::size_t>(bearing.block(b))];
+      for (Eigen::Index i = 0; i < block.rows(); ++i) {
+        const Eigen::Index row = first + i;
+        if (block(i, i) != 0.0) of_bumps_[static_cast<std::size_t>(row)] = of_top_foil_ + row;
+      }
       for (Eigen::Index s = 0; s < foil_.lines.count(); ++s) {
-        for (int i = 0; i < dofs.size - dofs.unused; ++i) {
-          if (i == dofs.top_u || i == dofs.top_moment) continue;
-          const Eigen::Index row = first + bearing.place(s, i);
-          of_bumps_[static_cast<std::size_t>(row)] = of_top_foil_ + row;
-        }
         const int bump = b - bearing.structure.first_bump;
         if (bump >= 0) of_bumps_[static_cast<std::size_t>(first + bearing.place(s, dofs.crest_v))] = crest(s, bump);
       }

@@ -108,6 +108,7 @@ Case film_reference_case(const FilmResolution& resolution, double friction_coeff
   input.gas = {.viscosity = 1.85e-5, .ambient_pressure = 101325.0};
   input.film = {.columns_per_pitch = resolution.columns_per_pitch, .rows = resolution.rows};
   input.width.modes = resolution.width_modes;
+  input.width.sheet = resolution.sheet == SheetModel::elastic;
   if (resolution.width == WidthPart::whole) input.width.moment = {0.0, 0.0};
   return input;
 }

@@ -28,12 +28,13 @@ Matrix read_lines(const nlohmann::json& row, const std::string& key) {
   return matrix;
 }
 
-FilmBearing bearing_of(int bumps, int modes, WidthPart width) {
+FilmBearing bearing_of(int bumps, int modes, WidthPart width, SheetModel sheet = {}) {
   Case input = reference_case();
   input.bump_foil.bumps = bumps;
   input.bump_foil.model = BumpFoilModel::frame;
-  return make_film_bearing(make_foils(input), gas_of(input.gas),
-                           {.columns_per_pitch = columns_per_pitch, .rows = 32, .width_modes = modes, .width = width});
+  return make_film_bearing(
+      make_foils(input), gas_of(input.gas),
+      {.columns_per_pitch = columns_per_pitch, .rows = 32, .width_modes = modes, .sheet = sheet, .width = width});
 }
 
 /// P under a lobe of 1 bar. @param middle, extent  rad
@@ -84,11 +85,12 @@ ShellNumbers held_crests(int modes) {
   return {.crest_w = {}, .span_w = displacements(bearing, answer, spans_behind(11, 15)), .moments = {}};
 }
 
-ShellNumbers nine_bumps(bool feet_slide, int modes) {
+ShellNumbers nine_bumps(bool feet_slide, int modes, SheetModel sheet) {
   const FilmBearing bearing = bearing_of(9, 1, WidthPart::half);
   const FoilFilm& foil = bearing.pads.front().foil;
   const double fifth_crest = foil.mesh.angles()[foil.supports[4]];
-  return press_bumps({.bumps = 9, .middle = fifth_crest, .extent = extent_in_file(), .feet_slide = feet_slide}, modes);
+  return press_bumps(
+      {.bumps = 9, .middle = fifth_crest, .extent = extent_in_file(), .feet_slide = feet_slide, .sheet = sheet}, modes);
 }
 
 ShellNumbers tilted(bool feet_slide, int modes) {
@@ -129,7 +131,7 @@ const std::vector<double>& shell_zeta() {
 }
 
 ShellNumbers press_bumps(const PressedBumps& pressed, int modes) {
-  const FilmBearing bearing = bearing_of(pressed.bumps, modes, WidthPart::half);
+  const FilmBearing bearing = bearing_of(pressed.bumps, modes, WidthPart::half, pressed.sheet);
   const BondedAnswer answer = bonded_answer(
       bearing, {.feet_slide = pressed.feet_slide, .pressure = lobe(bearing, pressed.middle, pressed.extent)});
   return {.crest_w = displacements(bearing, answer, bearing.pads.front().foil.supports),
@@ -137,10 +139,10 @@ ShellNumbers press_bumps(const PressedBumps& pressed, int modes) {
           .moments = {}};
 }
 
-ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes) {
+ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes, SheetModel sheet) {
   if (name == "held crests") return held_crests(modes);
   const bool feet_slide = feet == "sliding";
-  return name == "tilt" ? tilted(feet_slide, modes) : nine_bumps(feet_slide, modes);
+  return name == "tilt" ? tilted(feet_slide, modes) : nine_bumps(feet_slide, modes, sheet);
 }
 
 }  // namespace bumpfoil

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
+#include "bumpfoil/structure/bump_sheet.hpp"
 
 namespace bumpfoil {
 
@@ -36,6 +37,7 @@ struct PressedBumps {
   double middle{};  ///< of the lobe, from the weld, rad
   double extent{};  ///< rad
   bool feet_slide{};
+  SheetModel sheet{};
 };
 
 /// Its crests and all spans between them by the program: a frame for the bump foil, the foils on a film's mesh.
@@ -43,6 +45,6 @@ struct PressedBumps {
 ShellNumbers press_bumps(const PressedBumps& pressed, int modes);
 
 /// A case of the file by the program, in the same way.
-ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes);
+ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes, SheetModel sheet = {});
 
 }  // namespace bumpfoil

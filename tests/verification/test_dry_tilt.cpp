@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <ostream>
 #include <vector>
 
 #include "bumpfoil/bearing/foil_stepper.hpp"
@@ -114,7 +115,16 @@ constexpr TiltReference tilt_references[]{
      977.269259536153,
      962.8136637136656,
      {0, 0, 0, 8.2034, 39.286, 42.446, 11.929, 0, 0, 0, 0},
-     {0, 0, 0, 121.05, 342.94, 361.13, 176.02, 0, 0, 0, 0}}};
+     {0, 0, 0, 121.05, 342.94, 361.13, 176.02, 0, 0, 0, 0}},
+    {false, 4, 5.0, 44.21150184790254, 163.97068391883244, 165.00947437869084, loads_free, moments_free},
+    {true,
+     4,
+     5.0,
+     33.61743029017951,
+     946.5250196358301,
+     962.8136637136656,
+     {0, 0, 0, 7.1354, 38.744, 42.292, 13.712, 0, 0, 0, 0},
+     {0, 0, 0, 105.43, 339.83, 352.64, 171.02, 0, 0, 0, 0}}};
 
 TEST(DryTilt, IsWhatTheIndependentProgramFinds) {
   for (const TiltReference& reference : tilt_references) {
@@ -160,16 +170,28 @@ Increment taken(const Foils& foils, const std::vector<Eigen::Vector2d>& places) 
   return last;
 }
 
+/// How foils answer over the width.
+struct OverWidth {
+  int modes{};
+  SheetModel sheet{};
+
+  friend std::ostream& operator<<(std::ostream& out, const OverWidth& one) {
+    return out << "modes " << one.modes << ", elastic sheet " << (one.sheet == SheetModel::elastic);
+  }
+};
+constexpr OverWidth all_over_width[]{
+    {2, SheetModel::held}, {3, SheetModel::held}, {3, SheetModel::elastic}, {5, SheetModel::elastic}};
+
 const std::vector<Eigen::Vector2d> there{{40e-6, 5e-6}, {60e-6, -10e-6}};
 
 TEST(DryTilt, MomentsAndForcesAreDerivativesOfTheEnergyWithoutFriction) {
   for (const bool pads : {false, true}) {
     const Foils uniform = make_foils(some_case(pads, 0.0));
     const Eigen::Vector2d slope(3e-4, -2e-4);
-    for (const int modes : {2, 3}) {
-      SCOPED_TRACE(testing::Message() << "pads " << pads << ", modes " << modes);
+    for (const OverWidth& over_width : all_over_width) {
+      SCOPED_TRACE(testing::Message() << "pads " << pads << ", " << over_width);
       const auto at = [&](const Eigen::Vector2d& tilted, const Eigen::Vector2d& place) {
-        return taken(on_lines(uniform, modes, {.slope = tilted}), {place});
+        return taken(on_lines(uniform, over_width.modes, {.slope = tilted}, over_width.sheet), {place});
       };
       const Eigen::Vector2d place = there.back();
       const Increment here = at(slope, place);
@@ -231,12 +253,14 @@ TEST(DryTilt, IsMirroredWithTheBearing) {
   const Eigen::Vector2d slope(3e-4, -2e-4);
   const WidthProfile cone{.conicity = 5e-6, .crowning = 3e-6};
   const WidthProfile turned{.conicity = -5e-6, .crowning = 3e-6};
-  const Increment one = taken(on_lines(uniform, 3, {.slope = slope, .profile = cone}), there);
-  const Increment other = taken(on_lines(uniform, 3, {.slope = -slope, .profile = turned}), there);
-  EXPECT_NEAR(one.force_x, other.force_x, 1e-9 * one.force_x);
-  EXPECT_NEAR(one.force_y, other.force_y, 1e-9 * one.force_x);
-  EXPECT_NEAR(one.moment_x, -other.moment_x, 1e-9 * std::abs(one.moment_x));
-  EXPECT_NEAR(one.moment_y, -other.moment_y, 1e-9 * std::abs(one.moment_x));
+  for (const SheetModel sheet : {SheetModel::held, SheetModel::elastic}) {
+    const Increment one = taken(on_lines(uniform, 3, {.slope = slope, .profile = cone}, sheet), there);
+    const Increment other = taken(on_lines(uniform, 3, {.slope = -slope, .profile = turned}, sheet), there);
+    EXPECT_NEAR(one.force_x, other.force_x, 1e-9 * one.force_x);
+    EXPECT_NEAR(one.force_y, other.force_y, 1e-9 * one.force_x);
+    EXPECT_NEAR(one.moment_x, -other.moment_x, 1e-9 * std::abs(one.moment_x));
+    EXPECT_NEAR(one.moment_y, -other.moment_y, 1e-9 * std::abs(one.moment_x));
+  }
 }
 
 /// A journal that is not tilted excites nothing over the width, friction and forming included.
@@ -244,46 +268,51 @@ TEST(DryTilt, OfNothingIsTheAlignedBearing) {
   for (const bool pads : {false, true}) {
     const Foils uniform = make_foils(some_case(pads, 0.1));
     const Increment aligned = taken(uniform, there);
-    for (const int modes : {1, 2, 3}) {
-      const Increment one = taken(on_lines(uniform, modes, {}), there);
-      EXPECT_NEAR(one.force_x, aligned.force_x, 1e-7 * aligned.force_x) << modes;
-      EXPECT_NEAR(one.force_y, aligned.force_y, 1e-7 * aligned.force_x) << modes;
-      EXPECT_NEAR(one.elastic_energy, aligned.elastic_energy, 1e-7 * aligned.elastic_energy) << modes;
-      EXPECT_NEAR(one.dissipated_energy, aligned.dissipated_energy, 1e-7 * aligned.elastic_energy) << modes;
-      EXPECT_NEAR(one.moment_x, 0.0, 1e-7 * length * aligned.force_x) << modes;
+    for (const OverWidth& over_width : all_over_width) {
+      SCOPED_TRACE(testing::Message() << "pads " << pads << ", " << over_width);
+      const Increment one = taken(on_lines(uniform, over_width.modes, {}, over_width.sheet), there);
+      EXPECT_NEAR(one.force_x, aligned.force_x, 1e-7 * aligned.force_x);
+      EXPECT_NEAR(one.force_y, aligned.force_y, 1e-7 * aligned.force_x);
+      EXPECT_NEAR(one.elastic_energy, aligned.elastic_energy, 1e-7 * aligned.elastic_energy);
+      EXPECT_NEAR(one.dissipated_energy, aligned.dissipated_energy, 1e-7 * aligned.elastic_energy);
+      EXPECT_NEAR(one.moment_x, 0.0, 1e-7 * length * aligned.force_x);
     }
   }
 }
 
 /// What the journal and a moment on it put in is stored or rubbed away, to rounding from one change of contact to the
 /// next.
-void expect_balance(const WidthSettings& width) {
-  Case input = some_case(false, 0.1);
-  input.width = width;
-  input.solver.name = SolverName::events;
-  input.cycle.directions = {0.3};
-  input.cycle.steps = 20;
-  const CycleResult result = run_cycles(input);
-  ASSERT_TRUE(result.converged());
-  const Cycle& cycle = result.cycles.front();
-  EXPECT_EQ(cycle.substeps, 0);
-  double most = 0.0;
-  double defect = 0.0;
-  for (const Increment& increment : cycle.increments) {
-    const double stored = increment.elastic_energy - cycle.start->elastic_energy;
-    most = std::max(most, std::abs(increment.work));
-    defect = std::max(defect, std::abs(increment.work - stored - increment.dissipated_energy));
-  }
-  EXPECT_LT(defect, 1e-9 * most);
-  EXPECT_GT(cycle.increments.back().dissipated_energy, 0.05 * most);
-  EXPECT_GT(std::abs(cycle.turns.front().moment_x), 0.1);
-  EXPECT_EQ(cycle.fields.crest_v_slope.cols(), 26);
-  EXPECT_GT(cycle.fields.crest_v_slope.row(20).maxCoeff(), 1e-6);
-}
-
 TEST(DryTilt, EnergiesOfACycleBalance) {
-  expect_balance({.modes = 3, .tilt = {3e-4, -2e-4}});
-  expect_balance({.modes = 3, .moment = {0.4, -0.2}});
+  const WidthSettings tilted{.modes = 3, .tilt = {3e-4, -2e-4}};
+  WidthSettings on_sheet = tilted;
+  on_sheet.sheet = true;
+  for (const WidthSettings& width : {tilted, on_sheet, WidthSettings{.modes = 3, .moment = {0.4, -0.2}}}) {
+    SCOPED_TRACE(testing::Message() << "elastic sheet " << width.sheet << ", by moment " << !width.moment.empty());
+    Case input = some_case(false, 0.1);
+    input.width = width;
+    input.solver.name = SolverName::events;
+    input.cycle.directions = {0.3};
+    input.cycle.steps = 20;
+    const CycleResult result = run_cycles(input);
+    ASSERT_TRUE(result.converged());
+    const Cycle& cycle = result.cycles.front();
+    EXPECT_EQ(cycle.substeps, 0);
+    double most = 0.0;
+    double defect = 0.0;
+    for (const Increment& increment : cycle.increments) {
+      const double stored = increment.elastic_energy - cycle.start->elastic_energy;
+      most = std::max(most, std::abs(increment.work));
+      defect = std::max(defect, std::abs(increment.work - stored - increment.dissipated_energy));
+    }
+    EXPECT_LT(defect, 1e-9 * most);
+    EXPECT_GT(cycle.increments.back().dissipated_energy, 0.05 * most);
+    EXPECT_GT(std::abs(cycle.turns.front().moment_x), 0.1);
+    EXPECT_EQ(cycle.fields.crest_v_slope.cols(), 26);
+    EXPECT_GT(cycle.fields.crest_v_slope.row(20).maxCoeff(), 1e-6);
+    EXPECT_EQ(cycle.fields.foot_u_parabola.cols(), width.sheet ? 26 : 0);
+    if (!width.sheet) continue;
+    EXPECT_GT(cycle.fields.foot_u_parabola.row(20).cwiseAbs().maxCoeff(), 1e-9);
+  }
 }
 
 /// Without friction nothing depends on the path: what a tilt needs tilts the journal by as much.

@@ -42,7 +42,8 @@ struct FoilFields {
   FieldMatrix compression;       ///< m, per bump: how far its crest came nearer to its feet
   /// What varies over the width, at zeta = 1 beyond the mean, m; without columns where nothing does: linearly, and as a
   /// parabola. Per bump, per foot.
-  FieldMatrix top_slope, crest_u_slope, crest_v_slope, foot_u_slope, foot_v_slope, top_parabola, crest_v_parabola;
+  FieldMatrix top_slope, crest_u_slope, crest_v_slope, foot_u_slope, foot_v_slope;
+  FieldMatrix top_parabola, crest_u_parabola, crest_v_parabola, foot_u_parabola, foot_v_parabola;
   FieldMatrix pad_force_x, pad_force_y;  ///< N, per pad of several: what each takes of the force on the journal
   FieldMatrix strip_load;                ///< N, per strip of several that do not move alike: of all its crests
   InterfaceFields journal_top;           ///< per bump; without columns under a film

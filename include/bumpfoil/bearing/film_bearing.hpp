@@ -44,6 +44,7 @@ struct FilmResolution {
   int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column, BumpFoil::least_columns_per_pitch()
   int rows{16};              ///< intervals on half the width
   int width_modes{1};        ///< of the displacement of the foils over the width, see make_width_lines()
+  SheetModel sheet{};        ///< of a bump foil in one piece, against the higher ones
   WidthPart width{};         ///< all of it where the journal may tilt
 };
 
@@ -86,8 +87,10 @@ struct FilmPad {
 /// places of the foils' unknowns, the others, and at the end what is unknown of the membrane at each station, behind
 /// the pressures. What is the same on both halves varies at top foil and crest alone; what is linear over the width, as
 /// under a tilted journal, at all of the bump foil, which is independent slices then. Against modes of a higher order
-/// the crest has springs of held_crest_stiffness(), and all else that is not uniform all but rigid ones. Where the bump
-/// foil is split into strips it is on points of its own instead (Foils), and the lines are those of the top foil alone.
+/// the crest has springs of held_crest_stiffness(), and all else that is not uniform all but rigid ones; or all of the
+/// bump foil varies, and the stress functions of its sheet (SheetModel::elastic) stand between lines and membrane.
+/// Where the bump foil is split into strips it is on points of its own instead (Foils), and the lines are those of the
+/// top foil alone.
 ///
 /// K of the contact problem is that of the bump foils alone, which holds what means nothing in the last blocks.
 struct FilmBearing : Foils {

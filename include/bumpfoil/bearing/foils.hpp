@@ -9,6 +9,7 @@
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/pads.hpp"
+#include "bumpfoil/structure/bump_sheet.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/stress.hpp"
 
@@ -96,6 +97,7 @@ struct Foils {
   bool under_film{};               ///< a film presses, and nothing else
   std::vector<FoilLine> lines{};   ///< where foils vary over the width, those over the crests that are not staggered
                                    ///< first; none where all is uniform
+  SheetModel sheet{};              ///< of a bump foil in one piece on these lines
   std::vector<FoilLine> points{};  ///< of strips that do not move alike; none otherwise: all of the foils is on lines
   bool split_top_foil{};  ///< each strip has one of its own: then the points are the lines, too, and all is on them
   std::vector<Eigen::Matrix2Xd> strip_normals{};         ///< as `normals`, of each strip where any is staggered
@@ -191,7 +193,7 @@ Foils make_foils(const BearingDesign& design);
 /// of so many `modes` over the whole width, as under a film (WidthLines), and each line has contacts of its own with
 /// the journal, too. What varies over the width stretches the top foil.
 /// @param foils  uniform over the width, with a top foil and without an elastic law
-Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal);
+Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal, SheetModel sheet = {});
 
 /// The foils of a bearing whose bump foil is split into strips that do not move alike: they differ, or the journal
 /// does not press them alike. A whole top foil is given on lines by so many `modes` over the whole width as on_lines()

@@ -183,6 +183,7 @@ struct WidthProfile {
 /// How the film of a running bearing and its foils vary over the width.
 struct WidthSettings {
   int modes{1};                        ///< of the displacement of the foils, see make_width_lines(): P_0, P_1, ...
+  bool sheet{};                        ///< whether that of a bump foil gives way to P_2 and higher: SheetModel
   std::vector<double> tilt{0.0, 0.0};  ///< slope of the axis of the journal towards X and Y, rad
   std::vector<double> moment{};        ///< on the journal instead, int z dF along X and Y, N m; empty: by the tilt
   double conicity{};                   ///< WidthProfile, m

@@ -23,6 +23,7 @@ FilmResolution other_resolution(const FilmResolution& own, int step) {
   return {.columns_per_pitch = columns,
           .rows = static_cast<int>(std::lround(ratio * own.rows)),
           .width_modes = own.width_modes,
+          .sheet = own.sheet,
           .width = own.width};
 }
 

@@ -73,6 +73,7 @@ ExperimentInfo equilibrium_experiment() {
                   {"asperity.sigma=0.3 um", "asperity.friction=0.2", "asperity.pressure_factor=250 MPa"});
   std::vector<std::string> across = seated;
   across.emplace_back("width.modes=3");
+  across.emplace_back("width.sheet=true");
   across.emplace_back("width.moment=[0, 0]");
   return {
       .name = "equilibrium",

@@ -73,9 +73,13 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
   keys.value(
       {"modes", defaulted, "Modes over the width",
        "of the displacement of the foils, for equilibrium and the commands with a rotor, and without a film where the "
-       "journal is tilted or no cylinder: 1, uniform; 2, linear, too; 3, with a parabola. With 2 or 3 bearings resist "
-       "the tilt of a rotor"},
+       "journal is tilted or no cylinder: 1, uniform; 2, linear, too; 3, with a parabola; 4 and 5, with polynomials of "
+       "the third and fourth degree. With 2 or more bearings resist the tilt of a rotor"},
       &width.modes);
+  keys.value({"sheet", defaulted, "Elastic sheet",
+              "true: the bump foil gives way in its own surface, so that its feet slide by different amounts over the "
+              "width, with 3 modes or more; false: it is held against that"},
+             &width.sheet);
   keys.value({"tilt", defaulted, "Tilt",
               "misalignment: slope of the axis of the journal, or under a rotor of the line through the centres of its "
               "bearings, towards X and Y",
@@ -236,6 +240,7 @@ void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
                 "give the radius of the peaks such as \"10 um\", or pressure_factor such as \"250 MPa\"");
 }
 
+constexpr int most_modes = 5;           // over the width
 constexpr double most_slope = 0.05;     // rad
 constexpr double most_moment = 1e6;     // N m
 constexpr double most_widening = 1e-3;  // m
@@ -335,9 +340,13 @@ void judge_width(Judge& judge, const Case& input) {
   judge_strips_in_use(judge, input);
   judge_journal(judge, input);
   const int modes = input.width.modes;
-  if (!judge.require(modes >= 1 && modes <= 3, "width.modes", std::to_string(modes),
+  judge.require(!input.width.sheet || (modes >= 3 && !input.bump_foil.is_split()), "width.sheet", "true",
+                input.bump_foil.is_split() ? "is of a bump foil in one piece, and split ones slide strip by strip"
+                                           : "needs foils that are not linear over the width",
+                input.bump_foil.is_split() ? "remove it" : "set width.modes = 3, or remove it");
+  if (!judge.require(modes >= 1 && modes <= most_modes, "width.modes", std::to_string(modes),
                      "is not a number of modes over the width",
-                     "give 1, uniform, 2, linear, too, or 3, with a parabola") ||
+                     fmt::format("give 1, uniform, 2, linear, too, 3, with a parabola, or up to {}", most_modes)) ||
       modes == 1) {
     return;
   }

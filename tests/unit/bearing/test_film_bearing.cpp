@@ -243,7 +243,7 @@ TEST(FilmBearing, AssemblesFormedFoilsOnTheirStrips) {
   const FilmBearing bearing = make_film_bearing(
       foils, gas_of(input.gas), {.columns_per_pitch = 4, .rows = 3, .width_modes = 3, .width = WidthPart::whole});
   ASSERT_EQ(bearing.assembly.size(), 1U);
-  EXPECT_EQ(bearing.assembly[0].load, on_strips(foils, 3, Eigen::Vector2d::Zero()).assembly.at(0).load);
+  EXPECT_EQ(bearing.assembly[0].load, on_strips(foils, 3, {}).assembly.at(0).load);
   EXPECT_NE(bearing.assembly[0].load, foils.assembly.at(0).load);
 }
 

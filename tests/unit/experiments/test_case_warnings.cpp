@@ -36,6 +36,8 @@ TEST(CaseWarnings, SayWhatFoilsAreNotOverTheWidth) {
   EXPECT_TRUE(case_warnings(input).empty());
   input.bearing.axial_length *= 2.0;
   EXPECT_TRUE(has(case_warnings(input), "2 times as long"));
+  input.width.sheet = true;
+  EXPECT_TRUE(case_warnings(input).empty());
 }
 
 /// A steep truss whose neighbours hardly hold it: the last foot is wedged from 0.878 on (docs/theory/uniqueness.md).

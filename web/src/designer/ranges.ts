@@ -99,7 +99,7 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'gas.mean_free_path': [0, 0.5 * um],
   'rotor.mass': [0.1, 20],
   'rotor.gravity[1]': [-20, 20],
-  'width.modes': [1, 3, 1],
+  'width.modes': [1, 5, 1],
   'width.tilt[1]': [-0.5e-3, 0.5e-3],
   'width.moment[1]': [-0.5, 0.5],
   'width.conicity': [-50 * um, 50 * um],

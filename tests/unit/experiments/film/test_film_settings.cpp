@@ -69,7 +69,16 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
   EXPECT_EQ(with_modes(2), Keys{});
   EXPECT_EQ(with_modes(3), Keys{});
   EXPECT_EQ(with_modes(0), Keys{"width.modes"});
-  EXPECT_EQ(with_modes(4), Keys{"width.modes"});
+  EXPECT_EQ(with_modes(5), Keys{});
+  EXPECT_EQ(with_modes(6), Keys{"width.modes"});
+  const auto on_sheet = [](Case& input) { input.width.sheet = true; };
+  EXPECT_EQ(with_modes(3, on_sheet), Keys{});
+  EXPECT_EQ(with_modes(2, on_sheet), Keys{"width.sheet"});
+  const auto on_split_sheet = [](Case& input) {
+    input.width.sheet = true;
+    input.bump_foil.strips = 3;
+  };
+  EXPECT_EQ(with_modes(3, on_split_sheet), Keys{"width.sheet"});
   const auto on_peaks = [](Case& input) {
     input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
   };
