@@ -283,7 +283,7 @@ test('a bump foil is split into strips, each with fields of its own, as many as 
     assert.match(await page.locator('[data-key="bump_foil.strip[3].height_errors"] .fault').textContent(), /is more than the rise of the bump/);
     assert.equal(await page.locator('.general-faults').textContent(), '');
     await answered(page, () => strips.getByRole('button', { name: 'Remove: Strip' }).click());
-    assert.equal((await textOf(page)).trim(), `${reference.trim().replace('strips = 1 ', 'strips = 3 ').replace('bumps = 26 ', 'bumps = 25 ')}\n\n[width]\nmodes = 3`);
+    assert.equal((await textOf(page)).trim(), `${reference.trim().replace('strips = 1 ', 'strips = 3 ').replace(/^bumps = 26$/m, 'bumps = 25')}\n\n[width]\nmodes = 3`);
   }));
 
 test('a bearing of pads is shown and changed pad by pad', () =>

@@ -150,7 +150,7 @@ function numberField(
       const [least, most, step] = range;
       slider.min = String(Number((least / size).toPrecision(6)));
       slider.max = String(Number((most / size).toPrecision(6)));
-      slider.step = String(Number(((step ?? (most - least) / fineSteps) / size).toPrecision(3)));
+      slider.step = String(Number(((step ?? (most - least) / fineSteps) / size).toPrecision(step === undefined ? 3 : 6)));
       slider.disabled = !now && written !== undefined;
       if (now) slider.value = String(now.number);
       slider.setAttribute('aria-valuetext', now ? `${now.number} ${unit}` : 'not given');
