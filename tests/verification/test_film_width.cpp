@@ -125,21 +125,6 @@ TEST(FilmOverTheWidth, MeetsThePrototype) {
   }
 }
 
-/// With P_4, too; the independent program prints three digits behind the point.
-TEST(FilmOverTheWidth, MeetsThePrototypeWithAFourthPolynomial) {
-  constexpr std::array<std::pair<double, double>, 3> least{{{50.0, 13.816}, {100.0, 7.331}, {150.0, 4.163}}};
-  for (const auto& [load, reference] : least) {
-    SharedFilmBearing bearing;
-    const RunningState found =
-        under(load, {.columns_per_pitch = 6, .rows = 16, .width_modes = 5, .sheet = SheetModel::elastic}, bearing);
-    ASSERT_TRUE(found.found());
-    expect_solved(*bearing, *found.last);
-    EXPECT_EQ(bearing->lines.size(), 3U);
-    EXPECT_NEAR(1e6 * bearing->scales.thickness * found.outcome->thinnest.thickness, reference,
-                5e-4 + 1e-4 * reference);
-  }
-}
-
 /// A foil that does not stretch stays uniform over the width, but for its free end.
 TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
   const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6};
@@ -222,34 +207,32 @@ TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
 
 /// With friction all lines of a crest slide as one, and carry no more than f times their loads.
 TEST(FilmOverTheWidth, CrestsSlideAsOneUnlessTheSheetGivesWay) {
-  for (const SheetModel sheet : {SheetModel::held, SheetModel::elastic}) {
+  const auto largest_difference = [](SheetModel sheet) {
     const FilmBearing bearing =
         film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width_modes = 3, .sheet = sheet}, 0.1);
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
-    ASSERT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+    EXPECT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
     for (int i = 2; i <= 10; ++i) {
       const Eigen::Vector2d position(0.1 * i * bearing.clearance, 0.0);
-      ASSERT_EQ(stepper.advance(OperatingPoint::held_at(position, speed), state).status, Status::converged) << i;
+      EXPECT_EQ(stepper.advance(OperatingPoint::held_at(position, speed), state).status, Status::converged) << i;
     }
     expect_solved(bearing, state);
     const Eigen::Index size = bearing.problem.K.block_size();
-    double largest = 0.0;
-    double largest_difference = 0.0;
+    double difference = 0.0;
     for (Eigen::Index b = 0; b < bearing.bumps(); ++b) {
       const double inner = state.contacts.x[b * size + bearing.place(0, bearing.dofs().crest_u)];
       const double outer = state.contacts.x[b * size + bearing.place(1, bearing.dofs().crest_u)];
-      largest = std::max(largest, std::abs(inner));
-      largest_difference = std::max(largest_difference, std::abs(inner - outer));
+      EXPECT_NE(inner, 0.0);
+      difference = std::max(difference, std::abs(inner - outer));
     }
-    EXPECT_GT(largest, 1e-7);
-    if (sheet == SheetModel::held) {
-      EXPECT_LT(largest_difference, 1e-2 * largest);
-    } else {
-      EXPECT_GT(largest_difference, 5e-2 * largest);
-    }
-  }
+    return difference;
+  };
+  const double held = largest_difference(SheetModel::held);
+  const double elastic = largest_difference(SheetModel::elastic);
+  EXPECT_LT(held, 1e-9);
+  EXPECT_GT(elastic, 5e-8);
 }
 
 /// Equilibria under 100 N along +X of a journal that is tilted by 5 um over the width towards +X; the rest as above,

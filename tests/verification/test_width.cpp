@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -275,6 +276,62 @@ TEST(WidthOfTheTopFoil, IsNearerToShellsOnAnElasticSheet) {
       EXPECT_NEAR(1e6 * found.crest_w(12, 2 * i), shells.crest_13[i], bound);
       EXPECT_NEAR(1e6 * found.span_w(12, 2 * i), shells.span_13[i], bound);
       EXPECT_NEAR(1e6 * found.span_w(10, 2 * i), shells.span_11[i], bound);
+    }
+  }
+}
+
+/// P_2 and P_4 in the displacement over bumps 11 to 16 and the spans behind them by the independent program, on an
+/// elastic sheet, um.
+struct BothModes {
+  double extent{};  ///< deg
+  bool feet_slide{};
+  double crest_w2[6], crest_w4[6], span_w2[6], span_w4[6];
+};
+constexpr BothModes both_modes[]{{.extent = 60.0,
+                                  .feet_slide = true,
+                                  .crest_w2 = {0.71191, 0.21277, -0.90888, -0.99561, -0.03472, 0.77975},
+                                  .crest_w4 = {-0.09782, -0.03009, 0.11928, 0.13417, -0.00128, -0.10005},
+                                  .span_w2 = {2.00714, -2.21942, -3.40509, -2.66312, 1.41601, 0.93415},
+                                  .span_w4 = {-0.16375, 0.14410, 0.30881, 0.19212, -0.12209, -0.14311}},
+                                 {.extent = 60.0,
+                                  .feet_slide = false,
+                                  .crest_w2 = {0.08059, -0.05464, -0.25602, -0.27290, -0.09799, 0.07778},
+                                  .crest_w4 = {-0.00811, 0.00250, 0.01744, 0.01883, 0.00550, -0.00680},
+                                  .span_w2 = {1.46710, -2.08659, -2.77088, -2.38529, 0.93744, 0.58178},
+                                  .span_w4 = {-0.08663, 0.12123, 0.20775, 0.14766, -0.05475, -0.08532}},
+                                 {.extent = 100.0,
+                                  .feet_slide = true,
+                                  .crest_w2 = {-0.05262, -0.33813, -0.36896, -0.37035, -0.34920, -0.14300},
+                                  .crest_w4 = {-0.00997, 0.03743, 0.04752, 0.04785, 0.04089, 0.00220},
+                                  .span_w2 = {-1.25399, -1.83350, -2.06311, -1.90750, -1.37667, -0.07707},
+                                  .span_w4 = {0.05631, 0.12574, 0.14622, 0.13231, 0.07417, -0.05408}},
+                                 {.extent = 100.0,
+                                  .feet_slide = false,
+                                  .crest_w2 = {-0.05812, -0.16031, -0.21313, -0.21782, -0.17300, -0.08127},
+                                  .crest_w4 = {-0.00038, 0.00836, 0.01349, 0.01395, 0.00962, 0.00146},
+                                  .span_w2 = {-1.14669, -1.74962, -2.02917, -1.84055, -1.25008, -0.21024},
+                                  .span_w4 = {0.04400, 0.10838, 0.13455, 0.11656, 0.05784, -0.03161}}};
+
+/// The rows of the film's mesh, 32 over half the width, integrate the lobe to 1e-3.
+TEST(WidthOfTheTopFoil, BendsInModesThatTheMembraneJoins) {
+  const Vector zeta = Vector::Map(shell_zeta().data(), std::ssize(shell_zeta()));
+  Matrix modes(zeta.size(), 3);
+  for (int k = 0; k < 3; ++k) modes.col(k) = zeta.unaryExpr([k](double at) { return legendre(2 * k, at); });
+  for (const BothModes& reference : both_modes) {
+    SCOPED_TRACE(testing::Message() << reference.extent << " degrees, feet slide " << reference.feet_slide);
+    const ShellNumbers found = press_bumps({.bumps = 26,
+                                            .middle = std::numbers::pi,
+                                            .extent = reference.extent * std::numbers::pi / 180.0,
+                                            .feet_slide = reference.feet_slide,
+                                            .sheet = SheetModel::elastic},
+                                           5);
+    const Matrix crests = 1e6 * modes.colPivHouseholderQr().solve(found.crest_w.transpose());
+    const Matrix spans = 1e6 * modes.colPivHouseholderQr().solve(found.span_w.transpose());
+    for (int i = 0; i < 6; ++i) {
+      EXPECT_NEAR(crests(1, 10 + i), reference.crest_w2[i], 4e-3);
+      EXPECT_NEAR(crests(2, 10 + i), reference.crest_w4[i], 4e-3);
+      EXPECT_NEAR(spans(1, 10 + i), reference.span_w2[i], 4e-3);
+      EXPECT_NEAR(spans(2, 10 + i), reference.span_w4[i], 4e-3);
     }
   }
 }
