@@ -270,14 +270,16 @@ void FilmNewton::find_rates(std::span<const Matrix> rigid, std::span<Step> rates
 }
 
 JournalMatrix FilmNewton::find_rates() {
+  if (factors_of_rates_ == modes_->factorisations()) return K_film_;
   const Eigen::Index motions = bearing_.motions();
   std::vector<Matrix> rigid;
   rigid.reserve(rates_.size());
   for (Eigen::Index i = 0; i < motions; ++i) rigid.push_back(bearing_.thinning(JournalVector::Unit(motions, i)));
   find_rates(rigid, rates_);
-  JournalMatrix K_film(motions, motions);
-  for (Eigen::Index i = 0; i < motions; ++i) K_film.col(i) = force_of(rates_[static_cast<std::size_t>(i)].film);
-  return K_film;
+  K_film_.resize(motions, motions);
+  for (Eigen::Index i = 0; i < motions; ++i) K_film_.col(i) = force_of(rates_[static_cast<std::size_t>(i)].film);
+  factors_of_rates_ = modes_->factorisations();
+  return K_film_;
 }
 
 /// @return whether no film is singular
@@ -475,13 +477,18 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   return found;
 }
 
-bool FilmNewton::find_step(FilmReport& report) {
-  if (!linearise_films(equations_, iterate_) || !find_step_at_rest(report)) return false;
+bool FilmNewton::find_step(bool keeps_factors, FilmReport& report) {
+  if (!keeps_factors) {
+    if (!linearise_films(equations_, iterate_)) return false;
+    assemble();
+    contacts_.set_elasticity(K_);
+  }
+  if (!find_step_at_rest(report)) return false;
   move_foils();
   return true;
 }
 
-/// Newton's step at the position of the iterate with exact contacts: the unknowns of the contact problem are the steps
+/// The step at the position of the iterate with exact contacts: the unknowns of the contact problem are the steps
 /// of the blocks.
 bool FilmNewton::find_step_at_rest(FilmReport& report) {
   const BearingState& state = iterate_;
@@ -498,8 +505,6 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
     const Eigen::Index place = contact.row + contact.site.tangential;
     begin_.x[place] = state.slip_origin[place] - x[place];
   });
-  assemble();
-  contacts_.set_elasticity(K_);
   const SolveReport solved = contacts_.solve(loading_, begin_, step_.contact);
   report.factorisations += solved.cost.factorisations;
   if (!solved.converged()) return false;

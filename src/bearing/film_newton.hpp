@@ -34,11 +34,12 @@ class FilmNewton {
   void swap_instead() { std::swap(instead_, trial_); }
   /// Linearises about the iterate and finds Newton's step with the journal at rest, and with as much of the change of
   /// the clearance as one step allows.
-  [[nodiscard]] bool find_step(FilmReport& report);
+  /// @param keeps_factors  linearised as for the step before
+  [[nodiscard]] bool find_step(bool keeps_factors, FilmReport& report);
   /// The force on the journal at the end of the step, by the linearised equations, N.
   [[nodiscard]] JournalVector stepped_force() const;
   /// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
-  /// were set last. @return those of the force on the journal, N/m
+  /// were set last: found once for the same factors. @return those of the force on the journal, N/m
   JournalMatrix find_rates();
   /// Lets the journal move with the step (m): the linearised equations stay solved, in the modes that the step has
   /// without it.
@@ -134,6 +135,8 @@ class FilmNewton {
   Vector bump_forces_;
   Step step_;
   std::vector<Step> rates_;  ///< per displacement of the journal in each of its motions, m
+  JournalMatrix K_film_;     ///< of the rates, see find_rates()
+  int factors_of_rates_{};   ///< ModeSystem::factorisations() when they were found
   Step opening_rate_;        ///< per opening of the clearance, m
   BearingState iterate_, trial_;
   BearingState instead_;  ///< of a full step that may be taken back

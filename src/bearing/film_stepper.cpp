@@ -9,7 +9,7 @@ namespace bumpfoil {
 namespace {
 
 /// NewtonAim::most_vain_steps on the way to states: those that are found take two at most in all bearings met.
-constexpr int most_vain_steps_in_time = 8;
+constexpr int most_vain_steps_in_time = 4;
 
 }  // namespace
 

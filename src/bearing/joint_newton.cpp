@@ -20,8 +20,10 @@ constexpr double leap_shortening = 0.5;
 /// Full steps smaller than this that no part of makes the residuals smaller are round-off, of contact forces above all.
 constexpr double round_off_step = 1e-7;
 
-/// Of two full steps in a row, Newton's method leaves an error of the square of their ratio times the second: where
-/// that is this part of the tolerance, the step that would show it is not computed.
+/// Of two full steps in a row, Newton's method leaves an error of the square of their ratio times the second, and a
+/// step with the factors of the one before it their ratio times the second: where that is this part of the tolerance,
+/// the step that would show it is not computed. Where two steps with the factors at hand, each of which leaves the
+/// square of the last ratio, come as close, no new ones are computed.
 constexpr double part_of_tolerance = 1e-3;
 
 /// The films, and the unknowns of the law at the iterate and at the trial.
@@ -46,9 +48,9 @@ class JointNewton {
     square += law_.residual(y_trial_, forces_).cwiseQuotient(law_.units).squaredNorm();
     return std::sqrt(square);
   }
-  bool find_step(FilmReport& report) {
+  bool find_step(bool keeps_factors, FilmReport& report) {
     for (FilmNewton* film : films_) {
-      if (!film->find_step(report)) return false;
+      if (!film->find_step(keeps_factors, report)) return false;
     }
     move_journals();
     return true;
@@ -118,9 +120,10 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
   bool may_leap = true;
   int vain_steps = 0;
   double last_full = 0.0;  // largest change in the last step, if that was a full one
+  bool keeps_factors = false;
   while (report.iterations < max_iterations) {
     ++report.iterations;
-    const bool is_regular = newton.find_step(report);
+    const bool is_regular = newton.find_step(keeps_factors, report);
     if (leap > 0.0 && !(is_regular && newton.largest_change() < leap_shortening * leap)) {
       newton.swap_instead();
       report.residual = newton.residual_of_trial();
@@ -154,13 +157,16 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
     }
     const bool is_full = fraction == 1.0 && part == 1.0;
     const double ratio = is_full && last_full > 0.0 ? largest / last_full : 1.0;
-    if (is_last || ratio * ratio * largest < part_of_tolerance * aim.tolerance) {
+    const double contraction = keeps_factors ? ratio : ratio * ratio;
+    const double error = contraction * largest;
+    if (is_last || error < part_of_tolerance * aim.tolerance) {
       newton.try_step(1.0);
       report.status = newton.touches() ? Status::touchdown : Status::converged;
       if (report.status == Status::converged) y = law.holds_place() ? law.place : newton.trial();
       return report;
     }
     last_full = is_full ? largest : 0.0;
+    keeps_factors = contraction * contraction * error < part_of_tolerance * aim.tolerance;
     if (halvings >= halvings_in_vain && vain_steps++ == aim.most_vain_steps) return report;
     leap = 0.0;
     if (may_leap && fraction == 1.0 && part < 1.0) {

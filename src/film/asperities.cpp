@@ -10,12 +10,15 @@ namespace {
 constexpr double integration_step = 0.15;
 /// Exponents beyond this leave nothing of a double's sum.
 constexpr double vanishing_exponent = 45.0;
+/// Heights of the mean planes over roughness from which the pressure is zero in a double.
+constexpr double vanishing_height = 39.0;
 
 }  // namespace
 
 // With s = u + t^2 the integrand, 2 t^6 exp(-(u + t^2)^2 / 2), is even and smooth: the trapezoidal rule converges
 // faster than any power of its step.
 GreenwoodTripp greenwood_tripp(double u) {
+  if (u > vanishing_height) return {};
   double value = 0.0;
   double slope = 0.0;
   for (int i = 1;; ++i) {

@@ -21,6 +21,14 @@ constexpr double aimed_growth = 0.4;
 constexpr double largest_change_ratio = 4.0;
 constexpr double shortest_bounded_step = 1e-3;
 
+/// Time steps that change less than they are solved to are followed by ones so many times as long: nothing moves yet,
+/// or no more.
+constexpr double growth_while_still = 8.0;
+/// Where the journal does not turn nothing flutters, and longer steps hide nothing: the first is so many times as long,
+/// and this is the growth.
+constexpr double first_step_without_speed = 4.0;
+constexpr double growth_without_speed = 2.0;
+
 /// How far from the journal foils are assembled, in bulges: further than one step of the film may thin it.
 constexpr double bulges_away = 10.0;
 
@@ -31,7 +39,9 @@ class RestSearch {
       : stepper_(stepper),
         options_(stepper.options()),
         start_(start),
-        first_(options_.first_time_step * stepper.bearing().scales.squeeze_time()),
+        first_((to.speed == 0.0 ? first_step_without_speed : 1.0) * options_.first_time_step *
+               stepper.bearing().scales.squeeze_time()),
+        growth_(to.speed == 0.0 ? growth_without_speed : options_.time_growth),
         dt_(first_),
         last_dt_(first_),
         leg_(ramp(to, to, 1)) {}
@@ -86,13 +96,15 @@ class RestSearch {
     const bool is_left = is_near_ && change_ > options_.marching_tolerance && s_dt > 0.0;
     last_change_ = std::max(change_, options_.marching_tolerance);
     last_dt_ = dt_;
-    dt_ *= is_left ? std::min(options_.time_growth, aimed_growth / s_dt) : options_.time_growth;
+    const double usual = change_ < options_.marching_tolerance ? growth_while_still : growth_;
+    dt_ *= is_left ? std::min(usual, aimed_growth / s_dt) : usual;
   }
 
   const FilmStepper& stepper_;
   const FilmBearingOptions& options_;
   const BearingState& start_;
-  double first_;  ///< time step, s
+  double first_;   ///< time step, s
+  double growth_;  ///< of time steps
   double dt_;
   double last_dt_;  ///< that was taken, s
   Leg leg_;         ///< of one increment

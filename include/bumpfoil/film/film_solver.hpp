@@ -40,7 +40,7 @@ double longest_step(const FilmSolverOptions& options, const FilmState& film, con
 /// How a solve ended and what it cost.
 struct FilmReport {
   Status status{Status::not_converged};
-  int iterations{};      ///< Newton steps, a factorisation of the film each
+  int iterations{};      ///< Newton steps; but for the last ones a factorisation of the film each
   int factorisations{};  ///< of contact systems, where there are contacts
   double residual{};     ///< norm of the residuals at the last step, the film's per area of a cell
   int jumps{};           ///< of a path: jumps off branches that end, to the state that the film settles to in time

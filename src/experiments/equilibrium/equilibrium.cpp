@@ -133,8 +133,11 @@ class PathWalker {
         break;
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
-        if (by_load && total.status == Status::converged) total += settle(*starting_, opened, *state_);
-        ramp(opened, total);  // a journal that is held tilts
+        if (!by_load) {
+          ramp(opened, total);  // it tilts
+        } else if (total.status == Status::converged) {
+          total += settle(*starting_, opened, *state_);
+        }
         break;
     }
     if (state_ && state_->opening > 0.0) ramp(point, total);
