@@ -310,7 +310,8 @@ def page_of(results, reasons):
     yield "| where | line | change | why |\n|---|---|---|---|"
     for one in last.values():
         if one["verdict"] in ("survived", OPEN):
-            code, change = (text.replace("|", "\\|") for text in (one["code"], one["change"]))
+            # Neither a column nor a link.
+            code, change = (text.replace("|", "\\|").replace("](", "] (") for text in (one["code"], one["change"]))
             why = reasons.get(one["file"], {}).get(f"{one['code']} {one['change']}", "**Open.**")
             yield f"| `{one['file']}:{one['line']}` | `{code}` | `{change}` | {why} |"
 
