@@ -14,7 +14,7 @@ namespace bumpfoil {
 namespace {
 
 /// Against a tilt that nothing else resists, over the stiffest of the bump foils: too soft to be felt.
-constexpr double spring_of_journal = 1e-9;
+constexpr double spring_of_journal = 1e-10;
 
 /// Half the axial length, m.
 double half_width_of(const Foils& foils) {

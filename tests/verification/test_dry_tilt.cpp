@@ -331,7 +331,7 @@ TEST(DryTilt, IsFoundFromTheMomentThatItNeeds) {
     const Increment held = taken(foils({.slope = slope, .profile = profile}), there);
     const Increment free =
         taken(foils({.moment = Eigen::Vector2d(held.moment_x, held.moment_y), .profile = profile}), there);
-    // The spring that holds a journal which nothing touches takes 1e-9 of the largest stiffness.
+    // The spring that holds a journal which nothing touches takes 1e-10 of the largest stiffness.
     EXPECT_NEAR(free.tilt_x, slope.x(), 1e-7 * slope.norm());
     EXPECT_NEAR(free.tilt_y, slope.y(), 1e-7 * slope.norm());
     EXPECT_NEAR(free.moment_x, held.moment_x, 1e-7 * held.moment_x);
