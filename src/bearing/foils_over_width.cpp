@@ -100,7 +100,8 @@ void free_tilt(int first, Foils& foils) {
       for (int axis = 0; bump >= 0 && axis < 2; ++axis) {
         K.add(b, first + axis, b, force, tie * zeta * foils.normals_on(s)(axis, bump));
       }
-      foils.problem.sites[static_cast<std::size_t>(b * foils.contacts_per_block() + s)].minus = outward;
+      const int contact = b * foils.contacts_per_block() + s;
+      foils.problem.sites[static_cast<std::size_t>(contact)].minus = outward;
     }
   }
   const Eigen::Index end = K.rows() - K.block_size();
