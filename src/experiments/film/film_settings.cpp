@@ -72,9 +72,9 @@ void describe(CaseVisitor& keys, WidthSettings& width) {
   using enum Dimension;
   keys.value(
       {"modes", defaulted, "Modes over the width",
-       "of the displacement of the foils, for equilibrium and the commands with a rotor, and without a film where the "
-       "journal is tilted or no cylinder: 1, uniform; 2, linear, too; 3, with a parabola; 4 and 5, with polynomials of "
-       "the third and fourth degree. With 2 or more bearings resist the tilt of a rotor"},
+       "of the displacement of the foils, for equilibrium and the commands with a rotor, and without a film for a "
+       "journal that tilts or is no cylinder: 1, uniform; 2, linear, too; 3, with a parabola; 4 and 5, with "
+       "polynomials of the third and fourth degree. With 2 or more bearings resist the tilt of a rotor"},
       &width.modes);
   keys.value({"sheet", defaulted, "Elastic sheet",
               "true: the bump foil gives way in its own surface, so that its feet slide by different amounts over the "
