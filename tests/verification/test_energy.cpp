@@ -7,6 +7,7 @@
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/bearing_cases.hpp"
+#include "support/cycle_energies.hpp"
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 
@@ -48,23 +49,6 @@ double balanced_work(const FullIncrement& before, const FullIncrement& now) {
     }
   }
   return work;
-}
-
-double largest_work(const Cycle& cycle) {
-  double work = 0.0;
-  for (const Increment& increment : cycle.increments) work = std::max(work, std::abs(increment.work));
-  return work;
-}
-
-/// Largest defect of W = E - E0 + D over the cycle.
-double plain_balance_defect(const Cycle& cycle) {
-  double defect = 0.0;
-  const double initial = cycle.increments.front().elastic_energy;
-  for (const Increment& increment : cycle.increments) {
-    defect =
-        std::max(defect, std::abs(increment.work - (increment.elastic_energy - initial) - increment.dissipated_energy));
-  }
-  return defect;
 }
 
 class ReferenceEnergies : public testing::TestWithParam<std::size_t> {

@@ -136,7 +136,7 @@ struct FilmBearing : Foils {
   /// H of the undeformed foils with the journal at a place (m; of two entries: not tilted), at all nodes, where the
   /// foils stand farther out than they do by `opening` (m).
   [[nodiscard]] Matrix undeformed_thickness(const JournalVector& journal, double opening = 0.0) const;
-  /// Change of H under a displacement of the journal (m) and the foils are not.
+  /// Change of H by a displacement of the journal alone (m): the foils stay.
   [[nodiscard]] Matrix thinning(const JournalVector& displacement) const;
   /// Places in the block of a bump. Only where there are foils.
   [[nodiscard]] const BumpDofs& dofs() const { return structure.dofs; }
