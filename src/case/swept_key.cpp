@@ -27,7 +27,7 @@ struct Decimal {
   int exponent{};
 };
 
-struct Quantity {
+struct SweptQuantity {
   Decimal number;
   std::string unit;  ///< empty for a plain number
 };
@@ -134,7 +134,7 @@ class SweptKeyParser {
   }
 
   [[nodiscard]] std::vector<std::string> parse_range() const {
-    std::vector<Quantity> parts;
+    std::vector<SweptQuantity> parts;
     for (std::string_view rest = values_;;) {
       const std::size_t colon = rest.find(':');
       parts.push_back(parse_quantity(trimmed(rest.substr(0, colon))));
@@ -156,10 +156,10 @@ class SweptKeyParser {
     return values;
   }
 
-  [[nodiscard]] std::vector<std::string> parse_numbers(const std::vector<Quantity>& parts) const {
+  [[nodiscard]] std::vector<std::string> parse_numbers(const std::vector<SweptQuantity>& parts) const {
     const int exponent = std::min({parts[0].number.exponent, parts[1].number.exponent, parts[2].number.exponent});
     std::vector<std::int64_t> digits;
-    for (const Quantity& part : parts) {
+    for (const SweptQuantity& part : parts) {
       const std::optional<std::int64_t> aligned = digits_at(part.number, exponent);
       if (!aligned) refuse(fmt::format("spans more than {} digits", most_digits), "give the values as a list: [a, b]");
       digits.push_back(*aligned);
@@ -197,7 +197,7 @@ class SweptKeyParser {
     return text.substr(0, static_cast<std::size_t>(end - text.data()));
   }
 
-  [[nodiscard]] Quantity parse_quantity(std::string_view text) const {
+  [[nodiscard]] SweptQuantity parse_quantity(std::string_view text) const {
     const std::string_view number = number_in(text);
     const std::optional<Decimal> decimal = decimal_of(number);
     if (!decimal) refuse(fmt::format("has a number of more than {} digits", most_digits), "round it");
