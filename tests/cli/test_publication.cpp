@@ -143,6 +143,20 @@ TEST_F(RunInShell, EveryCommandThatWritesMeetsTheFaultsOfItsMachine) {
   }
 }
 
+TEST_F(RunInShell, EveryRunWithoutTimesWritesTheSameBytesAgain) {
+  std::vector<std::string> commands = running_commands();
+  commands.emplace_back("$bumpfoil reproduce --figure 16");
+  for (const std::string& command : commands) {
+    SCOPED_TRACE(command);
+    for (const std::string folder : {"one", "two"}) {
+      EXPECT_EQ(run(command + " --no-times --quiet -o " + folder), 0) << log();
+    }
+    EXPECT_EQ(run("diff -r one two"), 0) << log();
+    EXPECT_EQ(run("grep -rq 'date_created\\|wall_time\\|command_line' one"), 1);
+    EXPECT_EQ(run(command + " --quiet -o timed && grep -rq date_created timed && rm -r one two timed"), 0) << log();
+  }
+}
+
 /// A reader that is gone ends no run before its results are there, and another run into the folder is none of them.
 TEST_F(RunInShell, EveryRunKeepsItsResultsToItself) {
   ASSERT_EQ(run("mkdir busy && $bumpfoil cycle case.toml -o busy --set cycle.steps=80000 --quiet &\n"
