@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/results/result_set.hpp"
 #include "command_line.hpp"
 #include "ranks.hpp"
 #include "shared_runs.hpp"
@@ -16,6 +17,7 @@ struct Session {
   const Ranks& ranks;        ///< this is the first one
   std::string command_line;  ///< quoted for a shell
   bool quiet{};
+  bool no_times{};
   ExitCode exit_code{ExitCode::done};
 };
 
@@ -44,6 +46,12 @@ std::vector<SharedCommand> shared_commands();
 /// Writes a text to a file and says so; prints it where no file is named.
 /// @throws Error (file) if the file exists, unless it is forced, or if writing fails
 void write_text(const std::filesystem::path& path, const std::string& text, bool force, const Session& session);
+
+/// Where the results of a session come from. The command line names their folder, which is of no case.
+Provenance provenance_of(const Session& session, const std::string& case_text);
+
+/// Adds the option --no-times to a command that writes results.
+void add_no_times(CLI::App& command, Session& session);
 
 /// Checks that a value is one of these words.
 CLI::Validator one_of(const std::vector<std::string>& words);

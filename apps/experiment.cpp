@@ -78,7 +78,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   ResultFolder folder(options.folder, options.force || resumes ? Existing::replace : Existing::refuse,
                       experiment.files);
 
-  const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
+  const Provenance provenance = provenance_of(session, case_text);
 
   Outcome outcome;
   {
@@ -172,6 +172,7 @@ void add_experiment(CLI::App& program, Session& session, const ExperimentInfo& e
   if (!experiment.checkpoints.empty()) {
     command->add_flag("--resume", options->resume, "Continue a run that was killed or interrupted")->excludes(force);
   }
+  add_no_times(*command, session);
   command->footer("Examples:\n" + std::string(experiment.examples) +
                   "Ctrl-C, or the time limit of a batch system, ends the run; partial results are written and flagged. "
                   "A second Ctrl-C ends it at once.");

@@ -152,8 +152,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   const EnsembleStatistics statistics = make_ensemble_statistics(input, layout, log);
   const RunStatus status = status_of(statistics, !finished);
   const EnsembleYields yields = make_yields(limits, layout, log);
-  stage_ensemble(input, layout, log, statistics, yields, status,
-                 {.command_line = session.command_line, .case_text = case_text}, folder);
+  stage_ensemble(input, layout, log, statistics, yields, status, provenance_of(session, case_text), folder);
   folder.publish();
   const std::string place = printable(options.folder, longest_path);
   if (!session.quiet) {
@@ -226,6 +225,7 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
   CLI::Option* resume = command->add_flag(
       "--resume", options->resume, "Continue a run that was killed or interrupted, or extend it to more samples");
   command->add_flag("--force", options->force, "Replace existing results in the folder")->excludes(resume);
+  add_no_times(*command, session);
   command->footer(
       "Examples:\n"
       "  bumpfoil montecarlo examples/tolerances.toml -o tolerances\n"

@@ -27,6 +27,17 @@ void write_text(const std::filesystem::path& path, const std::string& text, bool
   if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");
 }
 
+Provenance provenance_of(const Session& session, const std::string& case_text) {
+  return {
+      .command_line = session.no_times ? "" : session.command_line, .case_text = case_text, .times = !session.no_times};
+}
+
+void add_no_times(CLI::App& command, Session& session) {
+  command.add_flag("--no-times", session.no_times,
+                   "Leave dates, computing times and the command line out of the results: the same case gives the same "
+                   "bytes every time");
+}
+
 CLI::Validator one_of(const std::vector<std::string>& words) {
   const auto refuse = [words](const std::string& value) -> std::string {
     if (std::find(words.begin(), words.end(), value) != words.end()) return "";

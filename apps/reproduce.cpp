@@ -102,7 +102,7 @@ class StudyWriter {
       const auto& [input, result, status] = results_[index++];
       const std::string case_text = case_to_toml(input);
       folder.stage("case.toml", case_text);
-      const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
+      const Provenance provenance = provenance_of(session, case_text);
       for (const ResultFile& file : cycle_files(input, result, status, provenance)) {
         folder.stage(file.name, file.contents);
       }
@@ -238,6 +238,7 @@ void add_reproduce_command(CLI::App& program, Session& session) {
       ->check(one_of(study_names()));
   command->add_flag("--all", options->all, "All figures and all other studies");
   command->add_flag("--force", options->force, "Replace existing results in the folders");
+  add_no_times(*command, session);
   std::string footer = "Studies:\n";
   for (const std::string& name : study_names()) footer += fmt::format("  {:<16} {}\n", name, make_study(name).title);
   command->footer(footer +

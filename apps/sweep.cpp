@@ -91,7 +91,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   complete(sweep, points);
 
   const std::string place = printable(options.folder, longest_path);
-  const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
+  const Provenance provenance = provenance_of(session, case_text);
   for (const ResultFile& file : sweep_files(sweep, points, provenance)) folder.stage(file.name, file.contents);
   folder.publish();
   if (!session.quiet) {
@@ -158,6 +158,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
   add_overrides(*command, options->overrides);
   add_solver(*command, options->overrides);
   command->add_flag("--force", options->force, "Replace existing results in the folder");
+  add_no_times(*command, session);
   command->footer(fmt::format(
       "Examples:\n"
       "  bumpfoil sweep case.toml --over friction.coefficient=0:0.5:0.05 -o friction\n"

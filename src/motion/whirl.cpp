@@ -28,6 +28,10 @@ constexpr int most_root_steps = 20;
 constexpr double same_root = 1e-4;
 /// Residuals of roots.
 constexpr double largest_root_residual = 1e-8;
+/// Motions in which the rotor has a smaller share are those of foils and films without a force on the journals. A share
+/// is how far, over |s|, the root lies from a pole of Z; the reduced films have errors of 1e-10 (find_whirls()), which
+/// decide whether a closer root is found at all. Motions that move a journal have shares of 1e-3 and more.
+constexpr double least_rotor_share = 1e-9;
 /// An imaginary part below this part of |s| is round-off.
 constexpr double no_frequency = 1e-9;
 /// Width of the bracket, over the speed, that an onset is known to, and the growth over the speed that is none.
@@ -204,6 +208,7 @@ std::vector<Whirl> whirls_on(const Rotor& rotor, double speed, const std::vector
     if (!is_inside(window, rate)) continue;
     std::optional<Whirl> whirl = equation.refined(rate);
     if (!whirl || std::abs(whirl->rate - rate) > same_root * std::abs(rate)) continue;
+    if (whirl->rotor_share < least_rotor_share) continue;
     const Complex s = whirl->rate;
     const bool known = std::any_of(whirls.begin(), whirls.end(), [s](const Whirl& other) {
       return std::abs(other.rate - s) <= same_root * std::abs(s);

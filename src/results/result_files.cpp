@@ -12,6 +12,7 @@
 #include <map>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "bumpfoil/case/case_writer.hpp"
@@ -28,13 +29,50 @@
 namespace bumpfoil {
 namespace {
 
+/// At random, unless the files are to be the same every time.
+std::string run_id_of(const RunRecord& run) {
+  if (run.provenance.times) return make_run_id();
+  return xxh3_128(fmt::format("{} {} {}\n{}", version(), commit(), run.command, case_to_toml(run.input)));
+}
+
+// What tells how long a part of a run took: the quantity wall_time.
+
+void erase_times(Dataset& dataset) {
+  std::erase_if(dataset.variables, [](const Variable& variable) { return variable.meaning.name == "wall_time"; });
+}
+
+void erase_times(nlohmann::ordered_json& json) {
+  if (!json.is_structured()) return;
+  if (json.is_object()) json.erase("wall_time_s");
+  for (nlohmann::ordered_json& part : json) erase_times(part);
+}
+
+/// No cell has a comma.
+void erase_times(std::string& csv) {
+  const std::size_t place = csv.substr(0, csv.find('\n')).find(",wall_time_s");
+  if (place == std::string::npos) return;
+  const auto column = std::count(csv.begin(), csv.begin() + static_cast<std::ptrdiff_t>(place), ',') + 1;
+  std::istringstream lines(std::exchange(csv, {}));
+  for (std::string line; std::getline(lines, line);) {
+    std::size_t comma = std::string::npos;  // plus one is the first place
+    for (auto k = column; k > 0; --k) comma = line.find(',', comma + 1);
+    csv += line.erase(comma, line.find(',', comma + 1) - comma) + '\n';
+  }
+}
+
+nlohmann::ordered_json lists_of(const RunRecord& run, nlohmann::ordered_json lists) {
+  if (!run.provenance.times) erase_times(lists);
+  return lists;
+}
+
 void add_provenance(NewNetcdf& file, const RunRecord& run, std::string_view run_id) {
-  const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  const bool times = run.provenance.times;
+  const std::string date = times ? fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))) : "";
   file.add_text("Conventions", "CF-1.8");
   file.add_text("schema", "bumpfoil-result/2");
   file.add_text("title", run.input.title);
   file.add_text("source", fmt::format("bumpfoil {} ({})", version(), commit()));
-  file.add_text("history", fmt::format("{}: {}", date, run.provenance.command_line));
+  file.add_text("history", times ? fmt::format("{}: {}", date, run.provenance.command_line) : "");
   file.add_text("date_created", date);
   file.add_text("run_id", run_id);
   file.add_text("command_line", run.provenance.command_line);
@@ -91,7 +129,7 @@ std::size_t count_numbers(const Dataset& dataset) {
 
 std::string summary_text(const RunRecord& run, const Manifest& manifest, const nlohmann::ordered_json& lists) {
   nlohmann::ordered_json summary = summary_head(run.command, run.input, run.status, manifest);
-  summary.update(lists);
+  summary.update(lists_of(run, lists));
   return sealed_summary(summary);
 }
 
@@ -104,8 +142,14 @@ std::string message_of(std::vector<std::string> failures, RunStatus status) {
 
 std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view netcdf_name, std::string_view advice,
                                           const std::function<ResultContents(const std::string&)>& contents) try {
-  const std::string run_id = make_run_id();
+  const std::string run_id = run_id_of(run);
   ResultContents made = contents(run_id);
+  if (!run.provenance.times) {
+    erase_times(made.dataset);
+    for (ResultFile& text : made.texts) {
+      if (text.name.ends_with(".csv")) erase_times(text.contents);
+    }
+  }
   std::vector<ResultFile> files = std::move(made.texts);
   files.push_back({std::string(netcdf_name), built(netcdf_name, advice, [&] {
                      NewNetcdf file;
@@ -154,9 +198,10 @@ void ResultStream::append() {
   built(files_.netcdf, files_.advice, [&] { variables_->append(dataset_); });
 }
 
-void ResultStream::finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists,
+void ResultStream::finish(const RunRecord& run, Dataset totals, const nlohmann::ordered_json& lists,
                           const std::vector<ResultFile>& texts) {
-  Manifest manifest{make_run_id(), {}};
+  Manifest manifest{run_id_of(run), {}};
+  if (!run.provenance.times) erase_times(totals);
   built(files_.netcdf, files_.advice, [&] {
     add_provenance(*file_, run, manifest.run_id);
     variables_->add(totals);

@@ -85,7 +85,7 @@ class ResultStream {
   /// Completes the files, and stages others and summary.json.
   /// @param totals  what is known in the end; what is there already is left out
   /// @param lists   of summary.json
-  void finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists,
+  void finish(const RunRecord& run, Dataset totals, const nlohmann::ordered_json& lists,
               const std::vector<ResultFile>& texts = {});
 
  private:

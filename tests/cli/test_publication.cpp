@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -143,6 +144,42 @@ TEST_F(RunInShell, EveryCommandThatWritesMeetsTheFaultsOfItsMachine) {
   }
 }
 
+TEST_F(RunInShell, EveryRunWithoutTimesWritesTheSameBytesAgain) {
+  std::vector<std::string> commands = running_commands();
+  commands.emplace_back("$bumpfoil reproduce --figure 16");
+  for (const std::string& command : commands) {
+    SCOPED_TRACE(command);
+    for (const std::string folder : {"one", "two"}) {
+      EXPECT_EQ(run(command + " --no-times --quiet -o " + folder), 0) << log();
+    }
+    EXPECT_EQ(run("diff -r one two"), 0) << log();
+    EXPECT_EQ(run("grep -rq 'date_created\\|wall_time\\|command_line' one"), 1);
+    EXPECT_EQ(run(command + " --quiet -o timed && grep -rq date_created timed && rm -r one two timed"), 0) << log();
+  }
+}
+
+/// Mounts of a name space of its own: a disk without room, and one that is mounted read-only.
+TEST_F(RunInShell, EveryCommandThatWritesTellsOfAFullAndOfAReadOnlyDisk) {
+  if (run("unshare -r -m true") != 0) GTEST_SKIP() << "name spaces of users are not permitted here";
+  ASSERT_EQ(run(cycle + "-o base && mkdir full shut && cp -r base shut"), 0);
+  for (const std::string& command : writing_commands()) {
+    SCOPED_TRACE(command);
+    folder_.write("script", "mount -t tmpfs -o size=4k none full && " + command + " --quiet -o full/new");
+    EXPECT_EQ(run("unshare -r -m sh script"), 4) << log();
+    EXPECT_TRUE(log().starts_with("full/new") && (log().find("No space left on device") != std::string::npos ||
+                                                  log().find("the free space of the disk is") != std::string::npos))
+        << log();
+    const std::string shut = "mount --bind shut shut && mount -o remount,bind,ro shut && " + command + " --quiet -o ";
+    folder_.write("script", shut + "shut/new");
+    EXPECT_EQ(run("unshare -r -m sh script"), 4) << log();
+    EXPECT_TRUE(log().starts_with("shut/new: cannot be written: Read-only file system")) << log();
+    folder_.write("script", shut + "shut/base --force");
+    EXPECT_EQ(run("unshare -r -m sh script"), 4) << log();
+  }
+  EXPECT_EQ(listing("shut"), "base ");
+  EXPECT_EQ(run("diff -r base shut/base"), 0);
+}
+
 /// A reader that is gone ends no run before its results are there, and another run into the folder is none of them.
 TEST_F(RunInShell, EveryRunKeepsItsResultsToItself) {
   ASSERT_EQ(run("mkdir busy && $bumpfoil cycle case.toml -o busy --set cycle.steps=80000 --quiet &\n"
@@ -224,10 +261,12 @@ TEST_F(RunInShell, OfTwoRunsIntoOneFolderOneWinsAndTheOtherSaysWhy) {
 
 TEST_F(RunInShell, KilledAtAnyTimeItLeavesTheOldSetOrTheNewOne) {
   ASSERT_EQ(run(cycle + "-o killed"), 0);
-  for (int i = 0; i < 30; ++i) {
-    SCOPED_TRACE(i);
-    // The whole takes about 50 ms; later kills come too late, on purpose.
-    const std::string delay = "0.0" + std::to_string(10 + 3 * i);
+  std::mt19937 random(1);
+  // The whole takes about 50 ms; some kills come too late, on purpose.
+  std::uniform_real_distribution<double> moment(0.0, 0.1);
+  for (int i = 0; i < 100; ++i) {
+    const std::string delay = std::to_string(moment(random));
+    SCOPED_TRACE(delay);
     static_cast<void>(run(cycle + "-o killed --force & sleep " + delay + "; kill -9 $!; wait"));
     consistent_summary("killed");
   }

@@ -44,7 +44,8 @@ WhirlWindow usual_window(double speed);
 
 /// All motions in a window, the one that grows fastest first. They are the eigenvalues of one matrix: the reduced films
 /// are linear in s when what they store is among the unknowns. Newton's method on D(s) then refines each of them; what
-/// the reduced films have for themselves, without a force on the journal, is left out.
+/// films and foils have for themselves, without a force on the journals, is left out: a Whirl::rotor_share below 1e-9,
+/// which is round-off.
 /// @param bearings  Z_i in the order of Rotor::bearings
 std::vector<Whirl> whirls_on(const Rotor& rotor, double speed, const std::vector<FilmImpedance>& bearings,
                              const WhirlWindow& window);

@@ -30,6 +30,8 @@ RunStatus run_status(const std::vector<Status>& parts, std::size_t due);
 struct Provenance {
   std::string command_line;
   std::string case_text;  ///< of the case file, as its author wrote it
+  bool times{true};  ///< whether files tell when the run was and how long its parts took; if not, the run id follows
+                     ///< from case and program, and the same run writes the same bytes
 };
 
 /// A file of a result set, before it is written.
@@ -47,7 +49,7 @@ struct FileChecksum {
 
 /// By what readers tell the files of one run from those of another, and whole files from damaged ones.
 struct Manifest {
-  std::string run_id;  ///< 32 hexadecimal digits, at random
+  std::string run_id;  ///< 32 hexadecimal digits, at random; see Provenance::times
   std::vector<FileChecksum> files;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -61,6 +62,40 @@ TEST(Whirl, AddsBearings) {
     EXPECT_TRUE(std::any_of(whirls.begin(), whirls.end(), [&](const Whirl& whirl) {
       return std::abs(whirl.rate - expected) < 1e-8 * std::abs(expected);
     }));
+  }
+}
+
+/// A spring beside a spring and damper in series, k + g e / (1 + 2 e) with e = T0 s, that has a motion of its own near
+/// the pole, s = -1 / (2 T0). The weaker its force g on the journal, the less it is one of the rotor, down to
+/// round-off.
+TEST(Whirl, LeavesOutWhatExertsNoForceOnTheJournal) {
+  constexpr double m = 1.0;
+  constexpr double k = 1e6;
+  constexpr double unit = 1e-3;  // T0, s
+  for (const double coupling : {1e-2, 1e-4, 1e-6, 1e-11, 1e-12, 1e-13, 1e-14}) {
+    SCOPED_TRACE(coupling);
+    FilmImpedance impedance{.shift = 0.0, .squeeze_time = unit};
+    for (const int axis : {0, 1}) {
+      const bool along_x = axis == 0;
+      ReducedForces forces;
+      forces.moved = Eigen::Vector2d(along_x ? k : 0.0, along_x ? 0.0 : 3.0 * k);
+      forces.start = 1.0;
+      forces.hessenberg = Matrix::Constant(1, 1, -2.0);
+      forces.forces = Eigen::Vector2d(along_x ? coupling * k : 0.0, 0.0);
+      impedance.along.push_back(forces);
+    }
+    const auto whirls = whirls_on(make_point_mass(m), 2000.0, {impedance}, usual_window(2000.0));
+    const auto real = std::find_if(whirls.begin(), whirls.end(), [](const Whirl& w) { return w.rate.imag() == 0.0; });
+    ASSERT_EQ(whirls.size(), coupling < 1e-9 ? 2U : 3U);
+    if (coupling < 1e-9) continue;
+    ASSERT_NE(real, whirls.end());
+    const double e = unit * real->rate.real();
+    const double of_series = coupling * k / (1.0 + 2.0 * e);
+    // The root is known to 1e-12 and lies as close as 4e-7 to the pole.
+    EXPECT_LT(std::abs(m * std::pow(real->rate.real(), 2) + k + e * of_series), 1e-4 * k);
+    const double of_rotor = 2.0 * m * std::abs(real->rate.real());
+    const double of_films = unit * coupling * k / std::pow(1.0 + 2.0 * e, 2);
+    EXPECT_NEAR(real->rotor_share, of_rotor / (of_rotor + of_films), 1e-4 * real->rotor_share);
   }
 }
 

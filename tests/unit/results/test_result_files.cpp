@@ -83,6 +83,54 @@ TEST_F(StagedResultFiles, TakeNoMemoryForRows) {
 }
 #endif
 
+/// With and without times: nothing else is lost.
+TEST(ResultFiles, LeaveOutTimes) {
+  const Case input;
+  const auto make = [&input](bool times) {
+    const Provenance provenance{.command_line = "bumpfoil", .case_text = "text", .times = times};
+    return make_result_files({.input = input,
+                              .command = "vibration",
+                              .status = RunStatus::complete,
+                              .message = "",
+                              .provenance = provenance},
+                             "result.nc", "", [](const std::string& run_id) {
+                               ResultContents contents;
+                               contents.texts = {{"loops.csv", "a,wall_time_s,b\n1,0.5,word\n,,\n"},
+                                                 {"last.csv", "a,b,wall_time_s\n1,2,0.5\n"},
+                                                 {"other.csv", "a,b\n1,2\n"},
+                                                 {"case.toml", "a,wall_time_s\n" + run_id}};
+                               contents.dataset.add({"wall_time", "s", "time"}, {}, std::vector<double>{0.5});
+                               contents.dataset.add({"force", "N", "force"}, {}, std::vector<double>{3.0});
+                               contents.lists = [] {
+                                 return nlohmann::ordered_json{{"loops", {{{"force_N", 3.0}, {"wall_time_s", 0.5}}}}};
+                               };
+                               return contents;
+                             });
+  };
+  const std::vector<ResultFile> files = make(false);
+  const std::vector<ResultFile> timed = make(true);
+  ASSERT_EQ(files.size(), 6U);
+  EXPECT_EQ(files[0].contents, "a,b\n1,word\n,\n");
+  EXPECT_EQ(files[1].contents, "a,b\n1,2\n");
+  EXPECT_EQ(files[2].contents, "a,b\n1,2\n");
+  const auto summary = nlohmann::json::parse(files[5].contents);
+  EXPECT_EQ(summary.at("loops").at(0), nlohmann::json({{"force_N", 3.0}}));
+  EXPECT_EQ(nlohmann::json::parse(timed[5].contents).at("loops").at(0).at("wall_time_s"), 0.5);
+  EXPECT_EQ(files[3].contents, "a,wall_time_s\n" + summary.at("run_id").get<std::string>());
+  const NetcdfImage file(files[4].contents, "result.nc");
+  const NetcdfImage with_times(timed[4].contents, "result.nc");
+  EXPECT_EQ(file.numbers(file.variable("force", {})), std::vector<double>{3.0});
+  EXPECT_FALSE(file.variables().contains("wall_time"));
+  EXPECT_TRUE(with_times.variables().contains("wall_time"));
+  for (const char* told : {"date_created", "history"}) {
+    EXPECT_FALSE(file.texts().contains(told)) << told;
+    EXPECT_TRUE(with_times.texts().contains(told)) << told;
+  }
+  EXPECT_EQ(file.texts().at("case_text"), "text");
+  EXPECT_EQ(make(false)[5].contents, files[5].contents);
+  EXPECT_NE(make(true)[5].contents, timed[5].contents);
+}
+
 TEST_F(StagedResultFiles, AreRefusedWhereTheDiskHasNoRoom) {
   Dataset dataset;
   dataset.dims = {{"sample", std::size_t{1} << 50U}};
