@@ -17,6 +17,8 @@ namespace {
 
 using Complex = std::complex<double>;
 using ComplexMatrix = Eigen::MatrixXcd;
+/// Without the reduction of other matrices, which takes longer to compile than all else here.
+using SquareSVD = Eigen::JacobiSVD<ComplexMatrix, Eigen::NoQRPreconditioner>;
 
 /// Whirl ratios at which the films are reduced first.
 constexpr std::array first_whirl_ratios{0.05, 0.2, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0};  // 1: for what is synchronous
@@ -110,7 +112,7 @@ class WhirlEquation {
   [[nodiscard]] std::optional<Whirl> refined(Complex s) const {
     Whirl found;
     for (int i = 0; i < most_root_steps; ++i) {
-      const Eigen::JacobiSVD<ComplexMatrix> svd(at(s), Eigen::ComputeFullU | Eigen::ComputeFullV);
+      const SquareSVD svd(at(s), Eigen::ComputeFullU | Eigen::ComputeFullV);
       const Eigen::Index last = rotor_.size() - 1;
       const Eigen::VectorXcd left = svd.matrixU().col(last);
       found.shape = svd.matrixV().col(last);
