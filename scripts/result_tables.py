@@ -72,8 +72,9 @@ def table_rows(name, experiments):
         "width": lambda one: True,
         "tilt": lambda one: True,
         "strips": lambda one: True,
+        "slits": lambda one: True,
     }[part]
-    variables = variables_of(runs, {"formed": 1, "orbits": 1, "pads": 2, "rough": 3, "width": 4, "tilt": 3, "strips": 4}.get(part, 0))
+    variables = variables_of(runs, {"formed": 1, "orbits": 1, "pads": 2, "rough": 3, "width": 4, "tilt": 3, "strips": 4, "slits": 5}.get(part, 0))
     return ["variable", "dimensions", "units", "meaning"], [
         [f"`{one['name']}`", ", ".join(one["dims"]), one["unit"] or "flag", one["long_name"]]
         for one in variables

@@ -96,7 +96,10 @@ Matrix FilmBearing::resting_pressure() const {
     const FilmMesh& mesh = pad.foil.mesh;
     const auto inside = Eigen::seqN(pad.first_column + mesh.first_unknown(), mesh.unknown_columns());
     for (int j = 0; j <= mesh.rows; ++j) {
-      if (mesh.is_side(j)) pressure(j, inside).setConstant(surroundings.side_pressure[mesh.zeta(j) < 0.0 ? 0 : 1]);
+      const std::size_t side = mesh.zeta(j) < 0.0 ? 0 : 1;
+      if (mesh.is_side(j) && pad.at_side[side]) {
+        pressure(j, inside).setConstant(surroundings.side_pressure[static_cast<Eigen::Index>(side)]);
+      }
     }
     if (mesh.closed) continue;
     pressure.col(pad.first_column + mesh.columns)
@@ -124,8 +127,9 @@ namespace {
 void add_tilt(const FilmBearing& bearing, const JournalVector& journal, Matrix& H) {
   if (journal.size() == 2) return;
   const Eigen::RowVectorXd at_side = journal.tail<2>().transpose() * bearing.column_normals / -bearing.scales.thickness;
-  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
-  for (int j = 0; j <= mesh.rows; ++j) H.row(j) += mesh.zeta(j) * at_side;
+  for (const FilmPad& pad : bearing.pads) {
+    for (int j = 0; j <= pad.foil.mesh.rows; ++j) H(j, pad.columns()) += pad.zeta(j) * at_side(pad.columns());
+  }
 }
 
 }  // namespace
@@ -134,9 +138,10 @@ Matrix FilmBearing::undeformed_thickness(const JournalVector& journal, double op
   Matrix H = field((clearance + opening) / scales.thickness);
   H.rowwise() += (sleeve.transpose() - journal.head<2>().transpose() * column_normals) / scales.thickness;
   add_tilt(*this, journal, H);
-  const FilmMesh& mesh = pads.front().foil.mesh;
-  for (int j = 0; j <= mesh.rows; ++j) {
-    H.row(j).array() += surroundings.profile.widening(mesh.zeta(j)) / scales.thickness;
+  for (const FilmPad& pad : pads) {
+    for (int j = 0; j <= pad.foil.mesh.rows; ++j) {
+      H(j, pad.columns()).array() += surroundings.profile.widening(pad.zeta(j)) / scales.thickness;
+    }
   }
   return H;
 }
@@ -183,6 +188,9 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, const std
                                      .friction = rough->friction};
   }
   pad.wrap_sign = placed.sense();
+  pad.middle = placed.middle;
+  pad.part = placed.part;
+  pad.at_side = {placed.strip == 0, placed.strip + 1 == placed.strips};
   pad.first_column = bearing.columns();
   if (!bearing.pads.empty()) pad.first_block = bearing.pads.back().first_block + bearing.pads.back().bumps() + 1;
   const Vector angles = pad.foil.mesh.angles();
@@ -198,9 +206,10 @@ double room_of(const FilmBearing& bearing) {
   double room = bearing.clearance;
   for (std::size_t k = 0; k < bearing.placed.size(); ++k) room = std::min(room, bearing.room_in(k));
   double widening = std::numeric_limits<double>::infinity();
-  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
-  for (int j = 0; j <= mesh.rows; ++j) {
-    widening = std::min(widening, bearing.surroundings.profile.widening(mesh.zeta(j)));
+  for (const FilmPad& pad : bearing.pads) {
+    for (int j = 0; j <= pad.foil.mesh.rows; ++j) {
+      widening = std::min(widening, bearing.surroundings.profile.widening(pad.zeta(j)));
+    }
   }
   return room + widening;
 }
@@ -328,7 +337,7 @@ JournalVector pad_force(const FilmBearing& bearing, const FilmPad& pad, const Ma
   JournalVector force(bearing.motions());
   force.head<2>() = sum(of_rows);
   if (bearing.tilts()) {
-    for (int j = 0; j <= mesh.rows; ++j) of_rows[j] *= mesh.zeta(j);  // the lever
+    for (int j = 0; j <= mesh.rows; ++j) of_rows[j] *= pad.zeta(j);  // the lever
     force.tail<2>() = sum(of_rows);
   }
   return mesh.copies() * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
@@ -479,7 +488,10 @@ void find_drag(const FilmBearing& bearing, const BearingState& state, const Jour
     outcome.flows.start += scales.flow() * flows.start;
     outcome.flows.end += scales.flow() * flows.end;
     outcome.flows.sides += scales.flow() * flows.sides;
-    outcome.flows.right_side += scales.flow() * flows.right_side;
+    const double left_side = flows.sides - flows.right_side;
+    if (pad.at_side[1]) outcome.flows.right_side += scales.flow() * flows.right_side;
+    outcome.slit_flow +=
+        scales.flow() * ((pad.at_side[0] ? 0.0 : left_side) + (pad.at_side[1] ? 0.0 : flows.right_side));
   }
   outcome.torque = outcome.couette_torque + outcome.asperity_torque + poiseuille_torque;
   outcome.power = outcome.torque * state.speed;

@@ -163,10 +163,22 @@ Foils make_uniform_foils(std::vector<PlacedPad> pads) {
   return foils;
 }
 
-Foils make_foils(const BearingDesign& design) {
-  Foils foils = make_uniform_foils(place_pads(design));
+namespace {
+
+Foils make_assembled_foils(std::vector<PlacedPad> pads) {
+  Foils foils = make_uniform_foils(std::move(pads));
   if ((foils.structure.forming.array() != 0.0).any()) foils.assembly = assemble_without_journal(foils);
   return foils;
+}
+
+}  // namespace
+
+Foils make_foils(const BearingDesign& design) {
+  return make_assembled_foils(place_pads(design));
+}
+
+Foils make_film_foils(const BearingDesign& design) {
+  return make_assembled_foils(place_film_pads(design));
 }
 
 Foils make_foils(const PadDesign& whole, const StripSettings& strip) {

@@ -221,7 +221,7 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
   keys.value(
       {"overhang", optional, "Overhang", "from the last crest to the free end; default: half a pitch", "2 mm", length},
       &foil.overhang);
-  keys.value({"split", defaulted, "Split", "true: over the width, as the bump foil is; for commands without a film"},
+  keys.value({"split", defaulted, "Split", "true: over the width, as the bump foil is; a film leaks at the slits"},
              &foil.split);
 }
 

@@ -124,6 +124,20 @@ void lay_out_rotor(const Case& input, EnsembleLayout& layout) {
   return 1;
 }
 
+/// Of the bumps of all strips of a split top foil together.
+Vector of_all_strips(const FilmBearing& bearing, const Vector& loads) {
+  if (!bearing.has_slits()) return loads;
+  std::vector<double> sums;
+  Eigen::Index first = 0;
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const Eigen::Index bumps = bearing.pads[k].bumps();
+    if (bearing.placed[k].strip == 0) sums.resize(sums.size() + static_cast<std::size_t>(bumps));
+    Eigen::Map<Vector>(sums.data(), std::ssize(sums)).tail(bumps) += loads.segment(first, bumps);
+    first += bumps;
+  }
+  return Eigen::Map<Vector>(sums.data(), std::ssize(sums));
+}
+
 /// Empty where they are not known.
 Vector bump_loads(const SampleResult& result, std::size_t place) {
   if (const auto* cycles = std::get_if<CycleResult>(&result)) {
@@ -133,7 +147,8 @@ Vector bump_loads(const SampleResult& result, std::size_t place) {
   const auto* running = std::get_if<EquilibriumResult>(&result);
   if (running == nullptr) return {};
   const RunningState& state = running->states[place];
-  return state.found() ? bumpfoil::bump_loads(*running->bearing, *state.last) : Vector();
+  return state.found() ? of_all_strips(*running->bearing, bumpfoil::bump_loads(*running->bearing, *state.last))
+                       : Vector();
 }
 
 /// Statuses of a command, and behind them that of samples that make no bearing.

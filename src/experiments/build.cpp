@@ -94,7 +94,7 @@ FilmSurroundings surroundings_of(const Case& input, double ambient) {
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
   require_bearing(input, {"equilibrium"});
-  return make_film_bearing(make_foils(input), gas, resolution, surroundings_of(input, gas.ambient_pressure));
+  return make_film_bearing(make_film_foils(input), gas, resolution, surroundings_of(input, gas.ambient_pressure));
 }
 
 double thickness_floor(const Case& input) {

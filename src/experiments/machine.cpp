@@ -14,11 +14,11 @@ namespace {
 /// Frequencies of interest end at this multiple of the highest speed, as those of usual_window() do.
 constexpr double highest_whirl_ratio = 2.0;
 
-/// Of the film in a bearing under a rotor. Foils that may be displaced otherwise than evenly over the width answer to a
-/// rotor that tilts, and differ on both halves.
+/// Of the film in a bearing under a rotor. Foils that may be displaced otherwise than evenly over the width, strip by
+/// strip at least, answer to a rotor that tilts, and differ on both halves.
 FilmResolution resolution_under(const RotorSettings& rotor, const Case& bearing) {
   FilmResolution resolution = resolution_of(bearing);
-  if (rotor.tilts() && bearing.width.modes > 1) resolution.width = WidthPart::whole;
+  if (rotor.tilts() && (bearing.width.modes > 1 || bearing.top_foil.split)) resolution.width = WidthPart::whole;
   return resolution;
 }
 

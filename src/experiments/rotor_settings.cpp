@@ -373,14 +373,15 @@ void judge_tilting(Judge& judge, const RotorSettings& rotor, const Case& input) 
   bool resists = false;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, input.rotor_bearings.size()); ++i) {
     const Case bearing = bearing_at(input, i);
-    resists |= bearing.width.modes > 1 || !bearing.has_equal_halves();
+    resists |= bearing.width.modes > 1 || bearing.top_foil.split || !bearing.has_equal_halves();
   }
   if (!resists) return;
   for (const char* const command : {"stability", "unbalance", "transient"}) {
-    judge.require_for(command, false, "rotor.matrices", "",
-                      "name displacements at the bearings alone, and these bearings resist inclinations, too",
-                      "set width.modes = 1 without tilt, conicity and unlike side pressures, or give the rotor by "
-                      "[[rotor.shaft]]");
+    judge.require_for(
+        command, false, "rotor.matrices", "",
+        "name displacements at the bearings alone, and these bearings resist inclinations, too",
+        "set width.modes = 1 without tilt, conicity, unlike side pressures and split top foils, or give the rotor by "
+        "[[rotor.shaft]]");
   }
 }
 

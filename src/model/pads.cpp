@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace bumpfoil {
 namespace {
@@ -74,6 +75,37 @@ PlacedPad strip_of(const PlacedPad& pad, int strip) {
   return placed;
 }
 
+namespace {
+
+/// A strip of a pad that is cut through from top foil to bump foil.
+PlacedPad cut_out(const PlacedPad& pad, int strip) {
+  PlacedPad one = strip_of(pad, strip);
+  one.strip = strip;
+  one.strips = pad.alone.bump_foil.strips;
+  one.middle = strip_middle(pad.alone, strip) / (0.5 * pad.alone.bearing.axial_length);
+  one.part = strip_width(pad.alone) / pad.alone.bearing.axial_length;
+  one.alone.bearing.axial_length = strip_width(pad.alone);
+  one.alone.bump_foil.strips = 1;
+  one.alone.bump_foil.strip_gap = 0.0;
+  one.alone.bump_foil.strip.clear();
+  one.alone.top_foil.split = false;
+  return one;
+}
+
+}  // namespace
+
+std::vector<PlacedPad> place_film_pads(const BearingDesign& design) {
+  std::vector<PlacedPad> strips;
+  for (PlacedPad& pad : place_pads(design)) {
+    if (!pad.alone.top_foil.split) {
+      strips.push_back(std::move(pad));
+      continue;
+    }
+    for (int strip = 0; strip < pad.alone.bump_foil.strips; ++strip) strips.push_back(cut_out(pad, strip));
+  }
+  return strips;
+}
+
 const BumpFoil& bump_foil_of(const BearingDesign& design, std::size_t pad) {
   const bool own = pad < design.pads.size() && design.pads[pad].bump_foil;
   return own ? *design.pads[pad].bump_foil : design.bump_foil;
@@ -87,6 +119,10 @@ int total_bumps(const BearingDesign& design) {
   int bumps = 0;
   for (std::size_t k = 0; k < count_pads(design); ++k) bumps += bump_foil_of(design, k).bumps;
   return bumps;
+}
+
+int film_bumps(const BearingDesign& design) {
+  return total_bumps(design) * (design.top_foil.split ? design.bump_foil.strips : 1);
 }
 
 PadBump find_bump(const BearingDesign& design, int bump) {

@@ -84,7 +84,7 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
   tilt_y_ = of_states("tilt_y");
   radius_ = constant("bearing_radius").front();
   clearance_ = constant("radial_clearance").front();
-  half_width_ = 0.5 * constant("axial_length").front();
+  half_foil_ = half_width_ = 0.5 * constant("axial_length").front();
   if (image_.variables().contains("conicity"))
     profile_ = {.conicity = constant("conicity").front(), .crowning = constant("crowning").front()};
   bumps_ = nodes("", "bump");
@@ -92,6 +92,7 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
   if (has("pressure")) {
     columns_ = nodes("column_", "column");
     const std::vector<double> z = constant("z");
+    if (image_.variables().contains("pad_z")) half_foil_ = z.back();
     for (std::size_t row = 0; row < z.size(); ++row) rows_.emplace_back(z[row], row);
     // Half the width is mirrored.
     if (z.front() >= 0.0) {
@@ -146,6 +147,9 @@ void FoilShapes::make_pads() {
   const std::vector<double> lobes = several ? constant("pad_lobe") : std::vector<double>{0.0};
   const std::vector<double> welds = several ? constant("pad_weld_angle") : std::vector<double>{};
   const std::vector<double> ends = several ? constant("pad_end_angle") : std::vector<double>{};
+  const std::vector<double> middles =
+      image_.variables().contains("pad_z") ? constant("pad_z") : std::vector<double>(lobes.size(), 0.0);
+  if (middles.size() != lobes.size()) image_.refuse("pad_z", "is over other places");
   pads_.resize(lobes.size());
   const auto collect = [&](const std::vector<Node>& all, std::vector<std::size_t> ShapedPad::*members) {
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -159,6 +163,7 @@ void FoilShapes::make_pads() {
   for (std::size_t k = 0; k < pads_.size(); ++k) {
     ShapedPad& pad = pads_[k];
     pad.lobe = lobes[k];
+    pad.z = middles[k];
     if (pad.bumps.empty() || pad.feet.empty()) image_.refuse("pad", "has one without bumps");
     // Two places that are less than half a turn apart tell where the foils run.
     const Node& crest = bumps_[pad.bumps.front()];
@@ -210,27 +215,27 @@ double FoilShapes::film_at(const std::string& name, std::size_t state, std::size
 /// A displacement `stem` + `mean` that may vary over the width.
 double FoilShapes::across(const std::string& stem, const std::string& mean, std::size_t state, std::size_t node,
                           double z) const {
-  const double zeta = z / half_width_;
+  const double zeta = z / half_foil_;
   const auto part = [&](const std::string& name) { return has(name) ? at(name, state, node) : 0.0; };
   return part(stem + mean) + part(stem + "_slope") * zeta + part(stem + "_parabola") * (1.5 * zeta * zeta - 0.5);
 }
 
 /// Lines along the foils over the width. @param line  (z) -> its points
 template <typename Line>
-ShapedGrid FoilShapes::over_width(ShapedPart part, bool varies, const Line& line) const {
+ShapedGrid FoilShapes::over_width(ShapedPart part, const ShapedPad& pad, bool varies, const Line& line) const {
   ShapedGrid grid{.part = part, .points = {}};
   const auto add = [&](double z) {
     std::vector<ShapedPoint> points = line(z);
     grid.columns = points.size();
     for (ShapedPoint& point : points) {
-      point.z = z;
+      point.z = pad.z + z;
       grid.points.push_back(point);
     }
   };
   if (varies) {
     for (const auto& [z, row] : rows_) add(z);
   } else {
-    for (const double z : {-half_width_, half_width_}) add(z);
+    for (const double z : {-half_foil_, half_foil_}) add(z);
   }
   return grid;
 }
@@ -241,8 +246,8 @@ ShapedGrid FoilShapes::top_foil_of_film(std::size_t state, const ShapedPad& pad)
     for (const std::size_t column : pad.columns) {
       const double thickness = film_at("film_thickness", state, row, column);
       grid.points.push_back({.along = columns_[column].along,
-                             .radius = journal_radius(state, columns_[column].polar, z) + thickness,
-                             .z = z,
+                             .radius = journal_radius(state, columns_[column].polar, pad.z + z) + thickness,
+                             .z = pad.z + z,
                              .outward = across("film_top", "_displacement", state, column, z),
                              .film_thickness = thickness,
                              .pressure = film_at("pressure", state, row, column)});
@@ -268,7 +273,7 @@ ShapedPoint FoilShapes::top_over_bump(std::size_t state, const ShapedPad& pad, s
 
 /// From the weld over the crests to the free end, which moves as the last crest does.
 ShapedGrid FoilShapes::top_foil_of_bumps(std::size_t state, const ShapedPad& pad) const {
-  return over_width(ShapedPart::top_foil, has_curved_top(), [&](double z) {
+  return over_width(ShapedPart::top_foil, pad, has_curved_top(), [&](double z) {
     std::vector<ShapedPoint> line;
     for (const std::size_t bump : pad.bumps) line.push_back(top_over_bump(state, pad, bump, z));
     ShapedPoint weld = line.front();
@@ -294,11 +299,11 @@ double FoilShapes::crest_radius(std::size_t state, const ShapedPad& pad, std::si
   return middle_crest_radius(state, pad, bump) + moved - across("crest_v", "", state, bump, 0.0);
 }
 
-/// In the mid-plane, off the top foil by the gap.
+/// In the middle of the foils, off the top foil by the gap.
 double FoilShapes::middle_crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const {
   const Node& crest = bumps_[bump];
   const double gap = at("gap_top_bump", state, bump);
-  const double journal = journal_radius(state, crest.polar, 0.0);
+  const double journal = journal_radius(state, crest.polar, pad.z);
   if (columns_.empty()) return journal + at("gap_journal_top", state, bump) + gap;
   const std::size_t column =
       *std::min_element(pad.columns.begin(), pad.columns.end(), [&](std::size_t a, std::size_t b) {
@@ -313,7 +318,7 @@ double FoilShapes::foot_radius(std::size_t state, const ShapedPad& pad, std::siz
 }
 
 ShapedGrid FoilShapes::bump_foil(std::size_t state, const ShapedPad& pad) const {
-  return over_width(ShapedPart::bump_foil, has("crest_v_slope") || has("crest_v_parabola"),
+  return over_width(ShapedPart::bump_foil, pad, has("crest_v_slope") || has("crest_v_parabola"),
                     [&](double z) { return bump_foil_at(state, pad, z); });
 }
 
@@ -349,7 +354,7 @@ std::vector<ShapedPoint> FoilShapes::bump_foil_at(std::size_t state, const Shape
   return line;
 }
 
-/// Forces on the foils: on the top foil at the journal, on the bump foil at its crests and feet; in the mid-plane, of
+/// Forces on the foils: on the top foil at the journal, on the bump foil at its crests and feet; in the middle, of
 /// the whole width.
 std::vector<ShapedGrid> FoilShapes::contacts(std::size_t state, const ShapedPad& pad) const {
   std::vector<ShapedGrid> all;
@@ -359,6 +364,7 @@ std::vector<ShapedGrid> FoilShapes::contacts(std::size_t state, const ShapedPad&
     ShapedGrid& grid = all.emplace_back(ShapedGrid{.part = part, .points = {}});
     for (const std::size_t i : members) {
       ShapedPoint point = place(i);
+      point.z = pad.z;
       point.force_outward = outward * at("normal_force_" + name, state, i);
       point.force_forward = at("friction_force_" + name, state, i);
       point.contact = at("state_" + name, state, i);
@@ -405,7 +411,7 @@ std::vector<ShapedGrid> FoilShapes::foils(std::size_t state, const ShapedPad& pa
 
 ShapedGrid FoilShapes::journal(std::size_t state, const ShapedPad& pad) const {
   ShapedGrid grid{.part = ShapedPart::journal, .columns = journal_points, .points = {}};
-  for (const double z : {-half_width_, half_width_}) {
+  for (const double z : {pad.z - half_foil_, pad.z + half_foil_}) {
     for (std::size_t k = 0; k < journal_points; ++k) {
       const double along = pad.length * static_cast<double>(k) / (journal_points - 1);
       const double polar = pad.weld + pad.sense * along;

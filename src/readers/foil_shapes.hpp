@@ -42,6 +42,7 @@ struct ShapedPad {
   double lobe{};    ///< displacement of its circle away from its middle, m
   double middle{};  ///< polar angle half way between its weld and its end, rad
   double length{};  ///< angle from the weld to the free end, rad
+  double z{};       ///< of its middle, m: that of a strip where they have films of their own
   std::vector<std::size_t> bumps{}, feet{}, columns{};
 };
 
@@ -92,7 +93,7 @@ class FoilShapes {
   [[nodiscard]] double across(const std::string& stem, const std::string& mean, std::size_t state, std::size_t node,
                               double z) const;
   template <typename Line>
-  [[nodiscard]] ShapedGrid over_width(ShapedPart part, bool varies, const Line& line) const;
+  [[nodiscard]] ShapedGrid over_width(ShapedPart part, const ShapedPad& pad, bool varies, const Line& line) const;
   [[nodiscard]] double crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double z) const;
   [[nodiscard]] double middle_crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const;
   [[nodiscard]] double foot_radius(std::size_t state, const ShapedPad& pad, std::size_t bump, double foot_v) const;
@@ -110,10 +111,12 @@ class FoilShapes {
   std::map<std::string, std::size_t> widths_{};          ///< numbers of each state
   std::vector<double> x_, tilt_x_, y_, tilt_y_;          ///< of each state
   double radius_{}, clearance_{}, half_width_{};
+  double half_foil_{};  ///< half the width of foils and film of a pad, m
   WidthProfile profile_;
   std::vector<Node> bumps_, feet_, columns_;
   std::vector<double> rises_, half_lengths_, height_errors_;
-  std::vector<std::pair<double, std::size_t>> rows_;  ///< places over the whole width, m, and their rows in the film
+  std::vector<std::pair<double, std::size_t>>
+      rows_;  ///< places over the width of a pad's foils, m, and their rows in the film
   std::vector<ShapedPad> pads_;
 };
 

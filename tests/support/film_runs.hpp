@@ -15,40 +15,42 @@ namespace bumpfoil {
 /// The equations themselves, judged without any part of what solved them: the film, the foil with its contact forces,
 /// the bump foil, and every inequality of the contacts.
 inline void expect_solved(const FilmBearing& bearing, const BearingState& state) {
-  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
   EXPECT_GT(state.film.pressure.minCoeff(), 0.0);
   EXPECT_GT(state.film.thickness.minCoeff(), 0.0);
   Matrix H = bearing.undeformed_thickness(bearing.journal_of(state));
   H += bearing.over_the_width(state.film.lift);
   EXPECT_LT((H - state.film.thickness).cwiseAbs().maxCoeff(), 1e-12);
 
-  FoilFilmResidual residual;
-  foil_film_residual(bearing.pads.front().foil, film_equation(bearing, bearing.pads.front(), state.speed), state.film,
-                     residual);
-  const double area = mesh.dtheta * mesh.dzeta;
-  EXPECT_LT(mesh.unknown(residual.film).cwiseAbs().maxCoeff(), 1e-9 * area);
-  EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-10);
-  EXPECT_LT(residual.membrane.norm(), 1e-10);
-
-  // What the film and the foil leave over the crests is what the contacts bear.
-  const double unit = bearing.pads.front().foil.stiffness * bearing.scales.thickness;
   const Vector forces = contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force);
   const int size = bearing.problem.K.block_size();
   Vector elastic = bearing.problem.K.multiply(state.contacts.x);
-  elastic.tail(size).setZero();
-  const FilmPad& pad = bearing.pads.front();
-  for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
-    const int crest = pad.foil.supports[static_cast<std::size_t>(i)];
-    for (Eigen::Index s = 0; s < pad.foil.lines.count(); ++s) {
-      const Eigen::Index place =
-          Eigen::Index{pad.block_of(i)} * size + Foils::place(bearing.lines, pad.line_over(i, s), bearing.dofs().top_u);
-      double& balance = residual.balance(s, crest);
-      elastic[place] += balance * unit;
-      balance = 0.0;
-      EXPECT_NEAR(state.contacts.x[place], state.film.lift(s, crest) * bearing.scales.thickness, 1e-15);
+  for (const FilmPad& pad : bearing.pads) {
+    const FilmMesh& mesh = pad.foil.mesh;
+    FoilFilmState part;
+    read_part(pad, state.film, part);
+    FoilFilmResidual residual;
+    foil_film_residual(pad.foil, film_equation(bearing, pad, state.speed), part, residual);
+    const double area = mesh.dtheta * mesh.dzeta;
+    EXPECT_LT(mesh.unknown(residual.film).cwiseAbs().maxCoeff(), 1e-9 * area);
+    EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_LT(residual.membrane.norm(), 1e-10);
+
+    // What the film and the foil leave over the crests is what the contacts bear.
+    const double unit = pad.foil.stiffness * bearing.scales.thickness;
+    elastic.segment((pad.first_block + pad.bumps()) * size, size).setZero();
+    for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
+      const int crest = pad.foil.supports[static_cast<std::size_t>(i)];
+      for (Eigen::Index s = 0; s < pad.foil.lines.count(); ++s) {
+        const Eigen::Index place = Eigen::Index{pad.block_of(i)} * size +
+                                   Foils::place(bearing.lines, pad.line_over(i, s), bearing.dofs().top_u);
+        double& balance = residual.balance(s, crest);
+        elastic[place] += balance * unit;
+        balance = 0.0;
+        EXPECT_NEAR(state.contacts.x[place], part.lift(s, crest) * bearing.scales.thickness, 1e-15);
+      }
     }
+    EXPECT_LT(residual.balance.cwiseAbs().maxCoeff() * unit, 1e-8);  // N
   }
-  EXPECT_LT(residual.balance.cwiseAbs().maxCoeff() * unit, 1e-8);  // N
   const ContactLoading loading{.initial_gap = bearing.assembled_gap, .load = Vector::Zero(forces.size())};
   const ContactResiduals residuals =
       contact_residuals(bearing.problem, elastic, loading, state.slip_origin, state.contacts);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -55,6 +56,10 @@ struct FilmPad {
   double wrap_sign{};  ///< sigma, PlacedPad::sense()
   int first_column{};  ///< among the columns of all pads
   int first_block{};   ///< among the blocks of all pads
+  double middle{};     ///< PlacedPad::middle
+  double part{1.0};    ///< PlacedPad::part
+  /// Whether the edge towards z < 0, and that towards z > 0, is a side of the bearing; else it is at a slit.
+  std::array<bool, 2> at_side{true, true};
 
   [[nodiscard]] int bumps() const { return static_cast<int>(foil.supports.size()) / stations; }
   /// Block that holds what is unknown over a support or, behind the last one, at the free end.
@@ -65,6 +70,8 @@ struct FilmPad {
   [[nodiscard]] Eigen::Index line_over(int support, Eigen::Index line) const {
     return station_of(support) * foil.lines.count() + line;
   }
+  /// Place of a row over the width of the bearing: -1 and 1 at its sides.
+  [[nodiscard]] double zeta(int row) const { return middle + part * foil.mesh.zeta(row); }
   /// Its columns in fields of all pads.
   [[nodiscard]] auto columns() const { return Eigen::seqN(first_column, foil.mesh.nodes()); }
 };
@@ -75,7 +82,8 @@ struct FilmPad {
 ///
 /// Every pad has a film of its own from edge to edge, with ambient pressure at both; pads have nothing in common but
 /// the journal. A bearing without pads is one. Fields have the columns of all pads in a row, each from its weld, and
-/// as many rows in all.
+/// as many rows in all. Each strip of a top foil that is split over the width is such a pad: its rows cover its own
+/// part of the width, and at the slits the film ends in ambient pressure.
 ///
 /// Unknowns come in blocks, pad after pad one for each bump and a last one for the free end. The block of a bump has
 /// the places of its foils' unknowns, with the top foil over the crest among them, and after them the pressures of the
@@ -131,8 +139,12 @@ struct FilmBearing : Foils {
     derivatives.rightCols(2) *= half_width();
     return derivatives;
   }
+  /// Whether the top foil is split over the width: its strips are the pads.
+  [[nodiscard]] bool has_slits() const { return !pads.front().at_side[1]; }
   /// Half the axial length, m.
-  [[nodiscard]] double half_width() const { return pads.front().foil.mesh.half_width() * scales.radius; }
+  [[nodiscard]] double half_width() const {
+    return pads.front().foil.mesh.half_width() * scales.radius / pads.front().part;
+  }
   /// H of the undeformed foils with the journal at a place (m; of two entries: not tilted), at all nodes, where the
   /// foils stand farther out than they do by `opening` (m).
   [[nodiscard]] Matrix undeformed_thickness(const JournalVector& journal, double opening = 0.0) const;
@@ -195,7 +207,9 @@ struct FilmBearingOutcome {
   double power{};                ///< torque times Omega, W
   double couette_dissipation{};  ///< of the moving surface, W
   double dissipation{};          ///< of it and of the pressure flow, W: equal to the power but for the discretisation
-  FilmFlows flows;               ///< of all pads, m^3/s at ambient pressure; `start` is the weld
+  FilmFlows flows;               ///< of all pads, m^3/s at ambient pressure; `start` is the weld, `sides` are all edges
+                                 ///< of strips, too, and `right_side` is that of the bearing
+  double slit_flow{};            ///< part of `sides` at the slits of a split top foil
   ThinnestPlace thinnest;        ///< without dimension; column and angle from the weld of its pad
   int thinnest_pad{};            ///< from 0
   double thinnest_crest{};       ///< least H over a crest

@@ -189,6 +189,10 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
 /// The foils of a bearing, pressed by its journal. The design must be valid.
 Foils make_foils(const BearingDesign& design);
 
+/// The foils of a bearing that runs: those of make_foils(), but each strip of a split top foil is a pad by itself, see
+/// place_film_pads(). The design must be valid.
+Foils make_film_foils(const BearingDesign& design);
+
 /// The foils of a bearing whose journal does not press them alike over the width: displacements are given on the lines
 /// of so many `modes` over the whole width, as under a film (WidthLines), and each line has contacts of its own with
 /// the journal, too. What varies over the width stretches the top foil.

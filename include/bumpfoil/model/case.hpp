@@ -284,8 +284,10 @@ struct Case : BearingDesign {
   [[nodiscard]] bool lets_strips_move_apart() const {
     return bump_foil.is_split() && (width.modes > 1 || top_foil.split);
   }
-  /// Whether films and foils are computed on half the width, as they are the same on both.
+  /// Whether films and foils are computed on half the width, as they are the same on both: where the top foil is split
+  /// on half of every strip, none of which is at a side alone.
   [[nodiscard]] bool has_equal_halves() const {
+    if (top_foil.split) return !width.tilts() && width.profile() == WidthProfile{} && film.side_pressure.empty();
     return !width.tilts() && width.conicity == 0.0 && film.has_equal_sides() && !lets_strips_move_apart();
   }
   bool operator==(const Case&) const = default;

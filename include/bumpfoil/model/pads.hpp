@@ -16,6 +16,11 @@ struct PlacedPad {
   Eigen::Vector2d centre{0.0, 0.0};  ///< of the circle of the pad, m: the bearing's, displaced away from its middle
   double arc{};                      ///< angle from the weld to the free end, rad
   Vector crests, feet;               ///< angles from the weld along the foil, rad
+  /// Of the strips that its foils are cut into over the width the one that this is, from 0; `alone` is as wide as it.
+  int strip{};
+  int strips{1};
+  double middle{};   ///< where its middle lies over the width: -1 and 1 at the sides of the bearing
+  double part{1.0};  ///< of the width of the bearing that it takes
 
   /// sigma: +1 where theta runs from X to Y.
   [[nodiscard]] double sense() const { return alone.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0; }
@@ -39,6 +44,11 @@ std::vector<PlacedPad> place_pads(const BearingDesign& design);
 /// @param strip  from 0
 PlacedPad strip_of(const PlacedPad& pad, int strip);
 
+/// The pads of a bearing under a film. Where the top foil is split over the width every strip of a pad is one by
+/// itself, as wide as the strip, with a film from edge to edge: pad after pad, strip after strip from the side z < 0
+/// on. Otherwise those of place_pads(). The design must be valid.
+std::vector<PlacedPad> place_film_pads(const BearingDesign& design);
+
 /// Foils of a pad (from 0) as they are given: not stretched.
 const BumpFoil& bump_foil_of(const BearingDesign& design, std::size_t pad);
 
@@ -47,6 +57,9 @@ std::size_t count_pads(const BearingDesign& design);
 
 /// Bumps of all pads.
 int total_bumps(const BearingDesign& design);
+
+/// Bumps under a film: those of all strips, where place_film_pads() cuts them out.
+int film_bumps(const BearingDesign& design);
 
 /// A bump of a pad, both from 0.
 struct PadBump {

@@ -72,6 +72,17 @@ ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& f
   return layout;
 }
 
+/// Which strip of a split top foil each pad is.
+void add_strips_of_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
+  NamedNumbers strip{"pad_strip", "1", "strip of the foils that the pad is, from the side z < 0 on", {}};
+  NamedNumbers z{"pad_z", "m", "distance of the middle of the strip from the mid-plane of the bearing", {}};
+  for (const PlacedPad& pad : pads) {
+    strip.values.push_back(pad.strip + 1);
+    z.values.push_back(0.5 * pad.middle * pad.alone.bearing.axial_length / pad.part);
+  }
+  layout.at_pads.insert(layout.at_pads.end(), {std::move(strip), std::move(z)});
+}
+
 /// Where several pads are, and whose each bump and foot is.
 void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (pads.size() == 1) return;
@@ -90,6 +101,7 @@ void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
     of_feet.values.resize(of_feet.values.size() + static_cast<std::size_t>(pad.feet.size()), number);
   }
   layout.at_pads = {std::move(weld), std::move(end), std::move(lobe)};
+  if (pads.front().strips > 1) add_strips_of_pads(pads, layout);
   layout.at_bumps.push_back(std::move(of_bumps));
   layout.at_feet.push_back(std::move(of_feet));
 }
@@ -97,7 +109,7 @@ void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
 /// How formed top foils lie without a journal.
 void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (std::none_of(pads.begin(), pads.end(), [](const PlacedPad& pad) { return is_formed(pad.alone); })) return;
-  const Foils foils = foils_without_journal(input);
+  const Foils foils = pads.front().strips > 1 ? make_film_foils(input) : foils_without_journal(input);
   if (foils.assembly.empty()) return;
   NamedNumbers formed{"formed_radius", "m", "radius that the top foil is formed to before its assembly", {}};
   NamedNumbers hold{"assembled_hold_down", "N", "load of the top foil on its last bump, without a journal", {}};
@@ -120,8 +132,7 @@ void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultL
   list.insert(list.end(), {formed, hold, lifted, bulge, place, room});
 }
 
-ResultLayout layout_of_bearing(const Case& input) {
-  const std::vector<PlacedPad> pads = place_pads(input);
+ResultLayout layout_of_bearing(const Case& input, const std::vector<PlacedPad>& pads) {
   std::vector<BumpFoil> foils;
   foils.reserve(pads.size());
   std::vector<double> theta, phi, foot_theta, foot_phi;
@@ -150,7 +161,6 @@ ResultLayout layout_of_bearing(const Case& input) {
   layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", foot_theta},
                     {"foot_phi", "rad", "polar angle of the foot from X towards Y", foot_phi}};
   add_pads(pads, layout);
-  layout.strips = strips_apart(input);
   add_assembly(input, pads, layout);
   layout.bump_coordinates = "theta phi";
   layout.foot_coordinates = "foot_theta foot_phi";
@@ -158,7 +168,8 @@ ResultLayout layout_of_bearing(const Case& input) {
 }
 
 ResultLayout layout_of_cycles(const Case& input) {
-  ResultLayout layout = layout_of_bearing(input);
+  ResultLayout layout = layout_of_bearing(input, place_pads(input));
+  layout.strips = strips_apart(input);
   layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
   std::vector<double>& sorted = layout.cycles.values;
   for (const double direction : input.cycle.directions) sorted.push_back(to_degrees(direction));
@@ -173,7 +184,8 @@ ResultLayout layout_of_cycles(const Case& input) {
 }
 
 ResultLayout layout_of_path(const Case& input) {
-  ResultLayout layout = layout_of_bearing(input);
+  ResultLayout layout = layout_of_bearing(input, place_pads(input));
+  layout.strips = strips_apart(input);
   layout.places = {0};
   layout.increments = static_cast<std::size_t>(path_increments(*input.settings.find<PathSettings>()));
   return layout;
@@ -211,6 +223,13 @@ ResultLayout make_result_layout(const Case& input, Experiment experiment) {
       break;
   }
   return layout_of_cycles(input);
+}
+
+ResultLayout make_film_layout(const Case& input) {
+  ResultLayout layout = layout_of_bearing(input, place_film_pads(input));
+  const bool together = input.lets_strips_move_apart() && !input.top_foil.split;
+  layout.strips = together ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
+  return layout;
 }
 
 std::vector<std::string> ResultLayout::dims_of(Node at) const {

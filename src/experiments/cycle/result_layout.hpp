@@ -46,6 +46,9 @@ struct ResultLayout {
 
 ResultLayout make_result_layout(const Case& input, Experiment experiment);
 
+/// That of states of the running bearing, of place_film_pads(): there are no cycles.
+ResultLayout make_film_layout(const Case& input);
+
 /// Adds the dimensions of bumps, feet, several pads and strips, and the geometry that it takes to draw them.
 /// @param carrying  sleeve or base
 void add_foils(const ResultLayout& layout, std::string_view carrying, Dataset& data);

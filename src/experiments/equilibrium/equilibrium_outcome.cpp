@@ -56,7 +56,7 @@ double fluttering_thickness(const FilmBearing& bearing, const FilmPad& pad) {
   const double overhang = R * (theta[mesh.columns] - theta[pad.foil.supports.back()]);
   const double p = pad.foil.pitch;
   const double bending_stiffness = pad.foil.stiffness * p * p * p;
-  const double width = 2.0 * bearing.half_width();
+  const double width = 2.0 * bearing.half_width() * pad.part;
   return bearing.scales.gas.ambient_pressure * width * std::pow(overhang, 4) / (24.35 * bending_stiffness);
 }
 

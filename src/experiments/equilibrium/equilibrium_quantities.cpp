@@ -175,7 +175,9 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      csv | sampled, "  at, from the weld", shown::degrees},
     {"h_min_z", "m", "distance of the minimum film thickness from the mid-plane",
      [](const B& bearing, const S& state) {
-       return bearing.half_width() * bearing.pads.front().foil.mesh.zeta(state.outcome->thinnest.row);
+       const FilmBearingOutcome& outcome = *state.outcome;
+       return bearing.half_width() *
+              bearing.pads[static_cast<std::size_t>(outcome.thinnest_pad)].zeta(outcome.thinnest.row);
      },
      csv | of_width, "  at, from mid-plane", ShownUnit{"mm", 1e-3}},
     {"h_min_pad", "1", "pad with the minimum film thickness",
@@ -234,9 +236,14 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
     {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>, sampled},
     {"flow_side_left", "m3/s", "flow out at the side z < 0, at ambient pressure",
-     [](const B&, const S& state) { return state.outcome->flows.sides - state.outcome->flows.right_side; }, of_tilt},
+     [](const B&, const S& state) {
+       return state.outcome->flows.sides - state.outcome->slit_flow - state.outcome->flows.right_side;
+     },
+     of_tilt},
     {"flow_side_right", "m3/s", "flow out at the side z > 0, at ambient pressure", flow<&FilmFlows::right_side>,
      of_tilt},
+    {"flow_slits", "m3/s", "part of flow_sides out at the slits of the top foil, at ambient pressure",
+     of<&FilmBearingOutcome::slit_flow>, of_slits},
     {"energy_imbalance", "1", "relative imbalance of dissipated and supplied power",
      [](const B&,
         const S& state) { return relative(state.outcome->dissipation - state.outcome->power, state.outcome->power); }},
@@ -501,7 +508,8 @@ std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
     return (quantity.is(of_limits) && !limits) || (quantity.is(of_asperities) && !bearing.surroundings.asperities) ||
            (quantity.is(of_foils) && bearing.bumps() == 0) || (quantity.is(of_pads) && bearing.pads.size() == 1) ||
-           (quantity.is(of_width) && !bearing.varies_over_the_width()) || (quantity.is(of_tilt) && !bearing.tilts());
+           (quantity.is(of_width) && !bearing.varies_over_the_width() && !bearing.has_slits()) ||
+           (quantity.is(of_tilt) && !bearing.tilts()) || (quantity.is(of_slits) && !bearing.has_slits());
   });
   return quantities;
 }

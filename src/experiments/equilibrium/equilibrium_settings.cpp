@@ -72,8 +72,7 @@ constexpr double most_state_nodes = 1e8;
 void judge_memory(Judge& judge, const Case& input, const EquilibriumSettings& equilibrium) {
   const std::size_t states =
       equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
-  const double nodes =
-      static_cast<double>(states) * total_bumps(input) * input.film.columns_per_pitch * input.film.rows;
+  const double nodes = static_cast<double>(states) * film_bumps(input) * input.film.columns_per_pitch * input.film.rows;
   for (const char* const command : {"equilibrium", "film"}) {
     judge.require_for(command, nodes <= most_state_nodes, "equilibrium.speeds", fmt::format("{} states", states),
                       "would not fit in memory with their films", "give fewer speeds or loads, or a coarser film");

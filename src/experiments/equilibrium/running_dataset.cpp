@@ -125,8 +125,12 @@ void add_geometry(const Case& input, const EquilibriumResult& result, const Resu
   add_columns(bearing, data);
   const int rows = bearing.pads.front().foil.mesh.rows + 1;
   data.dims.push_back({"row", static_cast<std::size_t>(rows)});
-  const double side = 0.5 * input.bearing.axial_length;
-  data.add_coordinate({"z", "m", "distance of the row from the mid-plane of the bearing; the last row is its side"},
+  const double side = 0.5 * input.bearing.axial_length * bearing.pads.front().part;
+  data.add_coordinate({"z", "m",
+                       bearing.has_slits() ? "distance of the row from the middle of its strip, at pad_z; the last row "
+                                             "is the edge of the strip"
+                                           : "distance of the row from the mid-plane of the bearing; the last row is "
+                                             "its side"},
                       {"row"}, node_values(Vector::LinSpaced(rows, bearing.tilts() ? -side : 0.0, side)));
   const Gas& gas = bearing.scales.gas;
   data.add_coordinate({"gas_viscosity", "Pa s", "viscosity of the gas"}, {}, {gas.viscosity});
@@ -209,8 +213,7 @@ void add_fields(const EquilibriumResult& result, const ResultLayout& layout, con
 }  // namespace
 
 Dataset state_dataset(const Case& input, const EquilibriumResult& result) {
-  ResultLayout layout = make_result_layout(input, Experiment::cycle);
-  layout.strips = input.lets_strips_move_apart() ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
+  const ResultLayout layout = make_film_layout(input);
   std::vector<std::size_t> places(result.states.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   StateDataset states(result, {"state"}, places);

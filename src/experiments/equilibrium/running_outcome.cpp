@@ -75,6 +75,8 @@ ExperimentInfo equilibrium_experiment() {
   across.emplace_back("width.modes=3");
   across.emplace_back("width.sheet=true");
   across.emplace_back("width.moment=[0, 0]");
+  std::vector<std::string> of_strips = seated;
+  of_strips.insert(of_strips.end(), {"bump_foil.strips=2", "top_foil.split=true"});
   return {
       .name = "equilibrium",
       .summary = "Compute equilibria of the running bearing, with gas film, foils and friction",
@@ -106,7 +108,7 @@ ExperimentInfo equilibrium_experiment() {
           Sweeping{.run = run_swept,
                    .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); }},
       .quantities = meanings_of(all_running_quantities()),
-      .small_runs = {one_state, with_limits, of_pads, on_peaks, across}};
+      .small_runs = {one_state, with_limits, of_pads, on_peaks, across, of_strips}};
 }
 
 }  // namespace bumpfoil

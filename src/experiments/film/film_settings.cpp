@@ -312,11 +312,6 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
                       std::string(name_of(input.solver.chosen())), "does not support strips that move each by itself",
                       "set name = \"newton\" or \"events\"");
   }
-  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
-    judge.require_for(command, !input.top_foil.split, "top_foil.split", "true",
-                      "is not supported under a film, which would leak through the slits",
-                      "remove it: the command computes a whole top foil");
-  }
   if (!input.has_own_strips()) return;
   judge.require_for("strip", !input.strip, "bump_foil.strip", "",
                     "differs over the width, and the plate presses foils that do not", "remove [[bump_foil.strip]]");
@@ -326,6 +321,7 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
                       "needs a top foil that answers to strips which differ",
                       "set width.modes = 3, or 2 without a parabola");
   }
+  if (input.top_foil.split) return;  // each strip has a mesh of its own
   const int step = input.bump_foil.least_columns_per_pitch();
   const int columns = input.film.columns_per_pitch;
   for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
@@ -373,8 +369,9 @@ void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge_width(judge, input);
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);
-  const double stations = input.lets_strips_move_apart() ? static_cast<double>(input.bump_foil.stations().size()) : 1.0;
-  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, stations, input.has_equal_halves());
+  const bool together = input.lets_strips_move_apart() && !input.top_foil.split;
+  const double stations = together ? static_cast<double>(input.bump_foil.stations().size()) : 1.0;
+  judge_film(judge, input.film, foil.bumps ? film_bumps(input) : 0, stations, input.has_equal_halves());
   judge.require_for("film", !input.asperity, "asperity", "",
                     "is of journal and top foil, but film has walls in its place",
                     "remove [asperity], or run equilibrium");

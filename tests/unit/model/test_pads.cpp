@@ -95,6 +95,34 @@ TEST(Pads, HaveFoilsAndWeldsOfTheirOwn) {
   EXPECT_EQ(find_bump(input, 7).bump, 0);
 }
 
+/// From the side z < 0 on, with the weld where the strip has it.
+TEST(Pads, AreCutIntoTheirStripsUnderAFilm) {
+  Case input = of_pads(2);
+  EXPECT_EQ(place_film_pads(input).size(), 2U);
+  input.bump_foil.strips = 3;
+  input.bump_foil.strip_gap = 2e-3;
+  input.bump_foil.strip = {FoilStrip{}, FoilStrip{.stagger = 0.5, .height_errors = -1e-6}, FoilStrip{}};
+  EXPECT_EQ(place_film_pads(input).size(), 2U);
+  input.top_foil.split = true;
+  const std::vector<PlacedPad> whole = place_pads(input);
+  const std::vector<PlacedPad> strips = place_film_pads(input);
+  ASSERT_EQ(strips.size(), 6U);
+  const double width = (input.bearing.axial_length - 4e-3) / 3.0;
+  for (std::size_t k = 0; k < strips.size(); ++k) {
+    const PlacedPad& one = strips[k];
+    const auto strip = static_cast<int>(k % 3);
+    EXPECT_EQ(one.strip, strip);
+    EXPECT_NEAR(one.alone.bearing.axial_length, width, 1e-15);
+    EXPECT_EQ(make_bearing_design(one.alone).bump_foil_width(), one.alone.bearing.axial_length);
+    EXPECT_NEAR(0.5 * one.middle * input.bearing.axial_length, (strip - 1) * (width + 2e-3), 1e-15);
+    EXPECT_NEAR(one.part * input.bearing.axial_length, width, 1e-15);
+    const double further = strip == 1 ? 0.5 * 4.572e-3 / input.bearing.radius : 0.0;
+    EXPECT_NEAR(one.alone.bearing.weld_angle - whole[k / 3].alone.bearing.weld_angle, one.sense() * further, 1e-12);
+    EXPECT_NEAR(crest_offsets(one.alone.bump_foil)[0], strip == 1 ? -1e-6 : 0.0, 1e-18);
+  }
+  EXPECT_EQ(film_bumps(input), 3 * total_bumps(input));
+}
+
 TEST(Pads, LieOnCirclesDisplacedAwayFromTheirMiddle) {
   Case input = of_pads(1);
   input.pads[0].lobe = 10e-6;

@@ -33,11 +33,16 @@ interface FoilOfCase {
   shim?: { from: number; to: number; thickness: number }[];
 }
 
+/** Of each pad of the results, which of the case it is: those of a split top foil are strip after strip. */
+function padOfCase(run: Run, number: number): number {
+  return Math.floor(number / Math.max(1, ...run.perNode('pad_strip')));
+}
+
 function shimsOf(run: Run, pads: Pad[]): Shim[] {
   const { case: input } = run.data.summary;
   const own = (input['pad'] ?? []) as { bump_foil?: FoilOfCase }[];
   return pads.flatMap((pad, number) => {
-    const foil = own[number]?.bump_foil ?? (input['bump_foil'] as FoilOfCase | undefined);
+    const foil = own[padOfCase(run, number)]?.bump_foil ?? (input['bump_foil'] as FoilOfCase | undefined);
     const last = pad.borders.length - 1; // a strip may have fewer bumps than the foil
     return (foil?.shim ?? [])
       .filter(({ from }) => from <= last)
@@ -75,7 +80,7 @@ function padsOf(run: Run): Pad[] {
       borders,
       length,
       weldAngle: run.perNode('pad_weld_angle')[number - 1] ?? bearing.weld_angle ?? Math.PI,
-      sense: given[number - 1]?.weld_edge === 'trailing' ? -wound : wound,
+      sense: given[padOfCase(run, number - 1)]?.weld_edge === 'trailing' ? -wound : wound,
       lobe: run.perNode('pad_lobe')[number - 1] ?? 0,
       begin,
     });

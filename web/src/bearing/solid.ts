@@ -57,6 +57,7 @@ class Nodes {
   readonly phi: number[];
   private readonly theta: number[];
   private readonly half: number;
+  private readonly middles: number[];
 
   constructor(
     private readonly states: States,
@@ -70,10 +71,22 @@ class Nodes {
     this.phi = numbersOf(states, 'column_phi');
     this.theta = numbersOf(states, 'column_theta');
     this.half = Math.max(...z.map(Math.abs));
+    this.middles = numbersOf(states, 'pad_z');
   }
 
+  /** Half the width of the bearing. */
   get halfLength(): number {
+    return this.half + Math.max(0, ...this.middles);
+  }
+
+  /** Half the width of the foils of a pad. */
+  get halfFoil(): number {
     return this.half;
+  }
+
+  /** Where their middle is: pads of a split top foil are its strips. */
+  middle(pad: number): number {
+    return this.middles[pad] ?? 0;
   }
 
   at(name: string, row: number, column: number): number {
@@ -102,9 +115,9 @@ export function solidAt(states: States, place: Place, bearing: { geometry: Beari
   const deepest = Math.max(...all.map(({ gap, foil }) => Math.max(gap - foil, Math.abs(foil))).filter(Number.isFinite));
   const film = niceFactor((filmPart * radius) / deepest);
   const bumps = geometry ? niceFactor((bumpPart * radius) / geometry.rise) : 1;
-  const onFoil = (row: { z: number }, column: number, pad: number): Point3 => around(at(nodes.phi, column), radius + film * nodes.foil(row.z, column, pad), row.z);
+  const onFoil = (row: { z: number }, column: number, pad: number): Point3 => around(at(nodes.phi, column), radius + film * nodes.foil(row.z, column, pad), nodes.middle(pad) + row.z);
   const onJournal = (row: { row: number; z: number }, column: number, pad: number): Point3 =>
-    around(at(nodes.phi, column), radius + film * (nodes.foil(row.z, column, pad) - nodes.at('film_thickness', row.row, column)), row.z);
+    around(at(nodes.phi, column), radius + film * (nodes.foil(row.z, column, pad) - nodes.at('film_thickness', row.row, column)), nodes.middle(pad) + row.z);
   const facets: Facet[] = [];
   const lines: Solid['lines'] = [];
   const [head, tail] = [at(nodes.rows, nodes.rows.length - 1), at(nodes.rows, 0)];
@@ -126,13 +139,14 @@ export function solidAt(states: States, place: Place, bearing: { geometry: Beari
   });
   if (bearing && geometry) {
     const shape = shapeAt(geometry, bearing.cycle, state);
-    for (const { bumpFoil } of shape.pads) {
+    for (const [number, { bumpFoil }] of shape.pads.entries()) {
+      const [lower, upper] = [nodes.middle(number) - nodes.halfFoil, nodes.middle(number) + nodes.halfFoil];
       const point = ({ pad, along, height, moveAlong, moveIn }: (typeof bumpFoil)[number], z: number): Point3 =>
         around(geometry.polarAngle(pad, along + moveAlong), radius + bumps * (geometry.rise - height) - film * (moveIn + geometry.lobeAt(pad, along)), z);
       bumpFoil.slice(1).forEach((end, i) => {
         const begin = at(bumpFoil, i);
         const phi = geometry.polarAngle(end.pad, 0.5 * (begin.along + end.along));
-        facets.push({ corners: [point(begin, -nodes.halfLength), point(end, -nodes.halfLength), point(end, nodes.halfLength), point(begin, nodes.halfLength)], outward: [Math.cos(phi), Math.sin(phi)], of: 'bump foil', values: none });
+        facets.push({ corners: [point(begin, lower), point(end, lower), point(end, upper), point(begin, upper)], outward: [Math.cos(phi), Math.sin(phi)], of: 'bump foil', values: none });
       });
     }
     for (const z of [-nodes.halfLength, nodes.halfLength]) {

@@ -254,9 +254,11 @@ function paint(canvas: HTMLCanvasElement, solid: Solid | undefined, view: View, 
 function csvOf(states: States, place: Place): string {
   const state = states.stateAt(place);
   const [phi, z] = [numbersOf(states, 'column_phi'), numbersOf(states, 'z')];
+  const [owners, middles] = [numbersOf(states, 'column_pad'), numbersOf(states, 'pad_z')];
+  const middle = (column: number): number => middles[(owners[column] ?? 1) - 1] ?? 0;
   const value = (name: string, row: number, column: number): number => states.variable(name)?.at({ state, row, column }) ?? NaN;
   return toCsv(
     ['phi_deg', 'z_m', 'pressure_Pa', 'film_thickness_m', 'film_top_displacement_m'],
-    z.flatMap((across, row) => phi.map((angle, column) => [angle / degree, across, ...['pressure', 'film_thickness', 'film_top_displacement'].map((name) => value(name, row, column))])),
+    z.flatMap((across, row) => phi.map((angle, column) => [angle / degree, middle(column) + across, ...['pressure', 'film_thickness', 'film_top_displacement'].map((name) => value(name, row, column))])),
   );
 }

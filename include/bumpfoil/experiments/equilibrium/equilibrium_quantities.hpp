@@ -37,6 +37,7 @@ inline constexpr Tags of_uniform_film = 2 * of_width;  ///< of those alone
 inline constexpr Tags of_tilt = 2 * of_uniform_film;   ///< where the journal may tilt
 inline constexpr Tags of_slope = 2 * of_tilt;          ///< of foils whose displacement may be linear over the width
 inline constexpr Tags of_parabola = 2 * of_slope;      ///< ... a parabola
+inline constexpr Tags of_slits = 2 * of_parabola;      ///< of split top foils
 
 }  // namespace tag
 
