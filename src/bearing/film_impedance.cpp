@@ -13,8 +13,10 @@ namespace {
 constexpr double tolerance = 1e-12;
 /// Directions of a space that is given up: 40 serve 20 frequencies up to twice that of the rotation, on 6 x 16.
 constexpr int most_directions = 300;
-/// Of the directions that are expected to be missing, so many are added before the next look.
+/// Of the directions that are expected to be missing, this part is added before the next look, but no more than so
+/// many.
 constexpr double most_trusted = 0.7;
+constexpr double most_at_once = 10.0;
 /// The shift, as part of the largest rate: directions are fewest from 0.15 to 0.3, and a fifth more at 1.
 constexpr double shift_in_rates = 0.3;
 
@@ -65,7 +67,7 @@ class NextLook {
     const double fall = std::log(last_residual_ / residual) / static_cast<double>(size - last_size_);
     const double missing = std::log(residual / tolerance);
     next_ = size;
-    if (fall > 0.0 && std::isfinite(fall)) next_ += static_cast<Eigen::Index>(most_trusted * missing / fall);
+    if (fall > 0.0) next_ += static_cast<Eigen::Index>(std::clamp(most_trusted * missing / fall, 0.0, most_at_once));
     last_size_ = size;
     last_residual_ = residual;
   }
@@ -150,7 +152,7 @@ std::optional<FilmReduction> reduce_forces(const std::vector<FilmAnswer>& moved,
     }
     // The first is met last as a rule: the others are looked at from there on.
     if (!at.excess.empty()) {
-      if (!look.is_at(space.size())) continue;
+      if (!look.is_at(space.size()) && space.can_grow()) continue;
       const Complex first = at.excess.front();
       const double residual = residual_of(galerkin_solution(space, first), space.into_next(), space, first);
       look.see(space.size(), residual);

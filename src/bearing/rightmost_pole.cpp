@@ -21,7 +21,7 @@ constexpr double eigenvalue_round_off = 1e-9;
 
 /// The rightmost of the poles around which all have converged, if these reach far enough.
 std::optional<FilmPole> rightmost_known(const KrylovSpace& space, const SchurForm& form, double frequency) {
-  std::vector<SchurEigenvalue> nearest = eigenvalues_of(form.T);
+  std::vector<SchurEigenvalue> nearest = schur_eigenvalues(form.T);
   std::stable_sort(nearest.begin(), nearest.end(), [](const SchurEigenvalue& a, const SchurEigenvalue& b) {
     return std::abs(a.value) > std::abs(b.value);
   });

@@ -62,7 +62,7 @@ Eigen::MatrixXcd solve_shifted(const Eigen::Ref<const Matrix>& T, Complex e,
   return real + Complex(0.0, 1.0) * imaginary;
 }
 
-std::vector<SchurEigenvalue> eigenvalues_of(const Matrix& T) {
+std::vector<SchurEigenvalue> schur_eigenvalues(const Matrix& T) {
   std::vector<SchurEigenvalue> found;
   for (Eigen::Index end = T.cols(); end > 0;) {
     const Eigen::Index size = size_of_block(T, end);

@@ -28,7 +28,7 @@ struct SchurEigenvalue {
   Eigen::Index row{};
   Eigen::Index size{};  ///< of the block, 1 or 2
 };
-std::vector<SchurEigenvalue> eigenvalues_of(const Matrix& T);
+std::vector<SchurEigenvalue> schur_eigenvalues(const Matrix& T);
 
 /// The eigenvector of T that belongs to an eigenvalue other than zero, of unit length.
 Eigen::VectorXcd eigenvector_of(const Matrix& T, const SchurEigenvalue& eigenvalue);

@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-const double speed = speed_of_rpm(45000.0);
+const double split_speed = speed_of_rpm(45000.0);
 constexpr int strips = 3;
 const Eigen::Vector2d some_slope(1e-4, -4e-5);
 
@@ -74,8 +74,8 @@ double middle_of(const Case& split, int strip) {
 struct Held {
   Held(const Case& input, const Eigen::Vector2d& position, const Eigen::Vector2d& beside = Eigen::Vector2d::Zero())
       : stepper(make_film_bearing(input)) {
-    EXPECT_EQ(cold_start(stepper, 0.5 * position + beside, speed, state).status, Status::converged);
-    OperatingPoint point = OperatingPoint::held_at({}, speed);
+    EXPECT_EQ(cold_start(stepper, 0.5 * position + beside, split_speed, state).status, Status::converged);
+    OperatingPoint point = OperatingPoint::held_at({}, split_speed);
     point.tilt = stepper.bearing().surroundings.tilt;
     for (const double part : {1.05, 1.0}) {
       point.journal = part * position + beside;
@@ -109,7 +109,7 @@ TEST(FilmOnSplitFoils, OfEqualStripsIsThatOfNarrowBearings) {
     EXPECT_EQ(split.outcome.loaded_bumps, 3 * one.loaded_bumps);
     const auto stiffness = split.stepper.slow_motion(split.state)->stiffness;
     EXPECT_LT((stiffness - 3.0 * narrow.stepper.slow_motion(narrow.state)->stiffness).norm(), 1e-9 * stiffness.norm());
-    const std::complex<double> rate(0.0, 0.5 * speed);
+    const std::complex<double> rate(0.0, 0.5 * split_speed);
     const auto whirl = split.stepper.impedance(split.state, {rate});
     const auto of_one = narrow.stepper.impedance(narrow.state, {rate});
     ASSERT_TRUE(whirl && of_one);
@@ -209,7 +209,7 @@ TEST(FilmOnSplitFoils, HasTheStiffnessOfDifferences) {
   Case input = unlike_case(0.0, 1e-3);
   input.width.tilt = {some_slope.x(), some_slope.y()};
   Held held(input, some_position);
-  OperatingPoint point = OperatingPoint::held_at(some_position, speed);
+  OperatingPoint point = OperatingPoint::held_at(some_position, split_speed);
   point.tilt = held.stepper.bearing().surroundings.tilt;
   expect_stiffness_of_differences(held.stepper, point, held.state);
 }
@@ -233,7 +233,7 @@ TEST(FilmOnSplitFoils, OfPadsIsThatOfPadsSideBySide) {
 /// What the mesh errs by in each strip is what it errs by in the narrow bearing.
 TEST(FilmOnSplitFoils, HasTheMeshErrorOfNarrowBearings) {
   Case input = split_case(0.0);
-  input.equilibrium = EquilibriumSettings{.speeds = {speed}, .loads = {{90.0, 0.0}}, .paths = ComparedPaths::one};
+  input.equilibrium = EquilibriumSettings{.speeds = {split_speed}, .loads = {{90.0, 0.0}}, .paths = ComparedPaths::one};
   Case alone = alone_case(input, 0);
   alone.equilibrium->loads = {{30.0, 0.0}};
   EquilibriumResult split = run_equilibrium(input);

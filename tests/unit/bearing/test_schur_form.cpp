@@ -35,7 +35,7 @@ TEST(SchurForm, SolvesShiftedEquations) {
 
 TEST(SchurForm, HasTheEigenvaluesAndEigenvectors) {
   const Matrix T = schur_form(drawn_matrix(11))->T;
-  const std::vector<SchurEigenvalue> found = eigenvalues_of(T);
+  const std::vector<SchurEigenvalue> found = schur_eigenvalues(T);
   ASSERT_EQ(found.size(), 11U);
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const SchurEigenvalue& of) { return of.size == 1; }));
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const SchurEigenvalue& of) { return of.size == 2; }));
