@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "bearing/krylov_space.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -11,111 +12,143 @@ namespace {
 /// Residual that is left in the equation of what is stored, as part of its right-hand side: that is far larger than
 /// what slow motions store.
 constexpr double tolerance = 1e-12;
-/// Directions of a space that is given up: 40 serve 20 frequencies up to twice that of the rotation, on 6 x 16.
+/// Directions of a space that is given up: 23 serve 20 frequencies up to twice that of the rotation, on 6 x 16.
 constexpr int most_directions = 300;
-/// Of the directions that are expected to be missing, this part is added before the next look, but no more than so
-/// many.
-constexpr double most_trusted = 0.7;
-constexpr double most_at_once = 10.0;
 /// The shift, as part of the largest rate: directions are fewest from 0.15 to 0.3, and a fifth more at 1.
 constexpr double shift_in_rates = 0.3;
 
-using Complex = std::complex<double>;
-
-/// The solution of (1 - e H) w = start in the directions of a space, by elimination with the largest of the rows that
-/// there are below as pivot.
-Eigen::MatrixXcd galerkin_solution(const KrylovSpace& space, Complex excess) {
-  const Eigen::Index m = space.size();
-  const Eigen::Index motions = space.start().cols();
-  Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> system(m, m + motions);
-  system.leftCols(m) = -excess * space.hessenberg();
-  system.diagonal().array() += 1.0;
-  system.rightCols(motions) = space.start_of_all();
-  for (Eigen::Index k = 0; k + 1 < m; ++k) {
-    auto open = system.block(k, k, std::min(motions + 1, m - k), system.cols() - k);
-    Eigen::Index pivot = 0;
-    open.col(0).cwiseAbs2().maxCoeff(&pivot);
-    if (pivot > 0) open.row(0).swap(open.row(pivot));
-    for (Eigen::Index i = 1; i < open.rows(); ++i) {
-      const Complex factor = open(i, 0) / open(0, 0);
-      open.row(i) -= factor * open.row(0);
-    }
-  }
-  Eigen::MatrixXcd found = system.rightCols(motions);
-  system.leftCols(m).triangularView<Eigen::Upper>().solveInPlace(found);
-  return found;
-}
-
-/// The largest of the residuals that a solution leaves in all motions, as part of the right-hand side.
-/// @param into_next  what it makes of the next directions
-double residual_of(const Eigen::MatrixXcd& solution, const Matrix& into_next, const KrylovSpace& space,
-                   Complex excess) {
-  const Eigen::MatrixXcd left = excess * (into_next * solution);
-  double largest = 0.0;
-  for (Eigen::Index i = 0; i < solution.cols(); ++i) {
-    if (!solution.col(i).allFinite()) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, left.col(i).norm() / space.start().col(i).norm());
-  }
-  return largest;
-}
-
-/// After how many directions to look at a residual again that falls by equal parts with each.
-class NextLook {
+/// The last of coordinates() while H grows, in 2 m operations each.
+class LastCoordinate {
  public:
-  [[nodiscard]] bool is_at(Eigen::Index size) const { return size >= next_; }
-  void see(Eigen::Index size, double residual) {
-    const double fall = std::log(last_residual_ / residual) / static_cast<double>(size - last_size_);
-    const double missing = std::log(residual / tolerance);
-    next_ = size;
-    if (fall > 0.0) next_ += static_cast<Eigen::Index>(std::clamp(most_trusted * missing / fall, 0.0, most_at_once));
-    last_size_ = size;
-    last_residual_ = residual;
+  LastCoordinate(double start, std::complex<double> excess) : excess_(excess), right_(start) {}
+
+  [[nodiscard]] std::complex<double> excess() const { return excess_; }
+  [[nodiscard]] std::complex<double> of(const Eigen::Ref<const Matrix>& H) {
+    while (size_ < H.cols()) add_column(size_++, H);
+    return right_ / pivot_;
   }
 
  private:
-  Eigen::Index next_{}, last_size_{};
-  double last_residual_{1.0};
+  /// Of a row from the one below, or the other way round.
+  struct Elimination {
+    std::complex<double> factor;
+    bool swaps{};
+  };
+
+  void add_column(Eigen::Index m, const Eigen::Ref<const Matrix>& H) {
+    Eigen::VectorXcd column = -excess_ * H.col(m).head(m + 1);
+    column[m] += 1.0;
+    if (m > 0) {
+      const std::complex<double> below = -excess_ * H(m, m - 1);
+      const bool swaps = std::norm(below) > std::norm(pivot_);
+      eliminated_.push_back({swaps ? pivot_ / below : below / pivot_, swaps});
+      if (!swaps) right_ *= -eliminated_.back().factor;
+    }
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const Elimination& last = eliminated_[static_cast<std::size_t>(k)];
+      if (last.swaps) std::swap(column[k], column[k + 1]);
+      column[k + 1] -= last.factor * column[k];
+    }
+    pivot_ = column[m];
+  }
+
+  std::complex<double> excess_, right_, pivot_;
+  Eigen::Index size_{};
+  std::vector<Elimination> eliminated_;
 };
 
-/// Brings H to Schur's form, and all that is said of directions with it.
-bool transform(const KrylovSpace& space, const Matrix& forces, FilmReduction& reduction) {
-  auto form = schur_form(space.hessenberg());
-  if (!form) return false;
-  reduction.impedance.start = form->U.transpose() * space.start_of_all();
-  reduction.impedance.forces = forces * form->U;
-  reduction.impedance.schur = std::move(form->T);
-  reduction.U = std::move(form->U);
-  return true;
+/// Coordinates of what is stored, in the Krylov basis of C, in which C V = V H + next v_next e_last^T. H has one
+/// diagonal below its main one: elimination, with the larger of two rows as pivot, takes m^2 operations.
+/// @param start  norm of the right-hand side, which is the first direction
+Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, double start, std::complex<double> excess) {
+  const Eigen::Index m = H.cols();
+  Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> system = -excess * H;
+  system.diagonal().array() += 1.0;
+  Eigen::VectorXcd found = Eigen::VectorXcd::Unit(m, 0) * start;
+  for (Eigen::Index k = 0; k + 1 < m; ++k) {
+    auto row = system.row(k).tail(m - k);
+    auto below = system.row(k + 1).tail(m - k);
+    if (std::norm(below[0]) > std::norm(row[0])) {
+      row.swap(below);
+      std::swap(found[k], found[k + 1]);
+    }
+    const std::complex<double> factor = below[0] / row[0];
+    below -= factor * row;
+    found[k + 1] -= factor * found[k];
+  }
+  system.triangularView<Eigen::Upper>().solveInPlace(found);
+  return found;
 }
+
+/// The space of one motion while it grows.
+class Reduction {
+ public:
+  Reduction(const FilmAnswer& moved, const std::vector<std::complex<double>>& excess)
+      : start_(moved.content.norm()),
+        moved_(moved.force),
+        space_(moved.content, std::min<Eigen::Index>(most_directions, moved.content.size())),
+        forces_(moved.force.size(), 0) {
+    last_.reserve(excess.size());
+    for (const std::complex<double> e : excess) last_.emplace_back(start_, e);
+  }
+
+  [[nodiscard]] bool can_grow() const { return space_.can_grow(); }
+  [[nodiscard]] auto direction() const { return space_.direction(); }
+  /// @param answer  to direction()
+  void add(FilmAnswer answer) {
+    space_.add(std::move(answer.content));
+    forces_.conservativeResize(Eigen::NoChange, space_.size());
+    forces_.col(space_.size() - 1) = answer.force;
+  }
+  /// Whether the residual is small at every s asked for.
+  [[nodiscard]] bool solves() {
+    return std::all_of(last_.begin(), last_.end(), [&](LastCoordinate& of_one) {
+      return std::abs(of_one.excess() * of_one.of(space_.hessenberg())) * space_.next() <= tolerance * start_;
+    });
+  }
+  [[nodiscard]] ReducedForces forces() const {
+    return {.moved = moved_, .start = start_, .hessenberg = space_.hessenberg(), .forces = forces_};
+  }
+
+ private:
+  double start_;
+  JournalVector moved_;
+  KrylovSpace space_;
+  Matrix forces_;
+  std::vector<LastCoordinate> last_;
+};
 
 }  // namespace
 
-Eigen::MatrixXcd FilmImpedance::stored(Complex excess) const {
-  return solve_shifted(schur, excess, start.cast<Complex>());
+JournalVectorC ReducedForces::at(std::complex<double> excess) const {
+  return moved + excess * (forces * coordinates(hessenberg, start, excess));
 }
 
-JournalMatrixC FilmImpedance::at(Complex rate) const {
-  const Complex excess = squeeze_time * rate - shift;
-  return moved + excess * (forces * stored(excess));
+JournalMatrixC FilmImpedance::at(std::complex<double> rate) const {
+  const auto motions = std::ssize(along);
+  JournalMatrixC impedance(motions, motions);
+  const std::complex<double> excess = squeeze_time * rate - shift;
+  for (Eigen::Index i = 0; i < motions; ++i) impedance.col(i) = along[static_cast<std::size_t>(i)].at(excess);
+  return impedance;
 }
 
 FilmImpedance linear_impedance(const JournalMatrix& stiffness, const JournalMatrix& damping, double unit) {
-  // What is stored makes nothing else be stored: F = (moved + e forces) q.
-  const Eigen::Index motions = stiffness.cols();
-  return {.shift = 1.0,
-          .squeeze_time = 1.0 / unit,
-          .moved = stiffness + unit * damping,
-          .start = Matrix::Identity(motions, motions),
-          .schur = Matrix::Zero(motions, motions),
-          .forces = unit * damping};
+  // One direction that stores nothing: F = moved + e forces.
+  FilmImpedance impedance{.shift = 1.0, .squeeze_time = 1.0 / unit, .along = {}};
+  for (Eigen::Index motion = 0; motion < stiffness.cols(); ++motion) {
+    const JournalVector forces = unit * damping.col(motion);
+    impedance.along.push_back(
+        {.moved = stiffness.col(motion) + forces, .start = 1.0, .hessenberg = Matrix::Zero(1, 1), .forces = forces});
+  }
+  return impedance;
 }
 
-ShiftedRates::ShiftedRates(const std::vector<Complex>& rates, double T0) : squeeze_time(T0) {
+ShiftedRates::ShiftedRates(const std::vector<std::complex<double>>& rates, double squeeze_time) {
   double largest = 0.0;
-  for (const Complex rate : rates) largest = std::max(largest, squeeze_time * std::abs(rate));
+  for (const std::complex<double> rate : rates) largest = std::max(largest, squeeze_time * std::abs(rate));
   shift = shift_in_rates * largest;
   excess.reserve(rates.size());
-  for (const Complex rate : rates) excess.push_back(squeeze_time * rate - shift);
+  for (const std::complex<double> rate : rates) excess.push_back(squeeze_time * rate - shift);
 }
 
 Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& rates) {
@@ -126,44 +159,30 @@ Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& ra
   return residual;
 }
 
-std::optional<FilmReduction> reduce_forces(const std::vector<FilmAnswer>& moved, const StoredAnswers& stored,
-                                           const ShiftedRates& at) {
-  const auto motions = std::ssize(moved);
-  const Eigen::Index size = moved.front().content.size();
-  Matrix contents(size, motions);
-  JournalMatrix moved_forces(moved.front().force.size(), motions);
-  for (Eigen::Index i = 0; i < motions; ++i) {
-    contents.col(i) = moved[static_cast<std::size_t>(i)].content;
-    moved_forces.col(i) = moved[static_cast<std::size_t>(i)].force;
-  }
-  FilmReduction found{.impedance = {.shift = at.shift, .squeeze_time = at.squeeze_time, .moved = moved_forces},
-                      .space = KrylovSpace(contents, std::min<Eigen::Index>(most_directions, size))};
-  KrylovSpace& space = found.space;
-  Matrix forces(moved_forces.rows(), 0);
-  NextLook look;
-  bool solved = false;
-  while (!solved) {
-    if (!space.can_grow()) return std::nullopt;
-    const Matrix directions = space.next();
-    for (FilmAnswer& answer : stored({directions.colwise().begin(), directions.colwise().end()})) {
-      space.add(std::move(answer.content));
-      forces.conservativeResize(Eigen::NoChange, space.size());
-      forces.rightCols(1) = answer.force;
+std::optional<std::vector<ReducedForces>> reduce_forces(
+    const std::vector<FilmAnswer>& moved,
+    const std::function<std::vector<FilmAnswer>(const std::vector<Vector>& rates)>& stored,
+    const std::vector<std::complex<double>>& excess) {
+  std::vector<Reduction> reductions;
+  reductions.reserve(moved.size());
+  for (const FilmAnswer& of_motion : moved) reductions.emplace_back(of_motion, excess);
+  std::vector<Reduction*> growing;
+  growing.reserve(reductions.size());
+  for (Reduction& reduction : reductions) growing.push_back(&reduction);
+  std::vector<Vector> directions;
+  while (!growing.empty()) {
+    directions.clear();
+    for (const Reduction* reduction : growing) {
+      if (!reduction->can_grow()) return std::nullopt;
+      directions.emplace_back(reduction->direction());
     }
-    // The first is met last as a rule: the others are looked at from there on.
-    if (!at.excess.empty()) {
-      if (!look.is_at(space.size()) && space.can_grow()) continue;
-      const Complex first = at.excess.front();
-      const double residual = residual_of(galerkin_solution(space, first), space.into_next(), space, first);
-      look.see(space.size(), residual);
-      if (residual > tolerance) continue;
-    }
-    if (!transform(space, forces, found)) continue;
-    const Matrix into_next = space.into_next() * found.U;
-    solved = std::all_of(at.excess.begin(), at.excess.end(), [&](Complex e) {
-      return residual_of(found.impedance.stored(e), into_next, space, e) <= tolerance;
-    });
+    std::vector<FilmAnswer> answers = stored(directions);
+    for (std::size_t i = 0; i < growing.size(); ++i) growing[i]->add(std::move(answers[i]));
+    std::erase_if(growing, [](Reduction* reduction) { return reduction->solves(); });
   }
+  std::vector<ReducedForces> found;
+  found.reserve(reductions.size());
+  for (const Reduction& reduction : reductions) found.push_back(reduction.forces());
   return found;
 }
 

@@ -6,8 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "bearing/krylov_space.hpp"
-#include "bearing/schur_form.hpp"
 #include "bumpfoil/bearing/impedance.hpp"
 #include "bumpfoil/film/film_mesh.hpp"
 
@@ -15,9 +13,8 @@ namespace bumpfoil {
 
 /// Rates s (1/s) less the shift, a real part of the largest of their sizes: both in units of 1 / T0.
 struct ShiftedRates {
-  ShiftedRates(const std::vector<std::complex<double>>& rates, double T0);
+  ShiftedRates(const std::vector<std::complex<double>>& rates, double squeeze_time);
 
-  double squeeze_time;  ///< T0, s
   double shift{};
   std::vector<std::complex<double>> excess;
 };
@@ -43,23 +40,18 @@ struct FilmAnswer {
 ///
 ///     w - (s - shift) C w = S X_0 + a q,      C w = -S (J + shift S)^-1 w
 ///
-/// C is real, and its Krylov space on the right-hand sides of all motions is the same for all s: Arnoldi's method
-/// [Saad2011] builds a basis of it until the residual of the Galerkin solution is small at every s asked for. All
-/// motions share it: each makes the others' directions fewer, and answers at once cost less than one by one. In the
-/// end H, which is what C is in that basis, is brought to Schur's form, in which a solution takes m^2 / 2 operations.
-struct FilmReduction {
-  FilmImpedance impedance;
-  Matrix U{};  ///< the w of `impedance` in the directions of the space
-  KrylovSpace space;
-};
-
-/// C: the answers to rates of storage at the nodes whose pressure is unknown, to as many as there are motions at most.
-using StoredAnswers = std::function<std::vector<FilmAnswer>(const std::vector<Vector>& rates)>;
-
+/// C is real, and its Krylov space on the right-hand side is the same for all s: Arnoldi's method [Saad2011] builds a
+/// basis of it until the residual of the Galerkin solution is small at every s asked for. The spaces of all motions
+/// grow together: answers at once cost less than one by one.
+///
 /// @param moved   of X_0, for a unit displacement in each motion of the journal
-/// @param at      all s
-/// @return what answers to each motion at all s; nothing if the space does not grow to hold the solution
-std::optional<FilmReduction> reduce_forces(const std::vector<FilmAnswer>& moved, const StoredAnswers& stored,
-                                           const ShiftedRates& at);
+/// @param stored  C: the answers to rates of storage at the nodes whose pressure is unknown, to as many as there are
+///                motions at most
+/// @param excess  s - shift, for all s
+/// @return what answers to each motion at all s; nothing if a space does not grow to hold the solution
+std::optional<std::vector<ReducedForces>> reduce_forces(
+    const std::vector<FilmAnswer>& moved,
+    const std::function<std::vector<FilmAnswer>(const std::vector<Vector>& rates)>& stored,
+    const std::vector<std::complex<double>>& excess);
 
 }  // namespace bumpfoil

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bearing/film_impedance.hpp"
 #include "bearing/rightmost_pole.hpp"
 #include "bumpfoil/bearing/backward_difference.hpp"
 #include "bumpfoil/contact/coulomb_contact.hpp"
@@ -292,23 +293,12 @@ bool FilmNewton::linearise_films(const FilmEquations& equations, const BearingSt
   return true;
 }
 
-/// Linearises about a state; hold_contacts() is to follow. @return whether no film is singular
-bool FilmNewton::linearise(const FilmEquations& equations, const BearingState& state) {
+/// Linearises about a state, with contacts in its modes, or with all closed ones stuck.
+/// @return whether that leaves a regular system
+bool FilmNewton::linearise(const FilmEquations& equations, const BearingState& state, bool stuck) {
   if (!linearise_films(equations, state)) return false;
   assemble();
   modes_->set_elasticity(K_);
-  return true;
-}
-
-/// The same where every rate of storage answers to P H as in a step of implicit Euler, at a rate s = shift / T0.
-bool FilmNewton::linearise_at(double shift, const BearingState& state) {
-  FilmEquations equations = film_equations(bearing_, state.speed);
-  squeeze(bearing_, shift, film_content(state.film), equations);
-  return linearise(equations, state);
-}
-
-/// Contacts in the modes of a state, or all closed ones stuck. @return whether that leaves a regular system
-bool FilmNewton::hold_contacts(const BearingState& state, bool stuck) {
   std::vector<ContactMode> held = state.contacts.mode;
   for (ContactMode& mode : held) {
     if (stuck && mode != ContactMode::open) mode = ContactMode::stick;
@@ -317,13 +307,22 @@ bool FilmNewton::hold_contacts(const BearingState& state, bool stuck) {
 }
 
 std::optional<SlowMotion> FilmNewton::slow_motion(const BearingState& state, bool stuck) {
-  if (!linearise(film_equations(bearing_, state.speed), state) || !hold_contacts(state, stuck)) return std::nullopt;
+  if (!linearise(film_equations(bearing_, state.speed), state, stuck)) return std::nullopt;
   SlowMotion motion{.stiffness = find_rates()};
   for (const Step& rate : rates_) {
     motion.foil_response =
         std::max(motion.foil_response, bearing_.scales.thickness * rate.film.lift.cwiseAbs().maxCoeff());
   }
   return motion;
+}
+
+/// Linearises about a state where every rate of storage answers to P H as in a step of implicit Euler, at a rate s =
+/// shift / T0, with contacts in its modes, or with all closed ones stuck.
+/// @return whether that leaves a regular system
+bool FilmNewton::linearise_at(double shift, const BearingState& state, bool stuck) {
+  FilmEquations equations = film_equations(bearing_, state.speed);
+  squeeze(bearing_, shift, film_content(state.film), equations);
+  return linearise(equations, state, stuck);
 }
 
 Eigen::Index FilmNewton::unknown_pressures() const {
@@ -367,58 +366,32 @@ void FilmNewton::store(std::span<const Vector> rates) {
   }
 }
 
-/// All motions of the journal, where the system was linearised at a shift and contacts are held.
-std::optional<FilmReduction> FilmNewton::reduce(const BearingState& state, const ShiftedRates& at) {
-  const auto told = [&](const Step& change) {
-    return FilmAnswer{content_of(change.film, state.film), force_of(change.film)};
+std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
+                                                   const std::vector<std::complex<double>>& rates, bool stuck) {
+  const double T0 = bearing_.scales.squeeze_time();
+  const ShiftedRates shifted(rates, T0);
+  FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
+  if (!linearise_at(found.shift, state, stuck)) return std::nullopt;
+  const auto told = [&](const FoilFilmState& change) {
+    return FilmAnswer{content_of(change, state.film), force_of(change)};
   };
-  const auto answers_of = [&](std::span<const Step> changes) {
+  std::vector<Step> changes(rates_.size());
+  const auto stored = [&](const std::vector<Vector>& contents) {
+    const std::span<Step> of_each = std::span(changes).first(contents.size());
+    store(contents);
+    answer(of_each);
     std::vector<FilmAnswer> answers;
-    answers.reserve(changes.size());
-    for (const Step& change : changes) answers.push_back(told(change));
+    answers.reserve(of_each.size());
+    for (const Step& change : of_each) answers.push_back(told(change.film));
     return answers;
   };
   find_rates();
-  std::vector<Step> changes(rates_.size());
-  const auto stored = [&](const std::vector<Vector>& rates) {
-    const std::span<Step> of_each = std::span(changes).first(rates.size());
-    store(rates);
-    answer(of_each);
-    return answers_of(of_each);
-  };
-  return reduce_forces(answers_of(rates_), stored, at);
-}
-
-std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
-                                                   const std::vector<std::complex<double>>& rates, bool stuck) {
-  const ShiftedRates at(rates, bearing_.scales.squeeze_time());
-  if (!linearise_at(at.shift, state) || !hold_contacts(state, stuck)) return std::nullopt;
-  auto reduction = reduce(state, at);
-  return reduction ? std::optional(std::move(reduction->impedance)) : std::nullopt;
-}
-
-SmallMotions FilmNewton::small_motions(const BearingState& state, const std::vector<std::complex<double>>& rates) {
-  SmallMotions found;
-  const ShiftedRates at(rates, bearing_.scales.squeeze_time());
-  const bool slips = state.contacts.any_slips();
-  const bool is_regular = linearise_at(at.shift, state);
-  const auto find = [&](bool stuck, std::optional<FilmImpedance>& impedance, std::optional<HeldMotion>& held) {
-    if (!is_regular || !hold_contacts(state, stuck)) return;
-    auto reduction = reduce(state, at);
-    if (!reduction) return;
-    SchurForm form{reduction->impedance.schur, std::move(reduction->U)};
-    impedance = std::move(reduction->impedance);
-    held = held_motion_in(std::move(reduction->space), std::move(form), at.shift, state);
-  };
-  find(false, found.sliding, found.held.sliding);
-  if (slips) find(true, found.stuck, found.held.stuck);
-  // Those that this space does not hold have one of their own.
-  if (!found.held.sliding) found.held.sliding = held_motion(state, false);
-  if (slips && !found.held.stuck) found.held.stuck = held_motion(state, true);
-  if (!slips) {
-    found.stuck = found.sliding;
-    found.held.stuck = found.held.sliding;
-  }
+  std::vector<FilmAnswer> moved;
+  moved.reserve(rates_.size());
+  for (const Step& rate : rates_) moved.push_back(told(rate.film));
+  auto reduced = reduce_forces(moved, stored, shifted.excess);
+  if (!reduced) return std::nullopt;
+  found.along = std::move(*reduced);
   return found;
 }
 
@@ -466,34 +439,17 @@ double FilmNewton::equation_square(const Step& change) {
 }
 
 std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, bool stuck) {
-  const double shift = shift_in_speeds * rate_of_rotation(state);
-  if (!linearise_at(shift, state) || !hold_contacts(state, stuck)) return std::nullopt;
-  const Eigen::Index size = unknown_pressures();
-  return held_motion_in(KrylovSpace(random_start(size), std::min(size, most_pole_directions)), std::nullopt, shift,
-                        state);
-}
-
-/// In units of 1 / T0; a journal at rest has one, too.
-double FilmNewton::rate_of_rotation(const BearingState& state) const {
-  return std::max(std::abs(state.speed) * bearing_.scales.squeeze_time(), least_rate);
-}
-
-/// That in a space of the operator C of film_impedance.hpp, linearised at a shift.
-std::optional<HeldMotion> FilmNewton::held_motion_in(KrylovSpace space, std::optional<SchurForm> form, double shift,
-                                                     const BearingState& state) {
   const double T0 = bearing_.scales.squeeze_time();
-  std::vector<Step> changes(static_cast<std::size_t>(space.next().cols()));
-  const auto stored = [&](const std::vector<Vector>& rates) {
-    const std::span<Step> of_each = std::span(changes).first(rates.size());
-    store(rates);
-    answer(of_each);
-    std::vector<Vector> contents;
-    contents.reserve(rates.size());
-    for (const Step& change : of_each) contents.push_back(content_of(change.film, state.film));
-    return contents;
+  const double unit = std::max(std::abs(state.speed) * T0, least_rate);
+  const double shift = shift_in_speeds * unit;
+  if (!linearise_at(shift, state, stuck)) return std::nullopt;
+  Step change;
+  const auto stored = [&](const Vector& rates) {
+    store({&rates, 1});
+    answer({&change, 1});
+    return content_of(change.film, state.film);
   };
-  const auto pole =
-      rightmost_pole(stored, std::move(space), std::move(form), frequency_in_speeds * rate_of_rotation(state));
+  const std::optional<FilmPole> pole = rightmost_pole(stored, unknown_pressures(), frequency_in_speeds * unit);
   if (!pole) return std::nullopt;
 
   // The motion itself, and what it leaves of the equations of all unknowns.

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "bearing/film_impedance.hpp"
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
@@ -72,9 +71,6 @@ class FilmNewton {
   /// @return nothing if the modes leave a singular system, or the pole is not found
   [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck);
 
-  /// Both, with contacts in the modes of the state and stuck, from one linearisation.
-  [[nodiscard]] SmallMotions small_motions(const BearingState& state, const std::vector<std::complex<double>>& rates);
-
   /// Largest difference of P, U and place of the journal over c.
   [[nodiscard]] double distance(const BearingState& a, const BearingState& b) const;
 
@@ -107,14 +103,9 @@ class FilmNewton {
   void expand(std::span<Step> changes);
   bool find_step_at_rest(FilmReport& report);
   bool linearise_films(const FilmEquations& equations, const BearingState& state);
-  bool linearise(const FilmEquations& equations, const BearingState& state);
-  bool linearise_at(double shift, const BearingState& state);
-  bool hold_contacts(const BearingState& state, bool stuck);
+  bool linearise(const FilmEquations& equations, const BearingState& state, bool stuck);
+  bool linearise_at(double shift, const BearingState& state, bool stuck);
   void answer(std::span<Step> changes);
-  std::optional<FilmReduction> reduce(const BearingState& state, const ShiftedRates& at);
-  std::optional<HeldMotion> held_motion_in(KrylovSpace space, std::optional<SchurForm> form, double shift,
-                                           const BearingState& state);
-  [[nodiscard]] double rate_of_rotation(const BearingState& state) const;
   [[nodiscard]] Eigen::Index unknown_pressures() const;
   [[nodiscard]] Vector content_of(const FoilFilmState& change, const FilmState& state) const;
   void store(std::span<const Vector> rates);

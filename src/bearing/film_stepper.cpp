@@ -131,10 +131,6 @@ std::optional<HeldMotion> FilmStepper::held_motion(const BearingState& state, bo
   return newton_->held_motion(state, stuck);
 }
 
-SmallMotions FilmStepper::small_motions(const BearingState& state, const std::vector<std::complex<double>>& rates) {
-  return newton_->small_motions(state, rates);
-}
-
 HeldMotions FilmStepper::held_motions(const BearingState& state) {
   HeldMotions motions;
   motions.sliding = held_motion(state);

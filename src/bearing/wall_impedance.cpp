@@ -61,9 +61,11 @@ class LinearWallFilm {
 
 std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Foundation& foundation,
                                             const BearingState& state, const std::vector<std::complex<double>>& rates) {
-  const ShiftedRates shifted(rates, bearing.scales.squeeze_time());
+  const double T0 = bearing.scales.squeeze_time();
+  const ShiftedRates shifted(rates, T0);
+  FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
   LinearWallFilm film(bearing, foundation, state.film);
-  if (!film.linearise(state.speed, shifted.shift)) return std::nullopt;
+  if (!film.linearise(state.speed, found.shift)) return std::nullopt;
   std::vector<FilmAnswer> moved;
   moved.reserve(static_cast<std::size_t>(bearing.motions()));
   for (Eigen::Index motion = 0; motion < bearing.motions(); ++motion) {
@@ -75,8 +77,10 @@ std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Fo
     for (const Vector& direction : directions) answers.push_back(film.stored(direction));
     return answers;
   };
-  auto reduction = reduce_forces(moved, stored, shifted);
-  return reduction ? std::optional(std::move(reduction->impedance)) : std::nullopt;
+  auto reduced = reduce_forces(moved, stored, shifted.excess);
+  if (!reduced) return std::nullopt;
+  found.along = std::move(*reduced);
+  return found;
 }
 
 }  // namespace bumpfoil

@@ -58,7 +58,9 @@ class WhirlEquation {
     ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
     for (std::size_t i = 0; i < bearings_.size(); ++i) {
       const Eigen::MatrixXd B = rotor_.bearings[i].journal();
-      sum += B.transpose() * slope_of(bearings_[i], s) * B;
+      JournalMatrixC slope(B.rows(), B.rows());
+      for (Eigen::Index motion = 0; motion < B.rows(); ++motion) slope.col(motion) = slope_of(bearings_[i], motion, s);
+      sum += B.transpose() * slope * B;
     }
     return sum;
   }
@@ -67,7 +69,9 @@ class WhirlEquation {
   [[nodiscard]] std::vector<Complex> rates() const {
     const double unit = bearings_.front().squeeze_time;
     Eigen::Index stored = 0;
-    for (const FilmImpedance& bearing : bearings_) stored += bearing.schur.rows();
+    for (const FilmImpedance& bearing : bearings_) {
+      for (const ReducedForces& forces : bearing.along) stored += forces.hessenberg.rows();
+    }
     const Eigen::Index n = rotor_.size();
     const Eigen::Index size = stored + 2 * n;
     // A X = sigma E X, sigma = unit s.
@@ -85,16 +89,19 @@ class WhirlEquation {
       const FilmImpedance& bearing = bearings_[i];
       const double ratio = bearing.squeeze_time / unit;
       const Eigen::MatrixXd B = rotor_.bearings[i].journal();
-      // (1 - e T) w = start q and F = moved q + e forces w.
-      const Eigen::Index m = bearing.schur.rows();
-      A.block(w, w, m, m) = Eigen::MatrixXd::Identity(m, m) + bearing.shift * bearing.schur;
-      A.block(w, y, bearing.start.rows(), n) = -bearing.start * B;
-      E.block(w, w, m, m) = ratio * bearing.schur;
-      const Eigen::MatrixXd forces = B.transpose() * bearing.forces;
-      A.block(v, y, n, n) -= B.transpose() * bearing.moved * B;
-      A.block(v, w, n, m) = bearing.shift * forces;
-      E.block(v, w, n, m) = ratio * forces;
-      w += m;
+      for (Eigen::Index motion = 0; motion < B.rows(); ++motion) {
+        // (1 - e H) w = e_1 q and F = moved q + e start forces w, where w is in units of `start`.
+        const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(motion));
+        const Eigen::Index m = reduced.hessenberg.rows();
+        A.block(w, w, m, m) = Eigen::MatrixXd::Identity(m, m) + bearing.shift * reduced.hessenberg;
+        A.block(w, y, 1, n) = -B.row(motion);
+        E.block(w, w, m, m) = ratio * reduced.hessenberg;
+        const Eigen::MatrixXd forces = reduced.start * B.transpose() * reduced.forces;
+        A.block(v, y, n, n) -= B.transpose() * reduced.moved * B.row(motion);
+        A.block(v, w, n, m) = bearing.shift * forces;
+        E.block(v, w, n, m) = ratio * forces;
+        w += m;
+      }
     }
     const double shift = bearings_.front().shift;
     const Eigen::MatrixXd inverse = (A - shift * E).partialPivLu().solve(E);
@@ -133,14 +140,15 @@ class WhirlEquation {
   [[nodiscard]] ComplexMatrix rotor_part(Complex s) const {
     return s * s * rotor_.mass + s * by_rate_ + rotor_.stiffness.cast<Complex>();
   }
-  /// dZ/ds: that of e forces w, (1 - e T) w = start.
-  static JournalMatrixC slope_of(const FilmImpedance& bearing, Complex s) {
-    const Eigen::Index m = bearing.schur.rows();
+  /// dZ/ds for a motion of the journal: that of e forces w, (1 - e H) w = start e_1.
+  static JournalVectorC slope_of(const FilmImpedance& bearing, Eigen::Index motion, Complex s) {
+    const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(motion));
+    const Eigen::Index m = reduced.hessenberg.rows();
     const Complex e = bearing.squeeze_time * s - bearing.shift;
-    const ComplexMatrix T = bearing.schur.cast<Complex>();
-    const Eigen::PartialPivLU<ComplexMatrix> lu(ComplexMatrix::Identity(m, m) - e * T);
-    const ComplexMatrix w = bearing.stored(e);
-    return bearing.squeeze_time * (bearing.forces * (w + e * lu.solve(T * w)));
+    const ComplexMatrix H = reduced.hessenberg.cast<Complex>();
+    const Eigen::PartialPivLU<ComplexMatrix> lu(ComplexMatrix::Identity(m, m) - e * H);
+    const Eigen::VectorXcd w = lu.solve(Eigen::VectorXcd::Unit(m, 0) * reduced.start);
+    return bearing.squeeze_time * (reduced.forces * (w + e * lu.solve(H * w)));
   }
   [[nodiscard]] ComplexMatrix film_part(Complex s) const {
     ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());

@@ -112,13 +112,6 @@ struct HeldMotions {
   [[nodiscard]] std::optional<bool> is_stable() const;
 };
 
-/// How a state answers to small motions of the journal where sliding contacts slip on, and where all closed ones stick,
-/// and how it moves by itself while the journal is held.
-struct SmallMotions {
-  std::optional<FilmImpedance> sliding, stuck;
-  HeldMotions held;
-};
-
 /// Takes a running bearing from state to state: gas film, sagging top foil, bump foil, unilateral contact and Coulomb
 /// friction in one system, and the position of the journal with them. Newton's method on the film; in each step the
 /// contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver). Film and foils
@@ -183,12 +176,8 @@ class FilmStepper {
   /// @return nothing if the modes leave a singular system, or the equations of all unknowns are not met to 1e-8
   [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck = false);
 
-  /// Both held motions. Where no contact slips they are one.
+  /// Both. Where no contact slips they are one.
   [[nodiscard]] HeldMotions held_motions(const BearingState& state);
-
-  /// All of impedance() and held_motion() at half their cost. Held motions are found in the Krylov space of the motions
-  /// of the journal, in which all motions of film and foils have a share unless symmetry forbids it.
-  [[nodiscard]] SmallMotions small_motions(const BearingState& state, const std::vector<std::complex<double>>& rates);
 
   [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
   [[nodiscard]] const FilmBearingOptions& options() const { return options_; }

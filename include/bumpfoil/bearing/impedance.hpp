@@ -13,23 +13,26 @@ namespace bumpfoil {
 using JournalVectorC = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, 4, 1>;
 using JournalMatrixC = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
 
-/// Z(s) = dF/dq of a state of a running bearing, N/m, at any rate s for which it was made: the forces on a journal that
-/// moves by q e^{s t}. Its film and foils are reduced to a Krylov space of what they store, w (src/bearing/
-/// film_impedance.hpp):
+/// A linearised film and its foils, reduced to a Krylov space of what they store: forces on a journal that moves by
+/// q e^{s t} in one of its motions (JournalVector). See src/bearing/film_impedance.hpp for its making.
 ///
-///     F = moved q + e forces w,   (1 - e T) w = start q,   e = T0 s - shift
-///
-/// A plain value.
-struct FilmImpedance {
-  double shift{};         ///< in units of 1 / T0
-  double squeeze_time{};  ///< T0, s
-  JournalMatrix moved{};  ///< force per displacement in each motion of the journal, at the shift
-  Matrix start{};         ///< what a displacement in each motion stores there
-  Matrix schur{};         ///< T: zero below its diagonal but for pairs of rows
-  Matrix forces{};        ///< of each w
+///     F = moved + e forces w,   (1 - e H) w = start e_1,   e = s - shift
+struct ReducedForces {
+  JournalVector moved{};  ///< per displacement, at the shift
+  double start{};         ///< norm of what is stored there
+  Matrix hessenberg;      ///< H
+  Matrix forces;          ///< of each direction of the space
 
-  /// w per displacement in each motion. @param excess  e
-  [[nodiscard]] Eigen::MatrixXcd stored(std::complex<double> excess) const;
+  /// Force per displacement. @param excess  e
+  [[nodiscard]] JournalVectorC at(std::complex<double> excess) const;
+};
+
+/// Z(s) = dF/dq of a state of a running bearing, N/m, at any rate s for which it was made. A plain value.
+struct FilmImpedance {
+  double shift{};                      ///< in units of 1 / T0
+  double squeeze_time{};               ///< T0, s
+  std::vector<ReducedForces> along{};  ///< each motion of the journal
+
   /// @param rate  s, 1/s
   [[nodiscard]] JournalMatrixC at(std::complex<double> rate) const;
 };

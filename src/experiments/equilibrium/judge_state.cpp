@@ -23,17 +23,28 @@ constexpr double lowest_frequency = 0.2;
 constexpr double highest_frequency = 1.2;
 constexpr double frequency_intervals = 9.0;
 
-std::vector<FilmWhirl> whirls_at(const FilmBearing& bearing, const SmallMotions& motions,
-                                 const std::vector<double>& frequencies) {
-  std::vector<FilmWhirl> whirls;
-  for (const double frequency : frequencies) {
-    FilmWhirl& whirl = whirls.emplace_back();
-    whirl.frequency = frequency;
-    if (motions.sliding) whirl.impedance = bearing.by_slopes(motions.sliding->at({0.0, frequency}));
-    if (motions.stuck) whirl.stuck_impedance = bearing.by_slopes(motions.stuck->at({0.0, frequency}));
+/// How a state responds to small motions: with sliding contacts that keep sliding, and with full stick.
+struct Impedances {
+  const FilmBearing& bearing;
+  std::optional<FilmImpedance> moving, stuck;
+
+  /// @param rates  that they are good for, 1/s
+  Impedances(FilmStepper& stepper, const BearingState& state, const std::vector<std::complex<double>>& rates)
+      : bearing(stepper.bearing()),
+        moving(stepper.impedance(state, rates)),
+        stuck(stepper.impedance(state, rates, true)) {}
+
+  [[nodiscard]] std::vector<FilmWhirl> at(const std::vector<double>& frequencies) const {
+    std::vector<FilmWhirl> whirls;
+    for (const double frequency : frequencies) {
+      FilmWhirl& whirl = whirls.emplace_back();
+      whirl.frequency = frequency;
+      if (moving) whirl.impedance = bearing.by_slopes(moving->at({0.0, frequency}));
+      if (stuck) whirl.stuck_impedance = bearing.by_slopes(stuck->at({0.0, frequency}));
+    }
+    return whirls;
   }
-  return whirls;
-}
+};
 
 std::vector<std::complex<double>> rates_of(const std::vector<double>& frequencies) {
   std::vector<std::complex<double>> rates;
@@ -89,12 +100,13 @@ void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
   const BearingState& state = *found.last;
   found.outcome = film_bearing_outcome(*bearing, state);
   const auto moving = stepper.slow_motion(state);
-  const auto stuck = state.contacts.any_slips() ? stepper.slow_motion(state, true) : moving;
+  const auto stuck = stepper.slow_motion(state, true);
   if (moving) found.stiffness = bearing->by_slopes(moving->stiffness);
   if (stuck) found.stuck_stiffness = bearing->by_slopes(stuck->stiffness);
   if (moving || stuck) {
     found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
   }
+  found.held = stepper.held_motions(state);
   BearingState opened = state;
   found.light_contacts = open_light_contacts(opened.contacts);
   if (found.light_contacts > 0) found.held_if_open = stepper.held_motions(opened);
@@ -105,14 +117,13 @@ void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
   for (const auto& further : {rates_of(frequencies), whirling_rates(state.speed)}) {
     rates.insert(rates.end(), further.begin(), further.end());
   }
-  const SmallMotions motions = stepper.small_motions(state, rates);
-  found.held = motions.held;
-  found.critical_mass = critical_mass_of_state(motions.sliding, state.speed, found.held.sliding);
-  found.stuck_critical_mass = critical_mass_of_state(motions.stuck, state.speed, found.held.stuck);
-  found.whirls = whirls_at(*bearing, motions, frequencies);
+  const Impedances impedances(stepper, state, rates);
+  found.critical_mass = critical_mass_of_state(impedances.moving, state.speed, found.held.sliding);
+  found.stuck_critical_mass = critical_mass_of_state(impedances.stuck, state.speed, found.held.stuck);
+  found.whirls = impedances.at(frequencies);
   if (tabulates) {
-    found.synchronous = whirls_at(*bearing, motions, {std::abs(state.speed)}).front();  // one of the whirling rates
-    found.tabulated = whirls_at(*bearing, motions, tabulated);
+    found.synchronous = impedances.at({std::abs(state.speed)}).front();  // one of the whirling rates
+    found.tabulated = impedances.at(tabulated);
   }
   find_stresses(*bearing, found);
   found.wall_time += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// J X + s S X = -(r + s a), force f X, all drawn at random: reduce_forces() against the equations themselves.
-TEST(FilmReduction, SolvesTheEquationsAtEveryRate) {
+TEST(ReducedForces, SolveTheEquationsAtEveryRate) {
   constexpr Eigen::Index n = 40;
   constexpr double shift = 3.0;
   std::mt19937 draw(7);
@@ -45,55 +45,28 @@ TEST(FilmReduction, SolvesTheEquationsAtEveryRate) {
     return answers;
   };
   const std::vector<Complex> rates{{0.0, 0.0}, {0.0, 3.0}, {0.0, -0.2}, {0.0, 40.0}, {2.0, 1.0}, {shift, 0.0}};
-  ShiftedRates at({}, 1.0);
-  at.shift = shift;
-  for (const Complex s : rates) at.excess.push_back(s - shift);
-  const auto found = reduce_forces(moved, stored, at);
+  std::vector<Complex> excess;
+  for (const Complex s : rates) excess.push_back(s - shift);
+  const auto found = reduce_forces(moved, stored, excess);
   ASSERT_TRUE(found.has_value());
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const Eigen::MatrixXcd system = J.cast<Complex>() + rates[i] * S.cast<Complex>();
     const Eigen::MatrixXcd X = system.partialPivLu().solve(-(r.cast<Complex>() + rates[i] * a.cast<Complex>()));
-    const Eigen::Matrix2cd expected = f.cast<Complex>() * X;
-    EXPECT_LT((found->impedance.at(rates[i]) - expected).norm(), 1e-8 * expected.norm()) << rates[i];
+    for (const Eigen::Index motion : {0, 1}) {
+      const Eigen::Vector2cd expected = f.cast<Complex>() * X.col(motion);
+      const JournalVectorC of_motion = (*found)[static_cast<std::size_t>(motion)].at(excess[i]);
+      EXPECT_LT((of_motion - expected).norm(), 1e-8 * expected.norm()) << rates[i] << ", motion " << motion;
+    }
   }
 }
 
-/// A motion that stores what another does brings no direction of its own.
-TEST(FilmReduction, ServesMotionsThatStoreTheSame) {
-  const Vector content = Vector::LinSpaced(5, 1.0, 2.0);
-  const Vector decay = Vector::LinSpaced(5, 0.1, 0.9);  // C = -diag
-  const auto stored = [&](const std::vector<Vector>& rates) {
-    std::vector<FilmAnswer> answers;
-    for (const Vector& w : rates) {
-      const Vector image = -decay.cwiseProduct(w);
-      answers.push_back({image, Eigen::Vector2d(image.sum(), image[0])});
-    }
-    return answers;
-  };
-  const Eigen::Vector2d force(1.0, 0.5);
-  ShiftedRates at({}, 1.0);
-  at.excess = {{0.5, 2.0}};
-  const auto found = reduce_forces({{content, force}, {2.0 * content, 2.0 * force}}, stored, at);
-  ASSERT_TRUE(found.has_value());
-  EXPECT_LE(found->space.size(), 5);
-  const Complex e = at.excess.front();
-  const Eigen::VectorXcd w = (content.array() / (1.0 + e * decay.array())).matrix();
-  const Eigen::VectorXcd image = -decay.cast<Complex>().cwiseProduct(w);
-  const Eigen::Vector2cd expected = force.cast<Complex>() + e * Eigen::Vector2cd(image.sum(), image[0]);
-  const JournalMatrixC Z = found->impedance.at(e);
-  EXPECT_LT((Z.col(0) - expected).norm(), 1e-12 * expected.norm());
-  EXPECT_LT((Z.col(1) - 2.0 * expected).norm(), 1e-12 * expected.norm());
-}
-
-TEST(FilmReduction, IsNotGivenWhereTheSpaceCannotHoldTheSolution) {
+TEST(ReducedForces, AreNotGivenWhereTheSpaceCannotHoldThem) {
   // What is stored at a third node never shows, and yet one direction is all that there is: no solution at s = shift
   // + 1.
   const auto stored = [](const std::vector<Vector>& rates) {
     return std::vector<FilmAnswer>{{rates.front(), Eigen::Vector2d::Zero()}};
   };
-  ShiftedRates at({}, 1.0);
-  at.excess = {{1.0, 0.0}};
-  EXPECT_FALSE(reduce_forces({{Vector::Ones(3), Eigen::Vector2d(1.0, 0.0)}}, stored, at).has_value());
+  EXPECT_FALSE(reduce_forces({{Vector::Ones(3), Eigen::Vector2d(1.0, 0.0)}}, stored, {{1.0, 0.0}}).has_value());
 }
 
 /// The journal whirls by a nanometre, and the equations themselves are marched in time by BDF2. In steps dt the

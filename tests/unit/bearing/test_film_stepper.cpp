@@ -149,28 +149,5 @@ TEST(HeldMotions, AreOneWhereNoContactSlips) {
   EXPECT_LT(std::abs(alone->rate - motions.stuck->rate), 1e-9 * std::abs(alone->rate));
 }
 
-/// From one space of the motions of the journal, against a space for each question.
-TEST(SmallMotions, AreThoseThatAreFoundOneByOne) {
-  const double speed = speed_of_rpm(45000.0);
-  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}, 0.1));
-  BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.8 * stepper.bearing().clearance, 0.0}, speed, state).status, Status::converged);
-  ASSERT_TRUE(state.contacts.any_slips());
-  const std::vector<std::complex<double>> rates{{0.0, 0.1 * speed}, {0.0, speed}};
-  const SmallMotions motions = stepper.small_motions(state, rates);
-  for (const bool stuck : {false, true}) {
-    const auto& impedance = stuck ? motions.stuck : motions.sliding;
-    const auto& held = stuck ? motions.held.stuck : motions.held.sliding;
-    const auto alone = stepper.impedances(state, rates, stuck);
-    const auto held_alone = stepper.held_motion(state, stuck);
-    ASSERT_TRUE(impedance && held && alone && held_alone);
-    for (std::size_t i = 0; i < rates.size(); ++i) {
-      EXPECT_LT((impedance->at(rates[i]) - (*alone)[i]).norm(), 1e-9 * (*alone)[i].norm());
-    }
-    EXPECT_LT(std::abs(held->rate - held_alone->rate), 1e-8 * std::abs(held_alone->rate));
-    EXPECT_EQ(held->column, held_alone->column);
-  }
-}
-
 }  // namespace
 }  // namespace bumpfoil
