@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized fuzz mutations coverage compilers lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized test-threads fuzz mutations coverage compilers lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -100,6 +100,13 @@ test-sanitized: ## the tests of the code again, under the address and undefined-
 	@scripts/require_packages.sh build plot test
 	$(call BUILD,dev)
 	ctest --preset dev --parallel $(JOBS)
+
+# Where tasks of oneTBB begin and end the sanitizer sees only of one that was built with it.
+test-threads: ## the tests of what runs on several threads, under the thread sanitizer
+	@scripts/require_packages.sh build plot test
+	scripts/sanitized_tbb.sh build/threads-tbb
+	$(call BUILD,threads)
+	ctest --preset threads
 
 FUZZ_MINUTES := 1
 fuzz: ## feed every fuzzer of tests/fuzz/ by clang and its sanitizers for FUZZ_MINUTES=1; what they find is in results/fuzz
