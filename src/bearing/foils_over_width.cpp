@@ -26,12 +26,13 @@ int unknowns_of_membrane(const WidthLines& width) {
   return 2 * static_cast<int>(width.stretching_orders().size());
 }
 
-/// Adds the top foil of a pad to K of the problem.
+/// Adds the top foil of a pad to K of the problem, with its forming.
 /// @param stations  of top_foil_on_lines()
-void add_top_foil(const Foils& foils, int pad, const WidthLines& width, const std::vector<int>& stations,
-                  BlockTridiagonal& K) {
+void add_top_foil(int pad, const WidthLines& width, const std::vector<int>& stations, Foils& foils) {
+  BlockTridiagonal& K = foils.problem.K;
   const FoilDesign design = make_bearing_design(foils.placed[static_cast<std::size_t>(pad)].alone);
-  const BlockTridiagonal top = top_foil_on_lines(design, width, stations);
+  const TopFoilOnLines foil = top_foil_on_lines(design, width, stations);
+  const BlockTridiagonal& top = foil.K;
   std::vector<int> places;
   places.reserve(static_cast<std::size_t>(top.block_size()));
   const int of_membrane = unknowns_of_membrane(width);
@@ -46,20 +47,33 @@ void add_top_foil(const Foils& foils, int pad, const WidthLines& width, const st
   const auto first = static_cast<std::size_t>(foils.structure.blocks_of(pad).first);
   for (std::size_t b = 0; b < top.diagonal.size(); ++b) K.diagonal[first + b](places, places) += top.diagonal[b];
   for (std::size_t b = 0; b < top.upper.size(); ++b) K.upper[first + b](places, places) += top.upper[b];
+  for (int b = 0; b < top.blocks(); ++b) {
+    const Eigen::Index at = Eigen::Index{foils.structure.blocks_of(pad).first + b} * K.block_size();
+    foils.forming.segment(at, K.block_size())(places) +=
+        foil.forming.segment(Eigen::Index{b} * top.block_size(), top.block_size());
+  }
+  foils.structure.forming_energy += foil.forming_energy;
 }
 
-/// FoilStructure::forming of top foils that are one under each line, as stiff as its part of the width.
-Vector forming_on_lines(const Foils& foils) {
+/// Adds the top foils of all pads to K of the problem, with their forming.
+void add_top_foils(const WidthLines& width, const std::vector<int>& stations, Foils& foils) {
+  foils.forming.setZero(foils.problem.K.rows());
+  foils.structure.forming_energy = 0.0;
+  for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(pad, width, stations, foils);
+}
+
+/// FoilStructure::forming of top foils that are split, one under each point, as stiff as its part of the width.
+Vector forming_of_slices(const Foils& foils) {
   const BumpDofs& dofs = foils.structure.dofs;
+  const Eigen::Index blocks = foils.structure.K.blocks();
   Vector forming = Vector::Zero(foils.problem.K.rows());
-  for (std::size_t s = 0; s < foils.unstaggered_lines(); ++s) {
+  for (const FoilLine& point : foils.points) {
     const auto put = [&](int unknown, double part) {
-      const Eigen::Index blocks = foils.structure.K.blocks();
-      forming(Eigen::seqN(Eigen::Index{Foils::place(foils.lines, static_cast<Eigen::Index>(s), unknown)}, blocks,
+      forming(Eigen::seqN(Eigen::Index{point.places[static_cast<std::size_t>(unknown)]}, blocks,
                           Eigen::Index{foils.problem.K.block_size()})) =
           part * foils.structure.forming(Eigen::seqN(Eigen::Index{unknown}, blocks, Eigen::Index{dofs.size}));
     };
-    put(dofs.top_u, foils.lines[s].weight);
+    put(dofs.top_u, point.weight);
     put(dofs.top_moment, 1.0);
   }
   return forming;
@@ -138,9 +152,8 @@ Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal, S
   BlockTridiagonal K(foils.structure.K.blocks(),
                      of_foils + unknowns_of_journal(varied, journal) + unknowns_of_membrane(width));
   add_bump_foils(varied, width, K);
-  for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(varied, pad, width, {0}, K);
   varied.problem.K = std::move(K);
-  varied.forming = forming_on_lines(varied);
+  add_top_foils(width, {0}, varied);
   put_contacts_on_lines({&foils, 1}, 0.0, varied);
   put_journal(journal, of_foils, varied);
   return varied;
@@ -162,15 +175,15 @@ Foils on_strips(const Foils& foils, int modes, const JournalOverWidth& journal) 
     lay_out_split_foils(split);
     K = BlockTridiagonal(blocks, unknowns_on_lines(split) + unknowns_of_journal(split, journal));
     add_slices(split, strips, K);
+    split.forming = forming_of_slices(split);
   } else {
     lay_out_strips(width, foils.structure.dofs.size, split);
     const int of_membrane = static_cast<int>(stations.size()) * unknowns_of_membrane(width);
     K = BlockTridiagonal(blocks, unknowns_on_lines(split) + unknowns_of_journal(split, journal) + of_membrane);
     add_strips(split, strips, width, K);
-    for (int pad = 0; pad < split.pad_count(); ++pad) add_top_foil(split, pad, width, stations, K);
+    add_top_foils(width, stations, split);
   }
   keep_stress(strips, split);
-  split.forming = forming_on_lines(split);
   put_contacts_on_lines(strips, 0.0, split);
   if (!foils.assembly.empty()) split.assembly = assemble_without_journal(split);
   put_journal(journal, unknowns_on_lines(split), split);

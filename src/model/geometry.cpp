@@ -122,6 +122,7 @@ FoilDesign make_bearing_design(const PadDesign& pad) {
                       .youngs_modulus = pad.top_foil.youngs_modulus,
                       .poisson_ratio = pad.top_foil.poisson_ratio,
                       .overhang = pad.top_foil.overhang.value_or(0.5 * foils.bumps.back().pitch),
+                      .stagger = pad.top_foil.split ? 0.0 : foil.most_stagger() * foils.bumps.back().pitch,
                       .flattening = flattening_of(pad),
                       .seat_pressure = pad.top_foil.seat_pressure.value_or(0.0)};
   }

@@ -20,9 +20,11 @@ double graded_part(double psi, double sign, double d) {
 Forming make_forming(const FoilDesign& foils) {
   const TopFoilDesign& top = foils.top_foil.value();
   const double R = foils.radius.value();
-  return {.uniform = top.flattening,
-          .graded = R * R * top.seat_pressure * foils.axial_length / make_top_foil_section(foils).bending_stiffness,
-          .end_angle = (crest_positions(foils)[static_cast<Eigen::Index>(foils.bumps.size()) - 1] + top.overhang) / R};
+  return {
+      .uniform = top.flattening,
+      .graded = R * R * top.seat_pressure * foils.axial_length / make_top_foil_section(foils).bending_stiffness,
+      .end_angle =
+          (crest_positions(foils)[static_cast<Eigen::Index>(foils.bumps.size()) - 1] + top.stagger + top.overhang) / R};
 }
 
 Vector forming_rotations(const TopFoilBeam& beam, const Forming& forming) {

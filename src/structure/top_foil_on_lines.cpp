@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/structure/forming.hpp"
 #include "bumpfoil/structure/membrane.hpp"
 #include "bumpfoil/structure/section.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
@@ -19,15 +20,16 @@ namespace {
 /// As the film's by default. With eight times as many w_2 on crests that are held differs by 0.003 um of 2.8.
 constexpr int columns_of_pitch = 6;
 
-/// The foil on its columns: equations of each in the unknowns of its own and, as they are symmetric, of the next one.
-/// What a column has no unknown for stands alone.
+/// The foil on its columns: equations of each in the unknowns of its own and, as they are symmetric, of the next one,
+/// and their right-hand sides. What a column has no unknown for stands alone.
 struct Columns {
   std::vector<Matrix> own, after;
+  std::vector<Vector> load;
 };
 
-/// Adds bending, a beam for each line. @param pitch  unit of lengths, m
-void add_beams(const TopFoilMoments& form, double bending_stiffness, double pitch, const WidthLines& lines,
-               Columns& columns) {
+/// Adds bending, a beam for each line. @param rotations  by its forming @param pitch  unit of lengths, m
+void add_beams(const TopFoilMoments& form, const Vector& rotations, double bending_stiffness, double pitch,
+               const WidthLines& lines, Columns& columns) {
   const auto end = static_cast<std::size_t>(form.size());
   for (Eigen::Index s = 0; s < lines.count(); ++s) {
     const Eigen::Index u = s;
@@ -43,6 +45,7 @@ void add_beams(const TopFoilMoments& form, double bending_stiffness, double pitc
       }
       if (k > 0) own(u, M) = own(M, u) = pitch * form.load_diagonal(i);
       own(M, M) = -flexibility * form.compliance_diagonal[i];
+      columns.load[k][M] = pitch * rotations[i];
       Matrix& after = columns.after[k];
       after(M, u) = pitch * form.inverse_sine[i];
       if (k + 1 == end) continue;
@@ -86,31 +89,45 @@ void add_membrane(const Membrane& membrane, const Vector& intervals, const Width
   columns.own.back()(m, m) = -Matrix::Identity(modes, modes);
 }
 
+/// Symmetric equations A x = load.
+struct Equations {
+  Matrix A;
+  Vector load;
+  double energy{};  ///< that unknowns have which were eliminated, where x is zero
+};
+
 /// Some columns in a row, with their couplings, and the equations of all but the first unless that is the weld's.
-Matrix joined(const Columns& columns, int first, int last) {
+Equations joined(const Columns& columns, int first, int last) {
   const Eigen::Index size = columns.own.front().rows();
-  Matrix A = Matrix::Zero(size * (last - first + 1), size * (last - first + 1));
+  const Eigen::Index all = size * (last - first + 1);
+  Equations joint{.A = Matrix::Zero(all, all), .load = Vector::Zero(all)};
   for (int k = first; k <= last; ++k) {
     const Eigen::Index at = size * (k - first);
-    if (k == 0 || k > first) A.block(at, at, size, size) = columns.own[static_cast<std::size_t>(k)];
+    if (k == 0 || k > first) {
+      joint.A.block(at, at, size, size) = columns.own[static_cast<std::size_t>(k)];
+      joint.load.segment(at, size) = columns.load[static_cast<std::size_t>(k)];
+    }
     if (k == last) continue;
     const Matrix& after = columns.after[static_cast<std::size_t>(k)];
-    A.block(at, at + size, size, size) = after;
-    A.block(at + size, at, size, size) = after.transpose();
+    joint.A.block(at, at + size, size, size) = after;
+    joint.A.block(at + size, at, size, size) = after.transpose();
   }
-  return A;
+  return joint;
 }
 
-/// A without all but some of its unknowns.
-Matrix condensed(const Matrix& A, const std::vector<Eigen::Index>& kept) {
+/// The equations without all but some of their unknowns.
+Equations condensed(const Equations& all, const std::vector<Eigen::Index>& kept) {
   std::vector<Eigen::Index> other;
-  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+  for (Eigen::Index i = 0; i < all.A.rows(); ++i) {
     if (!std::binary_search(kept.begin(), kept.end(), i)) other.push_back(i);
   }
-  const Matrix out = A(other, other);
-  const Matrix across = A(other, kept);
-  const Matrix answer = out.partialPivLu().solve(across);
-  return A(kept, kept) - across.transpose() * answer;
+  const Eigen::PartialPivLU<Matrix> out(all.A(other, other));
+  const Matrix across = all.A(other, kept);
+  const Vector load = all.load(other);
+  const Vector answer = out.solve(load);
+  return {.A = all.A(kept, kept) - across.transpose() * out.solve(across),
+          .load = all.load(kept) - across.transpose() * answer,
+          .energy = -0.5 * load.dot(answer)};
 }
 
 }  // namespace
@@ -130,7 +147,7 @@ Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double
   return intervals;
 }
 
-BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines, const std::vector<int>& stations) {
+TopFoilOnLines top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines, const std::vector<int>& stations) {
   const double pitch = foils.reference_length();
   const double R = foils.radius.value();
   const double EI = make_top_foil_section(foils).bending_stiffness;
@@ -142,15 +159,19 @@ BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& li
                                           foils.top_foil->youngs_modulus * foils.top_foil->thickness / stiffness,
                                           foils.top_foil->poisson_ratio);
   const Eigen::Index size = 2 * (lines.count() + membrane.modes());
-  Columns columns{std::vector<Matrix>(static_cast<std::size_t>(intervals.size()) + 1, Matrix::Zero(size, size)),
-                  std::vector<Matrix>(static_cast<std::size_t>(intervals.size()), Matrix::Zero(size, size))};
-  add_beams(make_top_foil_moments(beam), EI, pitch, lines, columns);
+  const auto count = static_cast<std::size_t>(intervals.size());
+  Columns columns{.own = std::vector<Matrix>(count + 1, Matrix::Zero(size, size)),
+                  .after = std::vector<Matrix>(count, Matrix::Zero(size, size)),
+                  .load = std::vector<Vector>(count + 1, Vector::Zero(size))};
+  add_beams(make_top_foil_moments(beam), forming_rotations(beam, make_forming(foils)), EI, pitch, lines, columns);
   add_membrane(membrane, intervals, lines, columns);
 
   const auto bumps = static_cast<int>(foils.bumps.size());
   const auto of_block = static_cast<int>(stations.size());
   const auto is_moment = [&](Eigen::Index i) { return i >= lines.count() && i < 2 * lines.count(); };
   BlockTridiagonal K(bumps, of_block * static_cast<int>(size));
+  Vector forming = Vector::Zero(K.rows());
+  double forming_energy = 0.0;
   std::vector<Eigen::Index> all(static_cast<std::size_t>(size));
   std::iota(all.begin(), all.end(), Eigen::Index{0});
   const int held = bumps * of_block;  // columns where a crest is
@@ -167,18 +188,22 @@ BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& li
       own.push_back(i);
       kept.push_back(size * (column - before) + i);
     }
-    const Matrix A =
-        stiffness * condensed(joined(columns, before, last ? static_cast<int>(intervals.size()) : column), kept);
+    const Equations part = condensed(joined(columns, before, last ? static_cast<int>(count) : column), kept);
+    const Matrix A = stiffness * part.A;
+    const Vector load = stiffness * part.load;
+    forming_energy += stiffness * part.energy;
     const auto n = std::ssize(own);
     const auto place = [&](int of) { return size * (of % of_block); };  // in its block
     for (Eigen::Index& i : own) i += place(k);
     const auto block = static_cast<std::size_t>(k / of_block);
     K.diagonal[block](own, own) += A.bottomRightCorner(n, n);
+    forming.segment(Eigen::Index{K.block_size()} * (k / of_block), K.block_size())(own) += load.tail(n);
     before = column;
     if (k == 0) continue;
     const auto first = Eigen::seqN(place(k - 1), size);
     const auto other = static_cast<std::size_t>((k - 1) / of_block);
     K.diagonal[other](first, first) += A.topLeftCorner(size, size);
+    forming.segment(Eigen::Index{K.block_size()} * ((k - 1) / of_block), K.block_size())(first) += load.head(size);
     if (other == block) {
       K.diagonal[block](first, own) += A.topRightCorner(size, n);
       K.diagonal[block](own, first) += A.topRightCorner(size, n).transpose();
@@ -187,7 +212,7 @@ BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& li
     }
   }
   K.diagonal.back().diagonal().segment(K.block_size() - size + lines.count(), lines.count()).setConstant(-stiffness);
-  return K;
+  return {.K = std::move(K), .forming = std::move(forming), .forming_energy = forming_energy};
 }
 
 }  // namespace bumpfoil

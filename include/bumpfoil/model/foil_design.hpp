@@ -68,6 +68,7 @@ struct TopFoilDesign {
   double youngs_modulus{};  ///< Pa
   double poisson_ratio{};
   double overhang{};       ///< from the last crest to the free end, m
+  double stagger{};        ///< by which the last crest is that of a staggered strip, beyond the last bump, m
   double flattening{};     ///< 1/R - 1/R_f, 1/m: how much flatter it is formed than the circle that it lies on
   double seat_pressure{};  ///< that its forming, beside this, presses on all bumps with, Pa
 };

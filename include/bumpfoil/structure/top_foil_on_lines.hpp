@@ -16,9 +16,16 @@ namespace bumpfoil {
 ///                           longer by them
 Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch, int further = 0);
 
+/// A top foil on lines: K x = loads + forming.
+struct TopFoilOnLines {
+  BlockTridiagonal K;       ///< N/m
+  Vector forming;           ///< N: loads by which a foil formed otherwise than it lies presses on what carries it
+  double forming_energy{};  ///< of the foil where x is zero, J
+};
+
 /// The top foil whose displacement varies over the width, loaded over the crests of the bump foil alone: a beam under
-/// each of the lines, as stiff as its part of the width, which the membrane joins (MembraneRows). Symmetric, in N/m,
-/// with one block per bump:
+/// each of the lines, as stiff as its part of the width, which the membrane joins (MembraneRows). Symmetric, with one
+/// block per bump:
 ///
 ///     [ 0   D        w T'          ] [ u ]   [ loads on the top foil ]
 ///     [ D'  -T/part                ] [ M ] = [ forming_rotations()   ]
@@ -33,7 +40,7 @@ Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double
 /// behind each crest. All unknowns of one station follow those of the one before in the block.
 /// @param foils     with a top foil on a circle; at several stations, with equal pitches
 /// @param stations  rising, from 0 to 5
-BlockTridiagonal top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines,
-                                   const std::vector<int>& stations = {0});
+TopFoilOnLines top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines,
+                                 const std::vector<int>& stations = {0});
 
 }  // namespace bumpfoil

@@ -41,6 +41,25 @@ TEST(Assembly, IsThatOfACircularBeamReleasedOntoItsSupports) {
   EXPECT_NEAR((last - assembly.bulge_theta) * 180.0 / 3.14159265, 32.643, 0.5 * 13.75);  // half a pitch
 }
 
+/// The same where strips are staggered: the foil ends on the last crest of all, which is that of one strip. It is
+/// uniform over the width here, as that beam is.
+TEST(Assembly, IsThatOfACircularBeamOnStaggeredStrips) {
+  Case input = film_reference_case({});
+  input.bump_foil.bumps = 25;
+  input.bump_foil.strips = 3;
+  input.bump_foil.strip = {FoilStrip{}, FoilStrip{.stagger = 0.5, .height_errors = {}}, FoilStrip{}};
+  input.top_foil.formed_radius = {FormedTo::radius, 1.01 * input.bearing.radius};
+  const PadAssembly assembly = on_strips(make_foils(input), 1, {}).assembly.front();
+  const double kappa = (1.0 - 1.0 / 1.01) / 19.05e-3;
+  EXPECT_NEAR(assembly.hold_down, 1.18656 * 0.0007872451 * kappa / 19.05e-3, 0.005 * assembly.hold_down);
+  EXPECT_NEAR(assembly.bulge, 0.1047423 * 19.05e-3 * 19.05e-3 * kappa, 0.01 * assembly.bulge);
+  // Beside the strip that carries its end the foil gives way.
+  const PadAssembly bent = foils_without_journal(input).assembly.front();
+  EXPECT_NEAR(bent.hold_down, assembly.hold_down, 0.02 * assembly.hold_down);
+  EXPECT_LT(bent.bulge, assembly.bulge);
+  EXPECT_NEAR(bent.bulge, assembly.bulge, 0.05 * assembly.bulge);
+}
+
 TEST(Assembly, IsKnownOnlyOfFormedFoils) {
   EXPECT_TRUE(make_foils(film_reference_case({})).assembly.empty());
 }

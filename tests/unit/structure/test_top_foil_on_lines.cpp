@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <vector>
 
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 
 namespace bumpfoil {
@@ -18,17 +20,38 @@ FoilDesign some_foils(int bumps) {
   return make_bearing_design(PadDesign(input));
 }
 
-/// Stiffness of the crests alone: u of all lines, crest after crest.
+/// Unknowns of the crests alone, u of all lines, crest after crest, and all others.
 /// @param stride  from one station to the next; none: those of the first station alone
-Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index stride = 0) {
-  std::vector<Eigen::Index> kept;
-  std::vector<Eigen::Index> other;
+std::array<std::vector<Eigen::Index>, 2> parted(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index stride) {
+  std::array<std::vector<Eigen::Index>, 2> parts;
   const Eigen::Index period = stride > 0 ? stride : K.block_size();
-  for (Eigen::Index i = 0; i < K.rows(); ++i) (i % period < lines ? kept : other).push_back(i);
+  for (Eigen::Index i = 0; i < K.rows(); ++i) parts[i % period < lines ? 0 : 1].push_back(i);
+  return parts;
+}
+
+/// Stiffness of the crests alone.
+Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index stride = 0) {
+  const auto [kept, other] = parted(K, lines, stride);
   const Matrix all = K.dense();
   const Matrix across = all(other, kept);
   const Matrix out = all(other, other);
   return all(kept, kept) - across.transpose() * out.partialPivLu().solve(across);
+}
+
+/// Loads of a formed foil on the crests alone.
+Vector pressed_by(const TopFoilOnLines& foil, Eigen::Index lines) {
+  const auto [kept, other] = parted(foil.K, lines, 0);
+  const Matrix all = foil.K.dense();
+  const Matrix out = all(other, other);
+  const Vector load = foil.forming(other);
+  return foil.forming(kept) - all(kept, other) * out.partialPivLu().solve(load);
+}
+
+FoilDesign some_formed_foils(int bumps) {
+  FoilDesign foils = some_foils(bumps);
+  foils.top_foil->flattening = 0.02 / foils.radius.value();
+  foils.top_foil->seat_pressure = 200.0;
+  return foils;
 }
 
 TEST(TopFoilOnLines, IsABeamUnderEachLineWithoutAMembrane) {
@@ -36,7 +59,7 @@ TEST(TopFoilOnLines, IsABeamUnderEachLineWithoutAMembrane) {
     const FoilDesign foils = some_foils(bumps);
     const Matrix beam = top_foil_stiffness(make_top_foil_beam(foils));
     const WidthLines lines = make_width_lines(2, WidthPart::whole);
-    const Matrix K = of_crests(top_foil_on_lines(foils, lines), 2);
+    const Matrix K = of_crests(top_foil_on_lines(foils, lines).K, 2);
     for (Eigen::Index s = 0; s < 2; ++s) {
       for (Eigen::Index r = 0; r < 2; ++r) {
         const Matrix block = K(Eigen::seqN(s, bumps, 2), Eigen::seqN(r, bumps, 2));
@@ -55,7 +78,7 @@ TEST(TopFoilOnLines, StretchesUnderAParabolaAlone) {
   const WidthLines lines = make_width_lines(3, WidthPart::whole);
   const Matrix beam = top_foil_stiffness(make_top_foil_beam(foils));
   const auto of_mode = [&](int k) {
-    const Matrix K = of_crests(top_foil_on_lines(foils, lines), 3);
+    const Matrix K = of_crests(top_foil_on_lines(foils, lines).K, 3);
     Matrix sum = Matrix::Zero(bumps, bumps);
     for (Eigen::Index s = 0; s < 3; ++s) {
       for (Eigen::Index r = 0; r < 3; ++r) {
@@ -87,7 +110,7 @@ TEST(TopFoilOnLines, KeepsColumnsBetweenTheCrests) {
   TopFoilBeam beam = make_top_foil_beam(foils);
   beam.theta = Vector::LinSpaced(2 * bumps, 0.5 * pitch / R, bumps * pitch / R);
   const Matrix expected = top_foil_stiffness(beam);
-  const Matrix found = of_crests(top_foil_on_lines(foils, two, {0, 3}), 2, 4);
+  const Matrix found = of_crests(top_foil_on_lines(foils, two, {0, 3}).K, 2, 4);
   ASSERT_EQ(found.rows(), 4 * bumps);
   for (Eigen::Index s = 0; s < 2; ++s) {
     const auto line = Eigen::seqN(s, 2 * bumps, 2);
@@ -96,10 +119,46 @@ TEST(TopFoilOnLines, KeepsColumnsBetweenTheCrests) {
   // What is not loaded there may as well be eliminated; the foil goes on as far behind its last crest.
   const WidthLines three = make_width_lines(3, WidthPart::whole);
   for (const std::vector<int>& stations : {std::vector<int>{0, 3}, std::vector<int>{0, 2, 3}}) {
-    const Matrix kept = of_crests(top_foil_on_lines(foils, three, stations), 3);
+    const Matrix kept = of_crests(top_foil_on_lines(foils, three, stations).K, 3);
     FoilDesign longer = foils;
     longer.top_foil->overhang += 0.5 * pitch;
-    const Matrix without = of_crests(top_foil_on_lines(longer, three), 3);
+    const Matrix without = of_crests(top_foil_on_lines(longer, three).K, 3);
+    EXPECT_LT((kept - without).norm(), 1e-8 * without.norm());
+  }
+}
+
+TEST(TopFoilOnLines, IsFormedAsTheUniformFoil) {
+  const int bumps = 5;
+  const FoilDesign foils = some_formed_foils(bumps);
+  const FoilStructure uniform = make_foil_structure(foils);
+  const WidthLines lines = make_width_lines(2, WidthPart::whole);
+  const TopFoilOnLines found = top_foil_on_lines(foils, lines);
+  const BumpDofs& dofs = uniform.dofs;
+  const auto of_uniform = [&](int unknown) -> Vector {
+    return uniform.forming(Eigen::seqN(Eigen::Index{uniform.first_bump * dofs.size + unknown}, Eigen::Index{bumps},
+                                       Eigen::Index{dofs.size}));
+  };
+  for (Eigen::Index s = 0; s < 2; ++s) {
+    const auto on_line = [&](Eigen::Index first) -> Vector {
+      return found.forming(Eigen::seqN(first + s, Eigen::Index{bumps}, Eigen::Index{found.K.block_size()}));
+    };
+    EXPECT_LT((on_line(0) - lines.weight[s] * of_uniform(dofs.top_u)).norm(), 1e-9 * uniform.forming.norm());
+    EXPECT_LT((on_line(2) - of_uniform(dofs.top_moment)).norm(), 1e-9 * uniform.forming.norm());
+  }
+  EXPECT_NEAR(found.forming_energy, uniform.forming_energy, 1e-9 * uniform.forming_energy);
+}
+
+/// A station where nothing carries the foil may as well not be there; the foil ends as far from its last crest.
+TEST(TopFoilOnLines, IsFormedBetweenTheCrests) {
+  FoilDesign foils = some_formed_foils(4);
+  const double pitch = foils.bumps.front().pitch;
+  const WidthLines lines = make_width_lines(3, WidthPart::whole);
+  FoilDesign longer = foils;
+  longer.top_foil->overhang += 0.5 * pitch;
+  const Vector without = pressed_by(top_foil_on_lines(longer, lines), 3);
+  foils.top_foil->stagger = 0.5 * pitch;
+  for (const std::vector<int>& stations : {std::vector<int>{0, 3}, std::vector<int>{0, 2, 3}}) {
+    const Vector kept = pressed_by(top_foil_on_lines(foils, lines, stations), 3);
     EXPECT_LT((kept - without).norm(), 1e-8 * without.norm());
   }
 }
