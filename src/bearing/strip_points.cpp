@@ -110,7 +110,7 @@ std::vector<Foils> strips_of(const Foils& foils) {
 
 void keep_stress(std::span<const Foils> strips, Foils& foils) {
   const std::vector<FoilStrip>& own = bump_foil_of(foils).strip;
-  if (std::none_of(own.begin(), own.end(), [](const FoilStrip& one) { return one.thickness.has_value(); })) return;
+  if (std::none_of(own.begin(), own.end(), [](const FoilStrip& one) { return one.has_own_bumps(); })) return;
   foils.strip_stress.clear();
   for (const Foils& strip : strips) foils.strip_stress.push_back(strip.stress);
 }

@@ -100,12 +100,13 @@ void describe(CaseVisitor& keys, TrussOverrides& truss) {
              &truss.theta_d);
 }
 
-void describe(CaseVisitor& keys, BumpSection& section) {
+/// @param of_strip  whose pitches and heights are those of all strips
+void describe(CaseVisitor& keys, BumpSection& section, bool of_strip) {
   keys.value({"from", required, "From bump", "first bump; bumps count from 1 at the weld", "1"}, &section.from);
   keys.value({"to", required, "To bump", "last bump", "5"}, &section.to);
-  keys.value({"pitch", optional, "Pitch", "", "4.572 mm", length}, &section.pitch);
+  if (!of_strip) keys.value({"pitch", optional, "Pitch", "", "4.572 mm", length}, &section.pitch);
   keys.value({"length", optional, "Length of a bump", "", "3.4 mm", length}, &section.length);
-  keys.value({"height", optional, "Height of a bump", "", "0.5 mm", length}, &section.height);
+  if (!of_strip) keys.value({"height", optional, "Height of a bump", "", "0.5 mm", length}, &section.height);
   keys.value({"thickness", optional, "Thickness", "", "0.127 mm", length}, &section.thickness);
 }
 
@@ -124,6 +125,11 @@ void describe(CaseVisitor& keys, FoilStrip& strip) {
       &strip.height_errors);
   keys.value({"thickness", optional, "Thickness", "instead of bump_foil.thickness; heights stay", "0.127 mm", length},
              &strip.thickness);
+  list_of_tables(keys,
+                 {"section", optional, "Section",
+                  "bumps of the strip from one to another have these dimensions; pitches and heights are those of all "
+                  "strips, but for height_errors"},
+                 strip.sections, [](CaseVisitor& inner, BumpSection& section) { describe(inner, section, true); });
 }
 
 void describe(CaseVisitor& keys, BumpFoil& foil) {
@@ -157,7 +163,7 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
              &foil.yield_stress);
   list_of_tables(
       keys, {"section", optional, "Section", "bumps from one to another have these dimensions instead of those above"},
-      foil.sections, [](CaseVisitor& inner, BumpSection& section) { describe(inner, section); });
+      foil.sections, [](CaseVisitor& inner, BumpSection& section) { describe(inner, section, false); });
   list_of_tables(keys, {"shim", optional, "Shim", "a sheet under some bumps that raises them"}, foil.shims,
                  [](CaseVisitor& inner, Shim& shim) { describe(inner, shim); });
   keys.value({"height_errors", optional, "Height errors", "one per bump from the weld, positive is taller",

@@ -63,7 +63,7 @@ std::vector<Fault> truss_faults(const Case& input) {
     for (const PlacedPad& pad : place_pads(input)) {
       std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
       for (std::size_t k = 0; k < pad.alone.bump_foil.strip.size() && faults.empty(); ++k) {
-        if (!pad.alone.bump_foil.strip[k].thickness) continue;
+        if (!pad.alone.bump_foil.strip[k].has_own_bumps()) continue;
         faults = find_truss_faults(make_bearing_design(strip_of(pad, static_cast<int>(k)).alone));
       }
       if (!faults.empty()) return faults;

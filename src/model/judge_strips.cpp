@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "bumpfoil/model/pads.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -56,26 +59,41 @@ bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
                        "give 0, 0.17, 0.33, 0.5, 0.67 or 0.83");
 }
 
-/// The thickness of a strip, and the shapes of bumps that it makes.
-void judge_strip_thickness(Judge& judge, const std::string& key, const BumpFoil& foil, double thickness,
-                           double radius) {
-  if (!judge.within(key, thickness, length_range)) return;
-  judge.require(foil.height_reference == HeightReference::overall, key, quantity(thickness, "m"),
+/// Thickness and sections of a strip, and the shapes of bumps that they make.
+/// @param key  of the strip, with a dot
+void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil, const FoilStrip& strip,
+                     double radius) {
+  const std::string sections = key + "section";
+  const std::string tables = fmt::format("{} tables", strip.sections.size());
+  if (!judge.require(strip.sections.empty() || foil.sections.empty(), sections, tables,
+                     "conflicts with bump_foil.section, which is of all strips",
+                     "give sections of the bump foil or of its strips") ||
+      (strip.thickness && !judge.within(key + "thickness", *strip.thickness, length_range))) {
+    return;
+  }
+  const std::string own = strip.thickness ? key + "thickness" : sections;
+  const std::string value = strip.thickness ? quantity(*strip.thickness, "m") : tables;
+  const bool thicker = strip.thickness || std::any_of(strip.sections.begin(), strip.sections.end(),
+                                                      [](const BumpSection& one) { return one.thickness.has_value(); });
+  judge.require(!thicker || foil.height_reference == HeightReference::overall, own, value,
                 "changes the height of the bumps where that is one of mid-surfaces",
                 "give overall heights, bump_foil.height_reference = \"overall\", or remove it");
-  judge.require(foil.truss == TrussOverrides{}, key, quantity(thickness, "m"),
+  judge.require(foil.truss == TrussOverrides{}, own, value,
                 "conflicts with constants of a truss, which are those of all strips", "remove it or [bump_foil.truss]");
-  const auto faults_with = [&](const PerBump& of_all) {
-    BumpFoil alike = foil;
-    alike.thickness = of_all;
+  const auto faults_with = [&](const BumpFoil& alike) {
     Judge alone;
     judge_bump_foil(alone, alike, radius);
     return alone.take();
   };
-  if (!faults_with(foil.thickness).empty()) return;
-  for (const JudgedFault& found : faults_with(thickness)) {
-    judge.require(false, key, quantity(thickness, "m"),
-                  fmt::format("does not fit: {} {}", found.fault.key, found.fault.what), found.fault.advice);
+  if (!faults_with(foil).empty()) return;
+  constexpr std::string_view section_of_all = "bump_foil.section";
+  for (const JudgedFault& found : faults_with(with_bumps_of(foil, strip))) {
+    const Fault& fault = found.fault;
+    if (fault.key.starts_with(section_of_all)) {
+      judge.require(false, sections + fault.key.substr(section_of_all.size()), fault.value, fault.what, fault.advice);
+    } else {
+      judge.require(false, own, value, fmt::format("does not fit: {} {}", fault.key, fault.what), fault.advice);
+    }
   }
 }
 
@@ -88,8 +106,6 @@ void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& j
                 quantity(least->stagger, ""), "is the least, and not 0",
                 "give strips by how much more they are staggered, and turn bearing.weld_angle instead");
   const std::string key = "bump_foil.strip";
-  judge.require(!is_formed(pad), key, "", "staggers strips under a formed top foil, which is not supported",
-                "remove top_foil.formed_radius and seat_pressure, or the stagger");
   judge.require(pad.bearing.taper == 0.0, key, "", "staggers strips on a sleeve with a taper, which is not supported",
                 "remove bearing.taper, or the stagger");
   if (!judged.pitches) return;
@@ -135,9 +151,7 @@ void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judg
     usable = judge_stagger(judge, key + "stagger", foil.strip[k].stagger) && usable;
     judge_heights(judge, key + "height_errors", foil.strip[k].height_errors, judged.bumps ? foil.bumps : 0,
                   judged.rise);
-    if (foil.strip[k].thickness) {
-      judge_strip_thickness(judge, key + "thickness", foil, *foil.strip[k].thickness, radius);
-    }
+    if (foil.strip[k].has_own_bumps()) judge_own_bumps(judge, key, foil, foil.strip[k], radius);
   }
   if (!usable || !foil.has_own_strips()) return;
   judge_own(judge, pad);

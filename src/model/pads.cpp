@@ -61,12 +61,18 @@ std::vector<PlacedPad> place_pads(const BearingDesign& design) {
   return pads;
 }
 
+BumpFoil with_bumps_of(BumpFoil foil, const FoilStrip& strip) {
+  if (strip.thickness) foil.thickness = *strip.thickness;
+  if (!strip.sections.empty()) foil.sections = strip.sections;
+  return foil;
+}
+
 PlacedPad strip_of(const PlacedPad& pad, int strip) {
   PlacedPad placed = pad;
   BumpFoil& foil = placed.alone.bump_foil;
   if (foil.strip.empty()) return placed;
-  const FoilStrip& own = foil.strip[static_cast<std::size_t>(strip)];
-  if (own.thickness) foil.thickness = *own.thickness;
+  const FoilStrip own = foil.strip[static_cast<std::size_t>(strip)];
+  foil = with_bumps_of(foil, own);
   const auto bumps = static_cast<std::size_t>(foil.bumps);
   foil.height_errors.resize(bumps);
   for (std::size_t n = 0; n < bumps; ++n) foil.height_errors[n] += own.height_errors.at(n, bumps);

@@ -61,6 +61,9 @@ constexpr auto scattered_number_table = std::to_array<ScatteredNumber>({
        const auto shift_strips = [deviation](BumpFoil& foil) {
          for (FoilStrip& strip : foil.strip) {
            if (strip.thickness) *strip.thickness += deviation;
+           for (BumpSection& section : strip.sections) {
+             if (section.thickness) *section.thickness += deviation;
+           }
          }
        };
        shift_strips(bearing.bump_foil);

@@ -191,6 +191,7 @@ TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
   Case input = differing_case(0.0);
   input.top_foil.youngs_modulus *= 1e-7;
   input.bump_foil.strip[2].stagger = 0.0;  // the journal holds the foil over these crests at both sides, too
+  input.bump_foil.strip[1].sections = {{.from = 5, .to = 15, .thickness = 0.1e-3}};
   const Taken split = taken_to(on_strips(make_foils(input), 3, {}), on_the_way);
   const double length = input.bearing.axial_length;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
@@ -199,6 +200,7 @@ TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
   for (int k = 0; k < 3; ++k) {
     Case alone = of_their_width(input);
     const FoilStrip& strip = input.bump_foil.strip[static_cast<std::size_t>(k)];
+    alone.bump_foil.sections = strip.sections;
     alone.bump_foil.height_errors.resize(25);
     for (std::size_t n = 0; n < 25; ++n) alone.bump_foil.height_errors[n] = strip.height_errors.at(n, 25);
     alone.bearing.weld_angle -= strip.stagger * alone.bump_foil.pitch.values.front() / alone.bearing.radius;
@@ -228,6 +230,7 @@ TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
       Case input = differing_case(0.1);
       input.bump_foil.model = model;
       input.bump_foil.strip[1].thickness = 0.12e-3;
+      input.bump_foil.strip[2].sections = {{.from = 1, .to = 12, .length = 3.5e-3, .thickness = 0.1e-3}};
       input.top_foil.split = true;
       const Taken split = taken_to(on_strips(make_foils(input), 1, {.slope = slope}), on_the_way);
       const double length = input.bearing.axial_length;
@@ -241,6 +244,7 @@ TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
         alone.bearing.axial_length = strip_width(input);
         alone.top_foil.youngs_modulus *= length / (3.0 * strip_width(input));  // reaches to the slits
         if (strip.thickness) alone.bump_foil.thickness = *strip.thickness;
+        alone.bump_foil.sections = strip.sections;
         alone.bump_foil.height_errors.resize(25);
         for (std::size_t n = 0; n < 25; ++n) alone.bump_foil.height_errors[n] = strip.height_errors.at(n, 25);
         alone.bearing.weld_angle -= strip.stagger * alone.bump_foil.pitch.values.front() / alone.bearing.radius;
@@ -281,23 +285,27 @@ TEST(Strips, AreMirroredWithTheBearing) {
 }
 
 TEST(Strips, AnswerWithTheDerivativesOfTheirEnergyWithoutFriction) {
-  const Case input = differing_case(0.0);
-  const Eigen::Vector2d place = on_the_way.back();
-  const auto at = [&](const Eigen::Vector2d& slope, const Eigen::Vector2d& position) {
-    return taken_to(on_strips(make_foils(input), 3, {.slope = slope}), {position}).last;
-  };
-  const Increment here = at(some_slope, place);
-  const auto difference = [](auto&& energy, double step) { return (energy(step) - energy(-step)) / (2.0 * step); };
-  const double force = std::hypot(here.force_x, here.force_y);
-  const double moment = std::hypot(here.moment_x, here.moment_y);
-  for (const int axis : {0, 1}) {
-    const Eigen::Vector2d unit = Eigen::Vector2d::Unit(axis);
-    const double by_slope =
-        difference([&](double step) { return at(some_slope + step * unit, place).elastic_energy; }, 1e-8);
-    const double by_place =
-        difference([&](double step) { return at(some_slope, place + step * unit).elastic_energy; }, 1e-10);
-    EXPECT_NEAR(by_slope, axis == 0 ? here.moment_x : here.moment_y, 1e-6 * moment);
-    EXPECT_NEAR(by_place, axis == 0 ? here.force_x : here.force_y, 1e-6 * force);
+  Case formed = differing_case(0.0);
+  formed.top_foil.formed_radius = {FormedTo::seated};
+  formed.top_foil.seat_pressure = 200.0;
+  for (const Case& input : {differing_case(0.0), formed}) {
+    const Eigen::Vector2d place = on_the_way.back();
+    const auto at = [&input](const Eigen::Vector2d& slope, const Eigen::Vector2d& position) {
+      return taken_to(on_strips(make_foils(input), 3, {.slope = slope}), {position}).last;
+    };
+    const Increment here = at(some_slope, place);
+    const auto difference = [](auto&& energy, double step) { return (energy(step) - energy(-step)) / (2.0 * step); };
+    const double force = std::hypot(here.force_x, here.force_y);
+    const double moment = std::hypot(here.moment_x, here.moment_y);
+    for (const int axis : {0, 1}) {
+      const Eigen::Vector2d unit = Eigen::Vector2d::Unit(axis);
+      const double by_slope =
+          difference([&](double step) { return at(some_slope + step * unit, place).elastic_energy; }, 1e-8);
+      const double by_place =
+          difference([&](double step) { return at(some_slope, place + step * unit).elastic_energy; }, 1e-10);
+      EXPECT_NEAR(by_slope, axis == 0 ? here.moment_x : here.moment_y, 1e-6 * moment);
+      EXPECT_NEAR(by_place, axis == 0 ? here.force_x : here.force_y, 1e-6 * force);
+    }
   }
 }
 

@@ -71,11 +71,14 @@ inline constexpr int staggers_per_pitch = 6;
 struct FoilStrip {
   double stagger{};       ///< of the strip along the foil, its weld included, in pitches: a multiple of a sixth
   PerBump height_errors;  ///< m, positive = taller; added to those of the bump foil
-  std::optional<double> thickness{};  ///< e_f of its bumps, m; absent: as of the bump foil
+  std::optional<double> thickness{};    ///< e_f of its bumps, m; absent: as of the bump foil
+  std::vector<BumpSection> sections{};  ///< of its bumps with other lengths and thicknesses, no bump in two of them
 
+  /// Whether its bumps have dimensions of their own.
+  [[nodiscard]] bool has_own_bumps() const { return thickness || !sections.empty(); }
   /// Whether it is not as the foil in common.
   [[nodiscard]] bool differs() const {
-    return stagger != 0.0 || thickness ||
+    return stagger != 0.0 || has_own_bumps() ||
            std::any_of(height_errors.values.begin(), height_errors.values.end(),
                        [](double error) { return error != 0.0; });
   }

@@ -40,6 +40,9 @@ struct PlacedPad {
 /// The design must be valid.
 std::vector<PlacedPad> place_pads(const BearingDesign& design);
 
+/// A bump foil all of whose bumps have the dimensions of those of one of its strips.
+BumpFoil with_bumps_of(BumpFoil foil, const FoilStrip& strip);
+
 /// A pad all of whose bump foil is as one of its strips: with its height errors and, where it is staggered, its weld.
 /// @param strip  from 0
 PlacedPad strip_of(const PlacedPad& pad, int strip);

@@ -203,6 +203,8 @@ TEST(Sample, DeviationsAreAddedToTheCase) {
   input.bump_foil.strips = 2;
   input.bump_foil.strip.resize(2);
   input.bump_foil.strip[1].thickness = 0.127e-3;
+  input.bump_foil.strip[1].sections = {{.from = 2, .to = 3, .length = 3.4e-3},
+                                       {.from = 4, .to = 5, .thickness = 0.11e-3}};
   const Sample sample = draw_sample(input, 5);
   const Case sampled = sampled_case(input, sample);
   EXPECT_FALSE(sampled.montecarlo);
@@ -212,6 +214,8 @@ TEST(Sample, DeviationsAreAddedToTheCase) {
   EXPECT_NE(sampled.bump_foil.thickness.values, input.bump_foil.thickness.values);
   EXPECT_EQ(sampled.bump_foil.strip[1].thickness, 0.127e-3 + sample.deviations[0]);
   EXPECT_FALSE(sampled.bump_foil.strip[0].thickness);
+  EXPECT_FALSE(sampled.bump_foil.strip[1].sections[0].thickness);
+  EXPECT_EQ(sampled.bump_foil.strip[1].sections[1].thickness, 0.11e-3 + sample.deviations[0]);
   EXPECT_EQ(sampled.top_foil, input.top_foil);
   EXPECT_EQ(sampled.friction, input.friction);
   EXPECT_EQ(sampled.bearing.radial_clearance, input.bearing.radial_clearance + sample.deviations[5]);

@@ -34,6 +34,8 @@ Keys with(const std::function<void(Case&)>& change) {
 }
 
 TEST(JudgeStrips, LetsStripsBe) {
+  EXPECT_EQ(with([](Case& input) { input.top_foil.formed_radius = {FormedTo::seated}; }), Keys{});
+
   EXPECT_EQ(faulty_keys(split), Keys{});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip.clear(); }), Keys{});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip[2].stagger = 0.33; }), Keys{});
@@ -101,6 +103,26 @@ TEST(JudgeStrips, FitsTheirThicknessToTheBumps) {
             of_strip);
 }
 
+TEST(JudgeStrips, FitsTheirSectionsToTheBumps) {
+  const auto of_sections = [](std::vector<BumpSection> sections, const std::function<void(Case&)>& change = {}) {
+    return with([&](Case& input) {
+      input.bump_foil.strip[1].sections = std::move(sections);
+      if (change) change(input);
+    });
+  };
+  const BumpSection longer{.from = 3, .to = 8, .length = 3.7e-3, .thickness = 0.11e-3};
+  EXPECT_EQ(of_sections({longer}), Keys{});
+  EXPECT_EQ(of_sections({{.from = 1, .to = 2, .length = 3.3e-3}, {.from = 20, .to = 26, .length = 3.4e-3}}),
+            Keys{"bump_foil.strip[2].section[2].to"});
+  EXPECT_EQ(of_sections({{.from = 1, .to = 2, .length = 9e-3}}), Keys{"bump_foil.strip[2].section[1].length"});
+  const Keys of_strip{"bump_foil.strip[2].section"};
+  EXPECT_EQ(of_sections({longer}, [=](Case& input) { input.bump_foil.sections = {longer}; }), of_strip);
+  EXPECT_EQ(of_sections({longer}, [](Case& input) { input.bump_foil.truss.k1 = 1.5e8; }), of_strip);
+  const auto of_rises = [](Case& input) { input.bump_foil.height_reference = HeightReference::midsurface; };
+  EXPECT_EQ(of_sections({longer}, of_rises), of_strip);
+  EXPECT_EQ(of_sections({{.from = 1, .to = 2, .length = 3.3e-3}}, of_rises), Keys{});
+}
+
 TEST(JudgeStrips, SplitsTheTopFoilOverThem) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.split = true; }), Keys{"top_foil.split"});
   Case input = reference_case();
@@ -115,7 +137,6 @@ TEST(JudgeStrips, SplitsTheTopFoilOverThem) {
 }
 
 TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
-  EXPECT_EQ(with([](Case& input) { input.top_foil.formed_radius = {FormedTo::seated}; }), Keys{"bump_foil.strip"});
   EXPECT_EQ(with([](Case& input) {
               input.bump_foil.model = BumpFoilModel::frame;
               input.bump_foil.geometry = Geometry::nonlinear;
