@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized test-threads fuzz mutations coverage compilers lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized test-sanitized-python test-threads fuzz mutations coverage compilers lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -12,7 +12,7 @@ cmake --build --preset $(1) --parallel $(JOBS)
 endef
 
 help: ## list the commands
-	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## /\1|/' | awk -F'|' '{printf "make %-16s %s\n", $$1, $$2}'
+	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## /\1|/' | awk -F'|' '{printf "make %-22s %s\n", $$1, $$2}'
 
 # The designer's solver is all of the library compiled again: the demo leaves it to `make designer`, but keeps one that a
 # folder of build has.
@@ -100,6 +100,11 @@ test-sanitized: ## the tests of the code again, under the address and undefined-
 	@scripts/require_packages.sh build plot test
 	$(call BUILD,dev)
 	ctest --preset dev --parallel $(JOBS)
+
+test-sanitized-python: ## the tests of the Python package under the address and undefined-behaviour sanitizers
+	@scripts/require_packages.sh build plot python test
+	$(call BUILD,dev,-DBUMPFOIL_BUILD_PYTHON=ON)
+	ctest --test-dir build/dev --output-on-failure -R '^python\.'
 
 # Where tasks of oneTBB begin and end the sanitizer sees only of one that was built with it.
 test-threads: ## the tests of what runs on several threads, under the thread sanitizer
