@@ -48,9 +48,9 @@ void add_top_foil(int pad, const WidthLines& width, const std::vector<int>& stat
   for (std::size_t b = 0; b < top.diagonal.size(); ++b) K.diagonal[first + b](places, places) += top.diagonal[b];
   for (std::size_t b = 0; b < top.upper.size(); ++b) K.upper[first + b](places, places) += top.upper[b];
   for (int b = 0; b < top.blocks(); ++b) {
-    const Eigen::Index at = Eigen::Index{foils.structure.blocks_of(pad).first + b} * K.block_size();
-    foils.forming.segment(at, K.block_size())(places) +=
-        foil.forming.segment(Eigen::Index{b} * top.block_size(), top.block_size());
+    const Eigen::Index to = Eigen::Index{foils.structure.blocks_of(pad).first + b} * K.block_size();
+    Eigen::Index from = Eigen::Index{b} * top.block_size();
+    for (const int place : places) foils.forming[to + place] += foil.forming[from++];
   }
   foils.structure.forming_energy += foil.forming_energy;
 }
