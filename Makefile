@@ -104,7 +104,7 @@ test-sanitized: ## the tests of the code again, under the address and undefined-
 test-sanitized-python: ## the tests of the Python package under the address and undefined-behaviour sanitizers
 	@scripts/require_packages.sh build plot python test
 	$(call BUILD,dev,-DBUMPFOIL_BUILD_PYTHON=ON)
-	ctest --test-dir build/dev --output-on-failure -R '^python\.'
+	ctest --test-dir build/dev --output-on-failure --parallel $(JOBS) -R '^python\.'
 
 # Where tasks of oneTBB begin and end the sanitizer sees only of one that was built with it.
 test-threads: ## the tests of what runs on several threads, under the thread sanitizer

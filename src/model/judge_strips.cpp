@@ -71,6 +71,12 @@ void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil,
       (strip.thickness && !judge.within(key + "thickness", *strip.thickness, length_range))) {
     return;
   }
+  for (std::size_t i = 0; i < strip.sections.size(); ++i) {
+    const BumpSection& section = strip.sections[i];
+    judge.require(!section.pitch && !section.height, fmt::format("{}[{}]", sections, i + 1), "",
+                  "gives a strip pitches or heights, which are those of all strips",
+                  "give height_errors of the strip, or the pitch of bump_foil");
+  }
   const std::string own = strip.thickness ? key + "thickness" : sections;
   const std::string value = strip.thickness ? quantity(*strip.thickness, "m") : tables;
   const bool thicker = strip.thickness || std::any_of(strip.sections.begin(), strip.sections.end(),

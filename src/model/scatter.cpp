@@ -36,12 +36,17 @@ double truncated_quantile(const Distribution& distribution, double p) {
   return std::clamp(*distribution.sigma * (above ? -z : z), *distribution.lower, *distribution.upper);
 }
 
+/// Of those sections that have the dimension.
+void shift(std::vector<BumpSection>& sections, std::optional<double> BumpSection::*own, double deviation) {
+  for (BumpSection& section : sections) {
+    if (section.*own) *(section.*own) += deviation;
+  }
+}
+
 /// Of all bumps alike.
 void shift(BumpFoil& foil, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own, double deviation) {
   foil.*dimension = shifted(foil.*dimension, static_cast<std::size_t>(foil.bumps), deviation);
-  for (BumpSection& section : foil.sections) {
-    if (section.*own) *(section.*own) += deviation;
-  }
+  shift(foil.sections, own, deviation);
 }
 
 /// Of all pads alike.
@@ -61,9 +66,7 @@ constexpr auto scattered_number_table = std::to_array<ScatteredNumber>({
        const auto shift_strips = [deviation](BumpFoil& foil) {
          for (FoilStrip& strip : foil.strip) {
            if (strip.thickness) *strip.thickness += deviation;
-           for (BumpSection& section : strip.sections) {
-             if (section.thickness) *section.thickness += deviation;
-           }
+           shift(strip.sections, &BumpSection::thickness, deviation);
          }
        };
        shift_strips(bearing.bump_foil);

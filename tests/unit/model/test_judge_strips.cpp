@@ -115,6 +115,8 @@ TEST(JudgeStrips, FitsTheirSectionsToTheBumps) {
   EXPECT_EQ(of_sections({{.from = 1, .to = 2, .length = 3.3e-3}, {.from = 20, .to = 26, .length = 3.4e-3}}),
             Keys{"bump_foil.strip[2].section[2].to"});
   EXPECT_EQ(of_sections({{.from = 1, .to = 2, .length = 9e-3}}), Keys{"bump_foil.strip[2].section[1].length"});
+  EXPECT_EQ(of_sections({longer, {.from = 9, .to = 9, .height = 0.5e-3}}), Keys{"bump_foil.strip[2].section[2]"});
+  EXPECT_EQ(of_sections({{.from = 9, .to = 9, .pitch = 4.5e-3}}), Keys{"bump_foil.strip[2].section[1]"});
   const Keys of_strip{"bump_foil.strip[2].section"};
   EXPECT_EQ(of_sections({longer}, [=](Case& input) { input.bump_foil.sections = {longer}; }), of_strip);
   EXPECT_EQ(of_sections({longer}, [](Case& input) { input.bump_foil.truss.k1 = 1.5e8; }), of_strip);
