@@ -48,11 +48,10 @@ FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const Film
       crests.push_back(m / 2 + i * m + station * m / staggers_per_pitch);
     }
   }
-  const int further = stations.back() * m / staggers_per_pitch;
   const double R = design.bearing.radius;
   const int rows = resolution.width == WidthPart::half ? resolution.rows : 2 * resolution.rows;
-  const FilmMesh mesh = make_slotted_mesh(top_foil_intervals(foils, m, pitch, further), bumps * pitch / R / (bumps * m),
-                                          rows, 0.5 * design.bearing.axial_length / R, resolution.width);
+  const FilmMesh mesh = make_slotted_mesh(top_foil_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m), rows,
+                                          0.5 * design.bearing.axial_length / R, resolution.width);
   return make_foil_film(mesh, scales, make_top_foil_section(foils).bending_stiffness, pitch, std::move(crests),
                         make_forming(foils),
                         {.modes = resolution.width_modes,

@@ -132,11 +132,12 @@ Equations condensed(const Equations& all, const std::vector<Eigen::Index>& kept)
 
 }  // namespace
 
-Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch, int further) {
+Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch) {
   const int half = columns_per_pitch / 2;
   const double last = foils.bumps.back().pitch;
   const double overhang = foils.top_foil->overhang / (0.5 * last);
   const int beyond = std::max(2, static_cast<int>(std::lround(half * overhang)));
+  const auto further = std::lround(columns_per_pitch * foils.top_foil->stagger / last);
   const auto bumps = static_cast<Eigen::Index>(foils.bumps.size());
   Vector intervals((2 * bumps - 1) * half + further + beyond);
   for (Eigen::Index i = 0; i < bumps; ++i) {
@@ -152,7 +153,7 @@ TopFoilOnLines top_foil_on_lines(const FoilDesign& foils, const WidthLines& line
   const double R = foils.radius.value();
   const double EI = make_top_foil_section(foils).bending_stiffness;
   const double stiffness = EI / (pitch * pitch * pitch);
-  const Vector intervals = top_foil_intervals(foils, columns_of_pitch, pitch, stations.back()) / columns_of_pitch;
+  const Vector intervals = top_foil_intervals(foils, columns_of_pitch, pitch) / columns_of_pitch;
   TopFoilBeam beam{.radius = R, .bending_stiffness = EI, .theta = intervals * pitch / R};
   std::partial_sum(beam.theta.begin(), beam.theta.end(), beam.theta.begin());
   const Membrane membrane = make_membrane(lines.stretching_orders(), 0.5 * foils.axial_length / pitch, R / pitch,

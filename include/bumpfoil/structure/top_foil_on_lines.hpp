@@ -10,11 +10,11 @@ namespace bumpfoil {
 
 /// Distances of columns along a top foil, from the weld to its free end, in units of `pitch` over columns_per_pitch:
 /// half of that number on each half of a pitch, all of one length there, and on the overhang as many as come nearest to
-/// the length of those before it, but two. There must be a top foil.
-/// @param columns_per_pitch  even, so that every crest is a column
-/// @param further            columns, as on a pitch, by which staggered strips lie further along the foil, which is
-///                           longer by them
-Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch, int further = 0);
+/// the length of those before it, but two. Where the last crest is that of a staggered strip, columns go on to it as on
+/// a pitch. There must be a top foil.
+/// @param columns_per_pitch  even, so that every crest is a column; times TopFoilDesign::stagger whole pitches of
+/// columns
+Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch);
 
 /// A top foil on lines: K x = loads + forming.
 struct TopFoilOnLines {
@@ -39,7 +39,7 @@ struct TopFoilOnLines {
 /// Staggered strips of the bump foil carry the top foil at several stations of a pitch: some columns, of the six,
 /// behind each crest. All unknowns of one station follow those of the one before in the block.
 /// @param foils     with a top foil on a circle; at several stations, with equal pitches
-/// @param stations  rising, from 0 to 5
+/// @param stations  rising, from 0 to 5: the last one is at TopFoilDesign::stagger
 TopFoilOnLines top_foil_on_lines(const FoilDesign& foils, const WidthLines& lines,
                                  const std::vector<int>& stations = {0});
 

@@ -110,6 +110,7 @@ TEST(TopFoilOnLines, KeepsColumnsBetweenTheCrests) {
   TopFoilBeam beam = make_top_foil_beam(foils);
   beam.theta = Vector::LinSpaced(2 * bumps, 0.5 * pitch / R, bumps * pitch / R);
   const Matrix expected = top_foil_stiffness(beam);
+  foils.top_foil->stagger = 0.5 * pitch;
   const Matrix found = of_crests(top_foil_on_lines(foils, two, {0, 3}).K, 2, 4);
   ASSERT_EQ(found.rows(), 4 * bumps);
   for (Eigen::Index s = 0; s < 2; ++s) {
@@ -121,6 +122,7 @@ TEST(TopFoilOnLines, KeepsColumnsBetweenTheCrests) {
   for (const std::vector<int>& stations : {std::vector<int>{0, 3}, std::vector<int>{0, 2, 3}}) {
     const Matrix kept = of_crests(top_foil_on_lines(foils, three, stations).K, 3);
     FoilDesign longer = foils;
+    longer.top_foil->stagger = 0.0;
     longer.top_foil->overhang += 0.5 * pitch;
     const Matrix without = of_crests(top_foil_on_lines(longer, three).K, 3);
     EXPECT_LT((kept - without).norm(), 1e-8 * without.norm());
