@@ -102,13 +102,14 @@ double formed_radius(const FormedRadius& formed, const Bearing& bearing) {
 
 FoilDesign make_bearing_design(const PadDesign& pad) {
   const BumpFoil& foil = pad.bump_foil;
+  const double gaps = (foil.strips - 1) * foil.strip_gap;
   FoilDesign foils{.model = foil.model,
                    .geometry = foil.geometry,
                    .bumps = nominal_bumps(foil),
                    .youngs_modulus = foil.youngs_modulus,
                    .poisson_ratio = foil.poisson_ratio,
-                   .axial_length = pad.bearing.axial_length,
-                   .strip_gaps = (foil.strips - 1) * foil.strip_gap,
+                   .axial_length = pad.bearing.axial_length - (pad.top_foil.split ? gaps : 0.0),
+                   .strip_gaps = pad.top_foil.split ? 0.0 : gaps,
                    .radius = pad.bearing.is_flat() ? std::nullopt : std::optional(pad.bearing.radius),
                    .welded = true,
                    .weld_at = foil.weld_at,

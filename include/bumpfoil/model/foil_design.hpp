@@ -81,8 +81,8 @@ struct FoilDesign {
   std::vector<BumpShape> bumps;  ///< from the weld on, at least one
   double youngs_modulus{};       ///< E of the bump foil, Pa
   double poisson_ratio{};        ///< nu of the bump foil
-  double axial_length{};         ///< L of the top foil, m
-  double strip_gaps{};           ///< part of L that the bump foil leaves free between its strips, m
+  double axial_length{};         ///< width of the top foil, of all its strips together, m
+  double strip_gaps{};           ///< part of it that the bump foil leaves free between its strips, m
   std::optional<double> radius;  ///< R of the bearing, m; absent: the foils lie flat
   bool welded{true};             ///< both foils are clamped before bump 1; else they are free at both ends
   WeldPosition weld_at{WeldPosition::mid_flat};
