@@ -81,9 +81,6 @@ PlacedPad strip_of(const PlacedPad& pad, int strip) {
   return placed;
 }
 
-namespace {
-
-/// A strip of a pad that is cut through from top foil to bump foil.
 PlacedPad cut_out(const PlacedPad& pad, int strip) {
   PlacedPad one = strip_of(pad, strip);
   one.strip = strip;
@@ -97,8 +94,6 @@ PlacedPad cut_out(const PlacedPad& pad, int strip) {
   one.alone.top_foil.split = false;
   return one;
 }
-
-}  // namespace
 
 std::vector<PlacedPad> place_film_pads(const BearingDesign& design) {
   std::vector<PlacedPad> strips;

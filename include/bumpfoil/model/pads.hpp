@@ -47,6 +47,10 @@ BumpFoil with_bumps_of(BumpFoil foil, const FoilStrip& strip);
 /// @param strip  from 0
 PlacedPad strip_of(const PlacedPad& pad, int strip);
 
+/// A strip of a pad by itself, as wide as the strip, with all of its top foil over it.
+/// @param strip  from 0
+PlacedPad cut_out(const PlacedPad& pad, int strip);
+
 /// The pads of a bearing under a film. Where the top foil is split over the width every strip of a pad is one by
 /// itself, as wide as the strip, with a film from edge to edge: pad after pad, strip after strip from the side z < 0
 /// on. Otherwise those of place_pads(). The design must be valid.

@@ -1,9 +1,11 @@
 #include "bumpfoil/experiments/properties/properties.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cstddef>
 #include <vector>
 
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
@@ -43,11 +45,15 @@ std::optional<StiffnessRange> bump_foil_range(const PadDesign& pad, const FoilDe
   return StiffnessRange{.softest = values.minCoeff(), .stiffest = values.maxCoeff()};
 }
 
-std::optional<PadAssembly> assembly_of(const PadDesign& pad, const FoilDesign& foils) {
-  if (!is_formed(pad) || (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty())) return {};
+BearingDesign bearing_of(const PadDesign& pad) {
   BearingDesign alone;
   static_cast<PadDesign&>(alone) = pad;
-  const std::vector<PadAssembly> assembly = foils_without_journal(alone).assembly;
+  return alone;
+}
+
+std::optional<PadAssembly> assembly_of(const PadDesign& pad, const FoilDesign& foils) {
+  if (!is_formed(pad) || (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty())) return {};
+  const std::vector<PadAssembly> assembly = foils_without_journal(bearing_of(pad)).assembly;
   return assembly.empty() ? std::nullopt : std::optional(assembly.front());
 }
 
@@ -67,24 +73,44 @@ BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, dou
   return properties;
 }
 
+std::vector<BumpProperties> shapes_of(const PadDesign& pad, const FoilDesign& foils) {
+  std::vector<BumpProperties> shapes;
+  int number = 0;
+  for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) {
+    ++number;
+    if (shapes.empty() || shapes.back().shape != bump) {
+      shapes.push_back(properties_of(foils, bump, pad.friction.bump_sleeve));
+      shapes.back().from = number;
+    }
+    shapes.back().to = number;
+  }
+  return shapes;
+}
+
+std::vector<StripProperties> strips_of(const PadDesign& pad) {
+  std::vector<StripProperties> strips;
+  for (std::size_t k = 0; k < pad.bump_foil.strip.size(); ++k) {
+    if (!pad.bump_foil.strip[k].has_own_bumps()) continue;
+    const auto strip = static_cast<int>(k);
+    const PadDesign alone = cut_out(place_pads(bearing_of(pad)).front(), strip).alone;
+    const FoilDesign foils = make_bearing_design(alone);
+    strips.push_back({.strip = strip + 1,
+                      .width = strip_width(pad),
+                      .bumps = shapes_of(alone, foils),
+                      .bump_foil = bump_foil_range(alone, foils)});
+  }
+  return strips;
+}
+
 }  // namespace
 
 Properties compute_properties(const PadDesign& pad) {
   const FoilDesign foils = make_bearing_design(pad);
-  Properties properties{.bumps = {},
-                        .top_foil = top_foil_range(foils),
-                        .assembly = assembly_of(pad, foils),
-                        .bump_foil = bump_foil_range(pad, foils)};
-  int number = 0;
-  for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) {
-    ++number;
-    if (properties.bumps.empty() || properties.bumps.back().shape != bump) {
-      properties.bumps.push_back(properties_of(foils, bump, pad.friction.bump_sleeve));
-      properties.bumps.back().from = number;
-    }
-    properties.bumps.back().to = number;
-  }
-  return properties;
+  return {.bumps = shapes_of(pad, foils),
+          .top_foil = top_foil_range(foils),
+          .assembly = assembly_of(pad, foils),
+          .bump_foil = bump_foil_range(pad, foils),
+          .strips = strips_of(pad)};
 }
 
 Properties compute_properties(const Case& input) {

@@ -98,9 +98,12 @@ std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpPropert
   };
 }
 
+Group bump_foil_group(const std::optional<StiffnessRange>& range) {
+  return range_group("bump_foil", "Bump foil, free", range);
+}
+
 std::vector<Group> groups_of_foils(const PadDesign& pad, const Properties& p) {
-  std::vector<Group> groups{range_group("top_foil", "Top foil, free", p.top_foil),
-                            range_group("bump_foil", "Bump foil, free", p.bump_foil)};
+  std::vector<Group> groups{range_group("top_foil", "Top foil, free", p.top_foil), bump_foil_group(p.bump_foil)};
   if (!p.assembly) return groups;
   const PadAssembly& assembly = *p.assembly;
   groups.push_back(
@@ -166,30 +169,49 @@ std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpP
          "\n";
 }
 
-}  // namespace
-
-std::string properties_table(const PadDesign& pad, const Properties& properties) {
-  const TrussOverrides& given = pad.bump_foil.truss;
-  if (properties.bumps.size() > 1) {
-    return table_of_shapes(given, properties.bumps) + text_of(groups_of_foils(pad, properties));
-  }
-  std::vector<Group> groups = groups_of_bump(given, properties.bumps.front());
-  for (Group& group : groups_of_foils(pad, properties)) groups.push_back(std::move(group));
+/// Bumps, and what follows them.
+std::string text_of(const TrussOverrides& given, const std::vector<BumpProperties>& shapes, std::vector<Group> foils) {
+  if (shapes.size() > 1) return table_of_shapes(given, shapes) + text_of(foils);
+  std::vector<Group> groups = groups_of_bump(given, shapes.front());
+  for (Group& group : foils) groups.push_back(std::move(group));
   return text_of(groups);
 }
 
-std::string properties_json(const PadDesign& pad, const Properties& properties) {
-  const TrussOverrides& given = pad.bump_foil.truss;
-  const bool alike = properties.bumps.size() == 1;
-  Json json = alike ? json_of(groups_of_bump(given, properties.bumps.front())) : Json();
+Json json_of(const TrussOverrides& given, const std::vector<BumpProperties>& shapes, const std::vector<Group>& foils) {
+  const bool alike = shapes.size() == 1;
+  Json json = alike ? json_of(groups_of_bump(given, shapes.front())) : Json();
   if (!alike) {
-    for (const BumpProperties& shape : properties.bumps) {
+    for (const BumpProperties& shape : shapes) {
       Json bumps{{"from", shape.from}, {"to", shape.to}};
       bumps.update(json_of(groups_of_bump(given, shape)));
       json["bumps"].push_back(std::move(bumps));
     }
   }
-  json.update(json_of(groups_of_foils(pad, properties)));
+  json.update(json_of(foils));
+  return json;
+}
+
+}  // namespace
+
+std::string properties_table(const PadDesign& pad, const Properties& properties) {
+  const TrussOverrides& given = pad.bump_foil.truss;
+  std::string out = text_of(given, properties.bumps, groups_of_foils(pad, properties));
+  for (const StripProperties& strip : properties.strips) {
+    out +=
+        fmt::format("\nStrip {}, with bumps of its own, {} mm wide\n\n", strip.strip, number_text(strip.width, 1e-3));
+    out += text_of(given, strip.bumps, {bump_foil_group(strip.bump_foil)});
+  }
+  return out;
+}
+
+std::string properties_json(const PadDesign& pad, const Properties& properties) {
+  const TrussOverrides& given = pad.bump_foil.truss;
+  Json json = json_of(given, properties.bumps, groups_of_foils(pad, properties));
+  for (const StripProperties& strip : properties.strips) {
+    Json own{{"strip", strip.strip}, {"width_m", strip.width}};
+    own.update(json_of(given, strip.bumps, {bump_foil_group(strip.bump_foil)}));
+    json["strips"].push_back(std::move(own));
+  }
   return dump_json(json, 2) + '\n';
 }
 

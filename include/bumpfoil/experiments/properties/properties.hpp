@@ -33,6 +33,14 @@ struct BumpProperties {
   std::optional<double> unloading_bump;  ///< the same while the load falls
 };
 
+/// Bump foil of one strip whose bumps have dimensions of their own.
+struct StripProperties {
+  int strip{};     ///< from 1, from the side z < 0 on
+  double width{};  ///< m; stiffnesses are of this width
+  std::vector<BumpProperties> bumps;
+  std::optional<StiffnessRange> bump_foil;
+};
+
 /// What is known of the foils before any contact is solved.
 struct Properties {
   std::vector<BumpProperties> bumps;  ///< from the weld on; one where all bumps are alike
@@ -40,6 +48,7 @@ struct Properties {
       top_foil;                         ///< K_t; absent without a top foil, without a bearing, or with too many bumps
   std::optional<PadAssembly> assembly;  ///< absent unless the top foil is formed otherwise than the bearing
   std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps, and without a truss
+  std::vector<StripProperties> strips;      ///< those with bumps of their own; all else is of the foil in common
 };
 
 /// Of foils that are valid; where their truss cannot be built, the rest is known all the same.

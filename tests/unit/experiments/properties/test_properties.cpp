@@ -60,6 +60,31 @@ TEST(Properties, AreThoseOfEachShapeOfBumps) {
   EXPECT_EQ(bumps[1].sliding_bump, uniform[0].sliding_bump);
 }
 
+TEST(Properties, AreThoseOfEachStripWithBumpsOfItsOwn) {
+  Case input = reference_case();
+  input.width.modes = 3;
+  input.bump_foil.strips = 3;
+  input.bump_foil.strip_gap = 2e-3;
+  input.bump_foil.strip.resize(3);
+  input.bump_foil.strip[0].height_errors = 1e-6;
+  input.bump_foil.strip[1].thickness = 0.127e-3;
+  const Properties properties = compute_properties(input);
+  ASSERT_EQ(properties.strips.size(), 1U);
+  const StripProperties& strip = properties.strips.front();
+  EXPECT_EQ(strip.strip, 2);
+  EXPECT_DOUBLE_EQ(strip.width, (input.bearing.axial_length - 4e-3) / 3.0);
+  ASSERT_EQ(strip.bumps.size(), 1U);
+  // The bearing as wide as the strip.
+  Case narrow = reference_case();
+  narrow.bearing.axial_length = strip.width;
+  narrow.bump_foil.thickness = 0.127e-3;
+  const Properties alone = compute_properties(narrow);
+  EXPECT_DOUBLE_EQ(strip.bumps.front().identified.k1, alone.bumps.front().identified.k1);
+  EXPECT_DOUBLE_EQ(strip.bumps.front().sliding_bump.value(), alone.bumps.front().sliding_bump.value());
+  EXPECT_DOUBLE_EQ(strip.bump_foil->softest, alone.bump_foil->softest);
+  EXPECT_NE(properties.bumps.front().shape, strip.bumps.front().shape);
+}
+
 TEST(Properties, LeavesOutWhatTakesTooLong) {
   Case input = reference_case();
   input.bump_foil.bumps = 3000;  // more unknowns than dense eigenvalues are computed for

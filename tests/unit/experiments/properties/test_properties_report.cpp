@@ -46,6 +46,26 @@ TEST(PropertiesTable, HasALineForEachShapeOfBumps) {
   EXPECT_EQ(json.at("top_foil").at("softest_N_per_m"), properties.top_foil->softest);
 }
 
+TEST(PropertiesTable, ListsStripsWithBumpsOfTheirOwn) {
+  Case input = reference_case();
+  input.width.modes = 3;
+  input.bump_foil.strips = 2;
+  input.bump_foil.strip.resize(2);
+  input.bump_foil.strip[0].thickness = 0.127e-3;
+  input.bump_foil.strip[1].sections = {{.from = 3, .to = 5, .length = 3.5e-3, .thickness = 0.1e-3}};
+  const Properties properties = compute_properties(input);
+  const std::string text = properties_table(input, properties);
+  EXPECT_NE(text.find("\nStrip 1, with bumps of its own, 19.050 mm wide\n\nArc of a bump"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nStrip 2, with bumps of its own, 19.050 mm wide\n\nBumps "), std::string::npos);
+  EXPECT_NE(text.find("\n3 to 5 "), std::string::npos);
+  const auto json = nlohmann::json::parse(properties_json(input, properties));
+  EXPECT_EQ(json.at("strips").at(0).at("truss").at("k1_N_per_m"), properties.strips[0].bumps.front().identified.k1);
+  EXPECT_EQ(json.at("strips").at(0).at("width_m"), 0.5 * input.bearing.axial_length);
+  EXPECT_EQ(json.at("strips").at(1).at("strip"), 2);
+  EXPECT_EQ(json.at("strips").at(1).at("bumps").size(), 3U);
+  EXPECT_EQ(json.at("strips").at(1).at("bump_foil").at("softest_N_per_m"), properties.strips[1].bump_foil->softest);
+}
+
 TEST(PropertiesTable, SaysWhichSpringsThereCannotBe) {
   Case input = reference_case();
   input.bump_foil.model = BumpFoilModel::frame;
