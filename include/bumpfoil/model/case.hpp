@@ -168,7 +168,7 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
-/// How the clearance varies over the width where journal or sleeve are no cylinders: at zeta = 2 z / L, from -1 to 1,
+/// How the clearance varies over the width where journal or sleeve is not cylindrical: at zeta = 2 z / L, from -1 to 1,
 /// it is wider than in the middle by conicity zeta / 2 + crowning zeta^2. Foils lie on such a sleeve unstressed, so
 /// that only the difference of both surfaces counts. A plain value.
 struct WidthProfile {

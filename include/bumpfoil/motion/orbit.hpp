@@ -44,7 +44,7 @@ struct Orbit {
   std::vector<StationOrbit> bearings{};  ///< of the journals in the last turn, periodic or not; none where it ended
   std::vector<StationOrbit> stations{};  ///< of Rotor::stations
   std::vector<BearingTurn> turn{};       ///< of the bearings
-  /// Floquet multipliers that the search has met, the largest first: factors by which what is left of other motions of
+  /// Floquet multipliers found by the search, the largest first: factors by which what is left of other motions of
   /// the journals changes in a turn, as their differences from turn to turn show. An orbit lasts where all are smaller
   /// than one. None where no orbit was found and nothing had to be extrapolated.
   std::vector<std::complex<double>> multipliers{};

@@ -138,7 +138,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
       if (state.light_contacts > 0 && state.held_if_open.is_stable() != stable) {
         lines.push_back(fmt::format(
             "{}: whether the state is stable depends on {} closed contact{} with less than 1 mN, top foil on bumps or "
-            "bumps on sleeve: the verdict is doubtful",
+            "bumps on sleeve: its stability is doubtful",
             name_of_state(state), state.light_contacts, state.light_contacts == 1 ? "" : "s"));
       }
       if (const std::string overhang = overhang_text(*result.bearing, state); !overhang.empty()) {
