@@ -557,8 +557,8 @@ def _responses(result: Result, station: str | None) -> tuple[str, list[tuple[str
 def bode(result: Result, *, width: str = "double", station: str | None = None) -> Figure:
     """Bode plot of the response of a rotor to unbalance: amplitudes and phases along X and Y over speed.
 
-    Solid lines: full stick, as in a small orbit; dashed lines: sliding contacts keep sliding; marks: periodic orbits with
-    friction, where the result has them.
+    Solid lines: full stick, as in a small orbit; dashed lines: sliding contacts keep sliding; marks: periodic orbits
+    with friction, where the result has them.
 
     Parameters
     ----------
@@ -677,7 +677,8 @@ def campbell(result: Result, *, width: str = "double", contacts: str = "sliding"
     """Campbell diagram of a rotor on its bearings, and the growth of its motions over speed.
 
     Damped frequencies, with lines at the rotation frequency and at half of it; growth rates over the speed of
-    rotation, and those by synchronous coefficients for the motion that grows fastest. Marks are filled where a motion grows.
+    rotation, and those by synchronous coefficients for the motion that grows fastest. Marks are filled where a motion
+    grows.
 
     Parameters
     ----------

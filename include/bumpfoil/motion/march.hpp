@@ -17,7 +17,7 @@ struct Passage {
   double target{};           ///< where it was to lead on the line of its leg, m or N
 };
 
-/// What becomes of an increment, and of the march.
+/// What happens to an increment, and to the march.
 enum class Verdict {
   go_on,   ///< its state is kept, and the next increment begins there
   stop,    ///< its state is kept, and is the last one
@@ -31,7 +31,7 @@ using Observer = std::function<Verdict(const Passage&)>;
 /// Takes increment `taken` = 1..steps of a leg from a state into `step`.
 using Taker = std::function<void(const Leg& leg, int taken, const BearingState& from, Step& step)>;
 
-/// Says which leg comes next; nothing at the end. It may go by what an observer has seen.
+/// Decides which leg comes next; nothing at the end. It may depend on what was observed.
 using Schedule = std::function<const Leg*()>;
 
 /// That of a program, leg after leg. @param program  outlives the schedule

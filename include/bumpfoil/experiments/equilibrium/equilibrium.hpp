@@ -14,9 +14,9 @@
 
 namespace bumpfoil {
 
-/// How a state answers to small motions of the journal at a frequency, as FilmStepper::impedances() tells, by
-/// displacements and slopes (FilmBearing::by_slopes()): K = Re
-/// Z, C = Im Z / frequency. Of further motion, and with all closed contacts stuck; absent where the system is singular.
+/// Response of a state to small motions of the journal at a frequency, from FilmStepper::impedances(), by displacements
+/// and slopes (FilmBearing::by_slopes()): K = Re Z, C = Im Z / frequency. With sliding contacts still sliding, and with
+/// all closed contacts stuck; absent where the system is singular.
 struct FilmWhirl {
   double frequency{};  ///< rad/s
   std::optional<JournalMatrixC> impedance, stuck_impedance;
@@ -53,8 +53,8 @@ struct UnstableRange {
   double from{}, to{};  ///< the first and the last unstable state that was found; from <= to
 };
 
-/// How far a path has states that count: their minimum film thickness is film.h_lift_off or more, and they are stable
-/// with the journal held. States of which the latter is not known count as stable.
+/// How far a path has valid states: their minimum film thickness is film.h_lift_off or more, and they are stable with
+/// the journal held. States whose stability is not known count as stable.
 struct FilmLimit {
   FilmLimitKind kind{};
   Status status{Status::not_converged};  ///< converged where the path was followed to where its film is too thin
@@ -74,7 +74,7 @@ struct FilmLimit {
   [[nodiscard]] bool found() const { return status == Status::converged; }
 };
 
-/// A state of a bearing that runs, as it was asked for and as it was found.
+/// A state of a running bearing, as requested and as found.
 struct RunningState {
   FilmPath path{};                       ///< that led here
   OperatingPoint asked;                  ///< speed, and load or position
@@ -133,12 +133,12 @@ struct EquilibriumResult {
   [[nodiscard]] bool converged() const;
 };
 
-/// The bearing that the states of a case are of.
+/// The bearing whose states a case requests.
 /// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
 FilmBearing require_running_bearing(const Case& input);
 
-/// Sees to it that states are judged: stability, stiffness, critical mass, stresses, and those that were found for
-/// rotor dynamics, too. The walk along a path does not wait for that. This one judges them at once.
+/// Arranges the assessment of states: stability, stiffness, critical mass, stresses, and coefficients for rotor
+/// dynamics. The search along a path does not wait for it. This class assesses states immediately.
 class StateJudges {
  public:
   virtual ~StateJudges() = default;
@@ -212,13 +212,12 @@ EquilibriumResult find_states(const SharedFilmBearing& bearing, const Equilibriu
 /// and 1.2 times any speed.
 std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium);
 
-/// Adds to every state where the torque of its curve over speed, with the same path, journal and sense of rotation, is
-/// least: by a parabola through the slowest three neighbours of which the middle one has the least. That is where a
-/// journal lifts off rough surfaces; without asperities, and where no speed lies between, there is none.
+/// Adds to every state the speed of minimum torque on its curve over speed, with the same path, journal and sense of
+/// rotation: the vertex of a parabola through the slowest three neighbours whose middle one has the least torque. There
+/// a journal lifts off rough surfaces. It is absent without asperities, and if the minimum is at an end of the speeds.
 void add_least_torque_speeds(EquilibriumResult& result);
 
-/// The states of a case in the order in which its path reaches them, as far as they are known before: none was found,
-/// and all have this status.
+/// The states of a case in the order in which its path reaches them, before any is computed: all have this status.
 std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, Status status);
 
 /// Paths that lead to the states of a case: a ramp of loads needs loads.

@@ -172,7 +172,7 @@ struct FittedQuantity {
   double residual{};  ///< root mean square of measured minus fitted
 };
 
-/// What was measured in one go, beside what the model gives.
+/// One measurement, with the values of the model.
 struct FittedData {
   FittedExperiment experiment{};
   std::string axis{};                 ///< what its curves are drawn over: "displacement"
