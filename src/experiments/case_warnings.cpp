@@ -18,7 +18,7 @@ constexpr double most_flattening = 1.25;
 /// Axial length over diameter beyond which the sheet of a bump foil gives way to what varies over the width.
 constexpr double longest_held_sheet = 1.2;
 
-/// What foils are made simpler over the width than they are.
+/// Warnings about foils that are modelled too simply over the width.
 void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
   if ((input.width.tilts() || input.width.conicity != 0.0) && input.width.modes == 1) {
     warnings.emplace_back(

@@ -103,7 +103,7 @@ void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil,
   }
 }
 
-/// What staggered strips need.
+/// Requirements of staggered strips.
 void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
   const BumpFoil& foil = pad.bump_foil;
   const auto least = std::min_element(foil.strip.begin(), foil.strip.end(),
@@ -127,7 +127,7 @@ void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& j
                 "give fewer bumps, smaller pitches or a shorter top_foil.overhang");
 }
 
-/// What strips that differ need.
+/// Requirements of strips that differ.
 void judge_own(Judge& judge, const PadDesign& pad) {
   const std::string key = "bump_foil.strip";
   judge.require(pad.bump_foil.model != BumpFoilModel::former, key, "",

@@ -22,7 +22,7 @@ constexpr double margin_of_overhang = 2.0;
 /// Motions of the foil up to this part of the minimum film thickness are small ones.
 constexpr double linear_part = 0.1;
 
-/// What flutters in an unstable state, where, and what helps.
+/// The part that flutters in an unstable state, its location, and advice.
 std::string flutter_text(const FilmBearing& bearing, const RunningState& state) {
   const auto& [sliding, stuck] = state.held;
   const HeldMotion& motion = sliding && (!stuck || sliding->rate.real() >= stuck->rate.real()) ? *sliding : *stuck;

@@ -263,7 +263,7 @@ void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, 
   for (std::size_t i = 0; i < 2; ++i) judge_size(judge, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
 }
 
-/// What a journal that does not press alike over the width needs where there is no film.
+/// Requirements of a journal that loads the foils unevenly over the width, without a film.
 /// @param key  that says so
 void judge_dry_width(Judge& judge, const Case& input, const char* key, const char* command) {
   judge.require_for(command, input.width.modes != 1 || input.top_foil.split, key, "",
@@ -305,7 +305,7 @@ void judge_journal(Judge& judge, const Case& input) {
   }
 }
 
-/// What is not computed yet of bump foils that are split into strips.
+/// Unsupported combinations of bump foils that are split into strips.
 void judge_strips_in_use(Judge& judge, const Case& input) {
   const bool apart = input.bump_foil.is_split() && input.varies_over_the_width();
   for (const char* const command : {"cycle", "path", "vibration"}) {
@@ -332,7 +332,7 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
   }
 }
 
-/// What is not computed yet where the film varies over the width.
+/// Unsupported combinations where the film varies over the width.
 void judge_width(Judge& judge, const Case& input) {
   judge_strips_in_use(judge, input);
   judge_journal(judge, input);
@@ -351,7 +351,7 @@ void judge_width(Judge& judge, const Case& input) {
                     "applies to foils, and the command film has none", "set width.modes = 1, or run equilibrium");
 }
 
-/// What a bearing surface in place of the foils cannot have.
+/// Keys that do not apply to a bearing surface in place of the foils.
 void judge_wall(Judge& judge, const Case& input) {
   judge.require_for("film", input.pads.empty(), "pad", "",
                     "are parts of the sleeve: a bearing surface without foils has none",

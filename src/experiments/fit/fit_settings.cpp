@@ -277,7 +277,7 @@ void judge_table(Judge& judge, const Case& input, const FitData& data, const std
                     "give the static load along X, Y or both");
 }
 
-/// What a rig does to other kinds of data does nothing to these.
+/// Rig errors of other kinds of data do not apply to these.
 void judge_rig(Judge& judge, const FitData& data, const std::string& key) {
   const auto own = rig_keys_of(data.experiment);
   const auto require_effect = [&](bool given, std::string_view name) {
