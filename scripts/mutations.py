@@ -306,7 +306,7 @@ def page_of(results, reasons):
         yield "| " + " | ".join(map(str, [module, *rows[-1]])) + " |"
     yield "| all | " + " | ".join(str(sum(numbers)) for numbers in zip(*rows)) + " |"
     left = sum(one["verdict"] == OPEN for one in last.values())
-    yield f"\nChanges that no test detects; {left} of these were tried with the short tests of their module only, not the long ones:\n"
+    yield f"\nChanges that no test detects; {left} of these were tried with the short tests of their module only:\n"
     yield "| where | line | change | why |\n|---|---|---|---|"
     for one in last.values():
         if one["verdict"] in ("survived", OPEN):
