@@ -36,7 +36,7 @@ void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
 void add_designer_command(CLI::App& program, Session& session);
 
-// What other ranks do of a command.
+// The part of a command that other ranks do.
 RunOfOrder samples_of_order(const std::string& order);
 RunOfOrder points_of_order(const std::string& order);
 

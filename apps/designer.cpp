@@ -39,7 +39,7 @@ void add_designer_command(CLI::App& program, Session& session) {
   command->footer(
       "Example:\n"
       "  bumpfoil designer\n"
-      "Open the file in a browser of 2022 or later. It needs no network and no other file, and computes the same "
+      "Open the file in a browser of 2023 or later. It needs no network and no other file, and computes the same "
       "results as the program, in the browser.");
   command->callback([options, &session] { run_designer(*options, session); });
 }

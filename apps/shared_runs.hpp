@@ -25,7 +25,7 @@ struct SharedRun {
 /// Runs of a range that need nothing but their numbers.
 std::vector<SharedRun> runs_in(const RunRange& range);
 
-/// What other ranks shall do.
+/// Tasks of the other ranks.
 struct SharedWork {
   std::string command;              ///< whose runs they are
   std::optional<unsigned> threads;  ///< of each rank; if not given, each uses as many as it may

@@ -42,7 +42,7 @@ struct SweepOptions {
   bool force{};
 };
 
-/// What all points of a sweep have in common.
+/// Common to all points of a sweep.
 std::string order_of(const Sweep& sweep) {
   return fmt::format("{} {}", sweep.with_loops ? 1 : 0, sweep.experiment->name);
 }

@@ -1,6 +1,6 @@
 """Coefficients of the foils for a rotor code, and their use: the unbalance response of a rigid rotor.
 
-Of the foils at rest, about 50 N downwards: in a running bearing they are in series with the gas film."""
+The foils are at rest, under 50 N downwards; in a running bearing they are in series with the gas film."""
 
 import bumpfoil
 import matplotlib.pyplot as plt

@@ -289,13 +289,13 @@ def key_of(mutant):
 
 
 def page_of(results, reasons):
-    """The table of the results, and all that no test notices."""
+    """The table of the results, and all changes that no test detects."""
     last = {key_of(one): one for one in results}
     yield "# Mutations\n"
-    yield "One token of the sources is changed at a time, and the short tests of its module run on it (`make mutations`):"
-    yield "signs, operators, conditions, constants, loops that go one too far, statements that are dropped. Messages and"
-    yield "named constants of iterations, steps and tolerances are left alone. Lines are drawn evenly over a module;"
-    yield "the sources with most of them come first. Comparisons outside loops and sizes are turned round, and"
+    yield "One token of the sources is changed at a time, and the short tests of its module are run (`make mutations`):"
+    yield "signs, operators, conditions, constants, loop bounds, dropped statements. Messages, and"
+    yield "named constants of iterations, steps and tolerances, are not changed. Lines are drawn evenly over a module;"
+    yield "the sources with most of them come first. Comparisons outside loops and sizes are reversed, and"
     yield "tolerances grow a thousandfold.\n"
     yield "| module | changes | caught | of these by tests written since | not caught |\n|---|---|---|---|---|"
     rows = []
@@ -306,7 +306,7 @@ def page_of(results, reasons):
         yield "| " + " | ".join(map(str, [module, *rows[-1]])) + " |"
     yield "| all | " + " | ".join(str(sum(numbers)) for numbers in zip(*rows)) + " |"
     left = sum(one["verdict"] == OPEN for one in last.values())
-    yield f"\nWhat no test notices; {left} of these have met the quick tests of their module only, not the long ones:\n"
+    yield f"\nChanges that no test detects; {left} of these were tried with the short tests of their module only:\n"
     yield "| where | line | change | why |\n|---|---|---|---|"
     for one in last.values():
         if one["verdict"] in ("survived", OPEN):

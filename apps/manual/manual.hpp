@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// What is written behind an option, or in the place of a positional.
+/// Placeholder after an option, or for a positional argument.
 struct OptionValue {
   std::string name;                  ///< "DIR"; empty: it takes none
   std::string rule{};                ///< what it must be, in the parser's words

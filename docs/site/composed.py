@@ -55,7 +55,7 @@ def compose(app, name, source):
     elif name == "docs/gallery":
         source[0] = with_pictures(source[0], Path(app.srcdir, "docs/gallery"))
     elif case := CASES.get(name):
-        block = f"What comes of `{case}.toml` ([gallery](gallery.md#cases)):\n\n{picture_of(case)}"
+        block = f"Results of `{case}.toml` ([gallery](gallery.md#cases)):\n\n{picture_of(case)}"
         source[0] = after_introduction(source[0], block)
     if name.startswith("docs/"):
         source[0] = with_links(source[0], posixpath.dirname(name))

@@ -91,7 +91,7 @@ def loops(result: Result, *, width: str = "single") -> Figure:
 
 @styled
 def fitted(result: Result, *, width: str = "double") -> Figure:
-    """What was measured and what the fitted model gives, and residuals in standard deviations: two panels for each quantity.
+    """Measured values, fitted model, and residuals in standard deviations: two panels for each quantity.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def fitted(result: Result, *, width: str = "double") -> Figure:
 
 @styled
 def optimised(result: Result, *, width: str = "double") -> Figure:
-    """The points that were evaluated: the first aim over every key, and of two aims their front.
+    """The points that were evaluated: the first aim over every key and, with two aims, their front.
 
     Parameters
     ----------
@@ -475,8 +475,8 @@ def waterfall(result: Result, *, width: str = "single", station: int = 1, axis: 
 
 @styled
 def revolutions(result: Result, *, width: str = "double", station: int = 1) -> Figure:
-    """What a rotor does revolution by revolution: amplitudes at half the rotation frequency and at it, half
-    of the way from end to end, the thinnest film, speed, and what friction of the foils takes, over time.
+    """A rotor revolution by revolution: amplitudes at the rotation frequency and at half of it, half the
+    peak-to-peak displacement, minimum film thickness, speed, and friction loss of the foils, over time.
 
     Parameters
     ----------
@@ -557,8 +557,8 @@ def _responses(result: Result, station: str | None) -> tuple[str, list[tuple[str
 def bode(result: Result, *, width: str = "double", station: str | None = None) -> Figure:
     """Bode plot of the response of a rotor to unbalance: amplitudes and phases along X and Y over speed.
 
-    Full stick, as under a small orbit, in full lines; sliding contacts that keep sliding in dashed ones; periodic orbits with
-    friction, where the result has them, as marks.
+    Solid lines: full stick, as in a small orbit; dashed lines: sliding contacts keep sliding; marks: periodic orbits
+    with friction, where the result has them.
 
     Parameters
     ----------
@@ -628,7 +628,7 @@ def orbits(result: Result, *, width: str = "single", speed: float | None = None)
     """Orbits of the journals of a rotor under unbalance, about their centres in equilibrium or their means.
 
     Small ones with contacts stuck and sliding, and the periodic one with friction, of two harmonics, where the result has
-    it; a dot where the rotor stands at angle 0.
+    it; a dot where the rotor is at angle 0.
 
     Parameters
     ----------
@@ -676,8 +676,9 @@ def orbits(result: Result, *, width: str = "single", speed: float | None = None)
 def campbell(result: Result, *, width: str = "double", contacts: str = "sliding") -> Figure:
     """Campbell diagram of a rotor on its bearings, and the growth of its motions over speed.
 
-    Damped frequencies, with lines at once and half the speed of rotation; growth rates over the speed of rotation, with
-    what synchronous coefficients say of the motion that grows fastest. Marks are filled where a motion grows.
+    Damped frequencies, with lines at the rotation frequency and at half of it; growth rates over the speed of
+    rotation, and those by synchronous coefficients for the motion that grows fastest. Marks are filled where a motion
+    grows.
 
     Parameters
     ----------
@@ -745,7 +746,7 @@ def root_locus(result: Result, *, width: str = "single", contacts: str = "slidin
 
 @styled
 def run_up(result: Result, *, width: str = "double") -> Figure:
-    """Torque over speed, the curve of Stribeck, and the share of the load on asperities: of states with ``[asperity]``.
+    """Torque over speed, the Stribeck curve, and the share of the load on asperities: of states with ``[asperity]``.
 
     A journal at rest needs no torque: the logarithmic axes begin at the slowest speed that turns.
 

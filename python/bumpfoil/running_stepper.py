@@ -1,4 +1,4 @@
-"""A running bearing taken through time, to couple it to your own rotor."""
+"""A running bearing advanced in time, to couple it to your own rotor."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Instant:
     status : str
         ``converged``, or why the step failed; then all else is that of the state before it.
     time : float
-        Since the beginning, s.
+        Since the start, s.
     speed : float
         Of the journal, rad/s, positive from X to Y.
     position : ndarray, (2,)
@@ -66,7 +66,7 @@ class Instant:
 
 
 class RunningStepper:
-    """A running bearing with gas film, foils, contacts and friction, taken through time while you hold its journal.
+    """A running bearing with gas film, foils, contacts and friction, advanced in time while you prescribe its journal.
 
     The steps are those of ``bumpfoil transient``: BDF2, of second order also with steps of different lengths, with the
     contacts solved exactly at the end of each. Neither journal nor foils have mass: that of the rotor is yours.

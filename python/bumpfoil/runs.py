@@ -266,7 +266,7 @@ def optimise(
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
-    """Chooses keys of the case so that a quantity is best under limits, as specified in [optimise].
+    """Maximises or minimises a quantity over keys of the case under limits, as specified in [optimise].
 
     ``summary["keys"]`` has the best values, ``summary["limits"]`` their margins, ``to_xarray()`` all points that were
     evaluated, ``files["case.toml"]`` the case with the best values."""

@@ -31,7 +31,7 @@ def case_value(quantity: Any) -> Any:
 
 
 def si_numbers(values: Any, unit: str, name: str) -> NDArray[Any]:
-    """Numbers in `unit` of an array, quantities or nested sequences of either, for what is no key of a case.
+    """Numbers in `unit` of an array, quantities or nested sequences of either, for values that are not keys of a case.
 
     Raises
     ------

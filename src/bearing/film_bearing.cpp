@@ -220,7 +220,7 @@ int block_size_of(const FilmBearing& bearing) {
          pad.stations * 2 * static_cast<int>(pad.foil.stretching.rows());
 }
 
-/// What means nothing at the free ends is held, the displacement there is not.
+/// Fixes the unused unknowns at the free ends, but not the displacement there.
 void hold_free_ends(const FilmBearing& bearing, BlockTridiagonal& K) {
   const double stiffness = stiffest_of_bump_foils(bearing.structure);
   for (const FilmPad& pad : bearing.pads) {
@@ -435,7 +435,7 @@ double wrapped(double angle) {
   return angle - 2.0 * std::numbers::pi * std::ceil(angle / (2.0 * std::numbers::pi) - 0.5);
 }
 
-/// What the film and asperities carry, and how much asperities resist.
+/// Load on film and asperities, and friction of the asperities.
 /// @return the part of the film
 JournalVector find_forces(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const Matrix pressures = asperity_pressures(bearing, state.film.thickness);
@@ -460,7 +460,7 @@ JournalVector find_forces(const FilmBearing& bearing, const BearingState& state,
   return of_film;
 }
 
-/// What all pads make of drag, flow and dissipation. @param of_film  force of the film on the journal
+/// Sum over all pads of drag, flow and dissipation. @param of_film  force of the film on the journal
 void find_drag(const FilmBearing& bearing, const BearingState& state, const JournalVector& of_film,
                FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;

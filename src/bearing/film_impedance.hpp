@@ -22,7 +22,7 @@ struct ShiftedRates {
 /// Residuals of a film whose volumes store something at these rates. @param rates  at the nodes of unknown pressure
 Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& rates);
 
-/// What a linearised film does where the journal moves, or where something is stored in its volumes.
+/// Response of a linearised film to motion of the journal, or to storage in its volumes.
 struct FilmAnswer {
   Vector content;       ///< change of P H at the nodes whose pressure is unknown
   JournalVector force;  ///< change of the force on the journal

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double absent_number = std::numeric_limits<double>::quiet_NaN();
 
-/// What is known of every increment.
+/// Quantities that are known of every increment.
 Increment place(const Step& step, const Eigen::Vector2d& direction) {
   const Eigen::Vector2d& position = step.state.position;
   Increment increment;

@@ -8,7 +8,7 @@
 
 namespace bumpfoil {
 
-/// What a solve looks for.
+/// Target of a solve.
 struct NewtonAim {
   double tolerance{};  ///< largest change of P, H and position over c in a full step of a state that has converged
   /// Steps that it may take though no more than 1/64 of them makes the residuals smaller. It gives up at the next one.

@@ -117,18 +117,19 @@ void describe(CaseVisitor& keys, Shim& shim) {
 }
 
 void describe(CaseVisitor& keys, FoilStrip& strip) {
-  keys.value({"stagger", defaulted, "Stagger", "of its weld and bumps along the foil, in pitches: a number of sixths"},
+  keys.value({"stagger", defaulted, "Stagger", "of its weld and bumps along the foil, in pitches: a multiple of 1/6"},
              &strip.stagger);
   keys.value(
       {"height_errors", defaulted, "Height errors",
        "one for all its bumps or one for each, positive is taller; added to those of the bump foil", "0 um", length},
       &strip.height_errors);
-  keys.value({"thickness", optional, "Thickness", "instead of bump_foil.thickness; heights stay", "0.127 mm", length},
+  keys.value({"thickness", optional, "Thickness", "instead of bump_foil.thickness; overall heights do not change",
+              "0.127 mm", length},
              &strip.thickness);
   list_of_tables(keys,
                  {"section", optional, "Section",
-                  "bumps of the strip from one to another have these dimensions; pitches and heights are those of all "
-                  "strips, but for height_errors"},
+                  "bumps of the strip from one to another have these dimensions; pitches and heights are common to all "
+                  "strips, except for height_errors"},
                  strip.sections, [](CaseVisitor& inner, BumpSection& section) { describe(inner, section, true); });
 }
 
@@ -197,9 +198,10 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.value({"strip_gap", defaulted, "Gap between strips", "axial, between neighbouring strips of the bump foil",
               "0 mm", length},
              &foil.strip_gap);
-  list_of_tables(
-      keys, {"strip", optional, "Strip", "what each strip has of its own, from the side z < 0 on; none: all alike"},
-      foil.strip, [](CaseVisitor& inner, FoilStrip& strip) { describe(inner, strip); });
+  list_of_tables(keys,
+                 {"strip", optional, "Strip",
+                  "properties of each strip, in order from the side z < 0; none: all strips are alike"},
+                 foil.strip, [](CaseVisitor& inner, FoilStrip& strip) { describe(inner, strip); });
   keys.choice(
       {"weld_at", defaulted, "Weld at", "clamped before bump 1 in the middle of a flat; frame only: \"arc_start\""},
       foil.weld_at);
@@ -222,13 +224,14 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
               "19.24 mm", length},
              &foil.formed_radius);
   keys.value({"seat_pressure", optional, "Seat pressure",
-              "of a foil whose forming, beside that radius, presses on all bumps alike", "100 Pa", pressure},
+              "pressure on all bumps alike, from forming in addition to that radius", "100 Pa", pressure},
              &foil.seat_pressure);
   keys.value(
       {"overhang", optional, "Overhang", "from the last crest to the free end; default: half a pitch", "2 mm", length},
       &foil.overhang);
-  keys.value({"split", defaulted, "Split", "true: over the width, as the bump foil is; a film leaks at the slits"},
-             &foil.split);
+  keys.value(
+      {"split", defaulted, "Split", "true: split over the width like the bump foil; the film leaks at the slits"},
+      &foil.split);
 }
 
 void describe(CaseVisitor& keys, const PadDesign& common, Pad& pad) {

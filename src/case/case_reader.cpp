@@ -31,7 +31,7 @@ const CaseTable* table_of(std::string_view experiment) {
   return found == case_tables().end() ? nullptr : &*found;
 }
 
-/// What else a command runs or requests, see CaseTable.
+/// Other tables that a command runs or requests, see CaseTable.
 std::string_view requested_part(const std::string& command, const Case& input) {
   const CaseTable* const own = table_of(command);
   return own != nullptr && own->requested_part ? own->requested_part(input) : "";

@@ -69,7 +69,7 @@ std::string quantity_pattern(const std::vector<Dimension>& dimensions, std::stri
   return fmt::format("^[ \\t]*(?:{}{}[ \\t]*(?:{}{}{}))[ \\t]*$", words, number_pattern, named, inverse, composed_unit);
 }
 
-/// What the schema says of keys beside their description: ranges, defaults and examples. By paths without counts.
+/// The schema of keys in addition to their description: ranges, defaults and examples. By paths without counts.
 class KeyFacts {
  public:
   KeyFacts() : listed_(list_keys(reference_case())), unset_(list_keys({})) {

@@ -51,7 +51,7 @@ constexpr std::string_view template_head =
 
 )";
 
-/// What a key has that the case file does not give.
+/// The value of a key that the case file does not give.
 std::string fallback_of(const ListedKey& reference, const ListedKey& unset) {
   const Key& key = reference.key;
   if (reference.instead) return "–";

@@ -31,7 +31,7 @@ class CsvNumbers {
   /// A cell that is a finite number and nothing else.
   std::optional<double> read(std::string_view cell);
 
-  /// What is wrong with the last cell, where it was none.
+  /// The error of the last cell, if it was not a number.
   [[nodiscard]] std::string what(std::string_view quantity, const CsvDialect& dialect) const;
 
  private:
@@ -52,7 +52,7 @@ bool is_column(std::string_view column, std::string_view name);
 /// where it is another column.
 std::optional<ColumnUnit> unit_of_column(std::string_view column, std::string_view quantity, Dimension dimension);
 
-/// What to change where none of the columns is one of the quantities: which is nearest, or lacks its unit.
+/// Advice where none of the columns is one of the quantities: which is nearest, or lacks its unit.
 /// @param wanted  names of columns with their units, "height_um"
 std::string column_advice(const std::vector<std::string>& columns, const std::vector<std::string>& wanted,
                           Dimension dimension, std::string otherwise);

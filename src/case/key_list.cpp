@@ -21,6 +21,7 @@ std::string_view noun(const Key& key) {
 }
 
 std::string plural(std::string_view noun) {
+  if (noun.ends_with('s')) return fmt::format("{}es", noun);
   return noun.ends_with('y') ? fmt::format("{}ies", noun.substr(0, noun.size() - 1)) : fmt::format("{}s", noun);
 }
 

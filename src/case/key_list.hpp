@@ -39,7 +39,7 @@ std::vector<ListedKey> list_keys();
 /// A key by its path; of a table that the case has not, the key of the first table of its list. Null if there is none.
 const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path);
 
-/// What to write instead of a path that is no key, where a number is due.
+/// Advice for a path that is not a key, where a number is expected.
 std::string advice_on_number(const std::vector<ListedKey>& keys, const std::string& path);
 
 /// "bump_foil.shim.to" of "bump_foil.shim[2].to": what all tables of a list have.

@@ -14,7 +14,7 @@ namespace {
 /// Further errors are counted, not listed.
 constexpr std::size_t most_faults = 50;
 
-/// What a key holds: "bump_foil.truss" for "bump_foil.truss.k1", "x" for "x[3]"; empty for a key of the root.
+/// The parent of a key: "bump_foil.truss" for "bump_foil.truss.k1", "x" for "x[3]"; empty for a key of the root.
 std::string holder_of(const std::string& key) {
   const std::size_t end = key.back() == ']' ? key.rfind('[') : key.rfind('.');
   return end == std::string::npos ? std::string() : key.substr(0, end);

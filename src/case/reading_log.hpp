@@ -37,7 +37,7 @@ class ReadingLog {
   /// An error of a key, at the place of the key or of the table that lacks it. Only the first one of a key counts.
   void fault(const std::string& key, std::string what, std::string advice);
 
-  /// What is wrong with a key was said under another one.
+  /// An error of this key was reported under another one.
   void told(const std::string& key) { faulty_.insert(key); }
 
   /// The value of `key` was taken from `other`, where its faults are to be reported, once.

@@ -203,7 +203,7 @@ void StraightPiece::look_ahead(std::vector<ModeChange>& changes) {
   last_length_ = end_part * way_left;
 }
 
-/// What look_ahead() checks for contact c.
+/// The quantity that look_ahead() checks for contact c.
 void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
   const double f = friction_coefficient_[c];
   const ContactMode m = target.mode[static_cast<std::size_t>(c)];

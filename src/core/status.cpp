@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::array<std::string_view, enum_names<Status>.size()> explanations{
     "converged",
-    "no contact modes were found that contradict none of their conditions",
+    "no combination of contact modes was found that satisfies all contact conditions",
     "no equilibrium was found for large displacements: the foils may have snapped to another shape",
     "the iterations of the solver ended before its tolerances were met",
     "the response could not be followed without breaking the balance of energies",

@@ -42,7 +42,7 @@ void add_places(const EnsembleLayout& layout, Dataset& data) {
   add({name + "y", unit, what + "Y"}, [](const OperatingPoint& point) { return point.journal.y(); });
 }
 
-/// What was drawn is drawn again. @param of  (sample) -> its numbers
+/// Random numbers are drawn again. @param of  (sample) -> its numbers
 template <typename Of>
 void add_drawn(const Case& input, Dataset& data, VariableMeaning meaning, std::vector<std::string> over, const Of& of) {
   data.add(std::move(meaning), std::move(over)).rows = [&input, of](std::size_t first, std::size_t count) {

@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// What summary.json says of an ensemble: statistics and sensitivities by place and quantity, the yield, and the
+/// Contents of summary.json of an ensemble: statistics and sensitivities by place and quantity, the yield, and the
 /// samples that failed.
 nlohmann::ordered_json ensemble_lists(const Case& input, const EnsembleLayout& layout,
                                       const EnsembleStatistics& statistics, const EnsembleYields& yields);

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 /// Between two ticks: as long as an interruption goes unnoticed.
 constexpr auto tick_interval = 20ms;
 
-/// What the threads that run and the one that waits have in common.
+/// Shared by the running threads and the waiting one.
 class Runs {
  public:
   Runs(RunQueue& queue, const NumberedRun& run, unsigned workers) : queue_(queue), run_(run), working_(workers) {}

@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-/// What is run of a case; nothing if it makes no bearing.
+/// The case that is run; nothing if it is invalid.
 template <typename Run>
 auto unless_faulty(const Run& run) -> std::optional<decltype(run())> {
   try {

@@ -18,24 +18,23 @@ constexpr double most_flattening = 1.25;
 /// Axial length over diameter beyond which the sheet of a bump foil gives way to what varies over the width.
 constexpr double longest_held_sheet = 1.2;
 
-/// What foils are made simpler over the width than they are.
+/// Warnings about foils that are modelled too simply over the width.
 void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
   if ((input.width.tilts() || input.width.conicity != 0.0) && input.width.modes == 1) {
     warnings.emplace_back(
         "the journal may tilt or is conical, but the foils stay uniform over the width (width.modes = 1): they resist "
-        "the tilt with about twice the moment that they have; set width.modes = 3");
+        "the tilt with about twice the true moment; set width.modes = 3");
   }
   const double slenderness = 0.5 * input.bearing.axial_length / input.bearing.radius;
   if (input.width.modes >= 3 && !input.width.sheet && !input.bump_foil.is_split() && slenderness > longest_held_sheet) {
-    warnings.push_back(
-        fmt::format("the bearing is {:.3g} times as long as its diameter: with width.modes = {} its bump foil is held "
-                    "against sliding that differs over the width, which is too stiff beyond {:.3g}; set width.sheet = "
-                    "true",
-                    slenderness, input.width.modes, longest_held_sheet));
+    warnings.push_back(fmt::format(
+        "the bearing is {:.3g} times as long as its diameter: with width.modes = {} the feet of its bump foil cannot "
+        "slide by different amounts over the width, which is too stiff beyond {:.3g}; set width.sheet = true",
+        slenderness, input.width.modes, longest_held_sheet));
   }
 }
 
-/// Where friction leaves increments several answers or none.
+/// Where friction leaves increments several solutions or none.
 void warn_of_wedging(const Foils& foils, std::vector<std::string>& warnings) {
   const std::optional<Wedge> wedge = strongest_wedge(foils.problem);
   if (!wedge) return;
@@ -43,7 +42,7 @@ void warn_of_wedging(const Foils& foils, std::vector<std::string>& warnings) {
   const bool at_sleeve = wedge->contact % foils.contacts_per_block() >= foils.first_foot();
   warnings.push_back(
       fmt::format("friction wedges {} of bump {}, which takes a coefficient of {:.3g} there: increments may have "
-                  "several answers, of which one is found, or none",
+                  "several solutions, of which one is found, or none",
                   at_sleeve ? "a foot" : "the crest", block - foils.structure.first_bump + 1, wedge->friction));
 }
 

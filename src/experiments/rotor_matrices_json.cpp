@@ -29,7 +29,7 @@ class RotorFile {
   RotorMatrices read() {
     RotorMatrices matrices;
     if (json_.is_discarded() || !json_.is_object()) {
-      fault("", json_.is_discarded() ? "is no JSON" : "is no JSON object",
+      fault("", json_.is_discarded() ? "is not JSON" : "is not a JSON object",
             "give {\"M\": [[...], ...], \"C\": ..., \"G\": ..., \"K\": ..., \"bearing\": [...]}");
       throw_if_faulty();
     }
@@ -72,7 +72,7 @@ class RotorFile {
   void rows(const std::string& key, std::vector<double>& entries) {
     const auto found = json_.find(key);
     if (found == json_.end()) return fault(key, "is missing", "give it, of zeros where the rotor has none");
-    if (!found->is_array()) return fault(key, "is no list of rows", "write [[...], [...], ...]");
+    if (!found->is_array()) return fault(key, "is not a list of rows", "write [[...], [...], ...]");
     const std::size_t n = found->size();
     if (n > static_cast<std::size_t>(most_rotor_unknowns)) {
       return fault(key, fmt::format("has {} rows", n),
@@ -83,7 +83,7 @@ class RotorFile {
       const std::string name = fmt::format("{}[{}]", key, i + 1);
       const auto is_number = [](const nlohmann::json& one) { return one.is_number(); };
       if (!row.is_array() || !std::all_of(row.begin(), row.end(), is_number)) {
-        fault(name, "is no list of numbers", "give a number for each column");
+        fault(name, "is not a list of numbers", "give a number for each column");
       } else if (row.size() != n) {
         fault(name, fmt::format("has {} numbers, but there are {} rows", row.size(), n), "give a square matrix");
       } else {

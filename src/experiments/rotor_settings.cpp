@@ -134,7 +134,7 @@ void describe(CaseVisitor& keys, RotorUnbalance& one) {
   keys.value({.name = "grade",
               .presence = optional,
               .title = "Balance quality grade",
-              .text = "of ISO 21940-11: the whole amount that it allows for the rotor, in this plane",
+              .text = "of ISO 21940-11: its whole permissible unbalance of the rotor acts in this plane",
               .example = "2.5 mm/s",
               .dimension = velocity,
               .instead = true},
@@ -276,15 +276,15 @@ bool judge_unbalances(Judge& judge, const RotorSettings& rotor) {
     right &= judge_optional(judge, name + ".grade", one.grade, {0.0, 10.0, "m/s"});
     right &= judge_optional(judge, name + ".grade_speed", one.grade_speed, frequency_range);
     right &= judge.require(one.amount.has_value() != one.grade.has_value(), name + ".amount", "",
-                           one.amount ? "is given beside a grade" : "is missing, as is a grade",
+                           one.amount ? "is given in addition to a grade" : "is missing, as is a grade",
                            "give an amount such as \"2 g mm\", or a grade such as \"2.5 mm/s\" with its grade_speed");
     right &= judge.require(one.grade.has_value() == one.grade_speed.has_value(), name + ".grade_speed", "",
-                           one.grade ? "is missing: a grade is for a speed" : "is given without a grade",
+                           one.grade ? "is missing: a grade applies at a speed" : "is given without a grade",
                            "give both, such as grade = \"2.5 mm/s\" and grade_speed = \"60000 rpm\"");
     right &= judge.finite(name + ".phase", one.phase, "rad");
     if (rotor.matrices) {
       right &= judge.require(place_at(*rotor.matrices, one.at) != nullptr, name + ".at", quantity(one.at, "m"),
-                             "is no place of the matrices", "give the z of a bearing or station");
+                             "is not a bearing or station of the matrices", "give the z of a bearing or station");
     } else if (rotor.is_flexible()) {
       right &= judge.require(one.at >= 0.0 && one.at <= end * (1.0 + round_off), name + ".at", quantity(one.at, "m"),
                              "is not on the shaft",
@@ -292,7 +292,7 @@ bool judge_unbalances(Judge& judge, const RotorSettings& rotor) {
     } else {
       right &= judge.finite(name + ".at", one.at, "m");
       right &= judge.require(rotor.tilts() || one.at == 0.0, name + ".at", quantity(one.at, "m"),
-                             "is a place on a rotor that does not tilt",
+                             "is a position on a rotor that does not tilt",
                              "remove it, or give rotor.bearings and rotor.transverse_inertia");
     }
   }
@@ -313,34 +313,35 @@ bool judge_kind(Judge& judge, const RotorSettings& rotor) {
                             std::pair("rotor.shaft", !rotor.shaft.empty()),
                             std::pair("rotor.disk", !rotor.disks.empty())};
     for (const auto& [key, given] : others) {
-      belongs(!given, key, "is given beside matrices, which have it", "remove it, or rotor.matrices");
+      belongs(!given, key, "is given in addition to matrices, which include it", "remove it, or rotor.matrices");
     }
     return right;
   }
   if (rotor.is_flexible()) {
-    belongs(!rotor.mass, "rotor.mass", "is given beside a shaft, whose pieces and disks have the mass",
+    belongs(!rotor.mass, "rotor.mass", "is given in addition to a shaft, whose sections and disks have the mass",
             "remove rotor.mass, or all [[rotor.shaft]]");
     belongs(!rotor.transverse_inertia && !rotor.polar_inertia,
             rotor.transverse_inertia ? "rotor.transverse_inertia" : "rotor.polar_inertia",
-            "is given beside a shaft, whose pieces and disks have the inertia", "remove it, or all [[rotor.shaft]]");
+            "is given in addition to a shaft, whose sections and disks have the inertia",
+            "remove it, or all [[rotor.shaft]]");
   } else {
     belongs(rotor.mass.has_value(), "rotor.mass", "is missing",
-            "give a mass such as \"2 kg\", or the pieces of a shaft, [[rotor.shaft]]");
+            "give a mass such as \"2 kg\", or the sections of a shaft, [[rotor.shaft]]");
     belongs(rotor.disks.empty(), "rotor.disk", "has no shaft to sit on", "give [[rotor.shaft]], or remove it");
     if (rotor.tilts()) {
       belongs(rotor.transverse_inertia.has_value(), "rotor.transverse_inertia",
-              "is missing: a rotor with places of bearings can tilt",
+              "is missing: a rotor with bearing positions can tilt",
               "give a moment of inertia such as \"9e-3 kg m2\", or remove rotor.bearings");
     } else {
       belongs(!rotor.transverse_inertia && !rotor.polar_inertia,
               rotor.transverse_inertia ? "rotor.transverse_inertia" : "rotor.polar_inertia",
-              "is of a rotor that tilts, and this one has no places of its bearings",
+              "applies to a rotor that tilts, and this one has no bearing positions",
               "give rotor.bearings such as [\"-50 mm\", \"60 mm\"], or remove it");
     }
   }
   if (rotor.tilts()) {
     belongs(rotor.bearings.size() == 2 && rotor.bearings[0] != rotor.bearings[1], "rotor.bearings",
-            "are not two different places", "give two, such as [\"-50 mm\", \"60 mm\"]");
+            "are not two different positions", "give two, such as [\"-50 mm\", \"60 mm\"]");
   }
   return right;
 }
@@ -356,15 +357,15 @@ bool judge_matrices(Judge& judge, const RotorMatrices& matrices) {
 /// Bearings that differ: one for each place.
 void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t count) {
   if (count == 0) return;
-  if (!judge.require(rotor.tilts(), "rotor.bearing", "", "is of a rotor that does not tilt, on two equal bearings",
+  if (!judge.require(rotor.tilts(), "rotor.bearing", "",
+                     "is given for a rotor that does not tilt, which has two equal bearings",
                      "remove all [[rotor.bearing]], or give rotor.bearings and rotor.transverse_inertia")) {
     return;
   }
   judge.require(
       count == rotor.bearing_count(), "rotor.bearing", "",
-      fmt::format("is given {} times, for {} places of bearings", count, rotor.bearing_count()),
-      "give one [[rotor.bearing]] for each place, in their order; one that is like the bearing of the case is "
-      "empty");
+      fmt::format("is given {} times, for {} bearing positions", count, rotor.bearing_count()),
+      "give one [[rotor.bearing]] for each position, in the same order; an empty one is the bearing of the case");
 }
 
 /// Bearings that resist inclinations need a rotor that has them.
@@ -379,7 +380,7 @@ void judge_tilting(Judge& judge, const RotorSettings& rotor, const Case& input) 
   for (const char* const command : {"stability", "unbalance", "transient"}) {
     judge.require_for(
         command, false, "rotor.matrices", "",
-        "name displacements at the bearings alone, and these bearings resist inclinations, too",
+        "name only displacements at the bearings, but these bearings also resist inclinations",
         "set width.modes = 1 without tilt, conicity, unlike side pressures and split top foils, or give the rotor by "
         "[[rotor.shaft]]");
   }
@@ -448,7 +449,7 @@ void judge_rotor(Judge& judge, const Case& input) {
   if (right && rotor->transverse_inertia && rotor->polar_inertia) {
     right &= judge.require(*rotor->polar_inertia <= 2.0 * *rotor->transverse_inertia, "rotor.polar_inertia",
                            quantity(*rotor->polar_inertia, "kg m2"),
-                           "is more than twice the transverse inertia, which no body has",
+                           "is more than twice the transverse inertia, which no body can have",
                            "give I_p about the axis, and I_t about a diameter");
   }
   for (std::size_t i = 0; i < rotor->bearings.size(); ++i) {

@@ -13,7 +13,7 @@
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/rotor/rotor.hpp"
 
-/// What results over the speeds of a rotor say alike.
+/// Common to all results over the speeds of a rotor.
 namespace bumpfoil {
 
 /// How a search for equilibria ended.
@@ -28,7 +28,7 @@ struct SpeedStatus {
 /// Adds the dimension `bearing`.
 void add_bearing_numbers(std::size_t count, Dataset& data);
 
-/// What is told of a journal in equilibrium.
+/// Quantities of a journal in equilibrium.
 struct JournalQuantity {
   VariableMeaning meaning;
   std::function<double(const FilmBearing& bearing, const BearingState& state)> value;

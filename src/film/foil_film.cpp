@@ -103,7 +103,7 @@ void line_residual(const FoilFilm& foil, Eigen::Index line, const FoilFilmState&
   }
 }
 
-/// What the membrane adds to the balances, and its own rows.
+/// Contribution of the membrane to the balances, and its own rows.
 void membrane_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual) {
   const Eigen::Index modes = foil.stretching.rows();
   const Matrix& unknowns = state.membrane;
@@ -283,7 +283,7 @@ void FoilFilmSystem::Workspace::assemble_line(int k, int line, ColumnCoupling& b
   }
 }
 
-/// What asperities add to the balances where the foil gives way: the derivative of asperity_balance().
+/// Contribution of asperities to the balances under a displacement of the foil: the derivative of asperity_balance().
 template <typename Own>
 void FoilFilmSystem::Workspace::assemble_asperities(int k, Own&& own) const {
   const FilmMesh& mesh = foil.mesh;

@@ -46,7 +46,7 @@ class FoilSpan {
   virtual ColumnCoupling& of_before() = 0;
   virtual ColumnCoupling& of_after() = 0;
 
-  /// What the span adds to the equations of its neighbours.
+  /// Contribution of the span to the equations of its neighbours.
   struct Condensed {
     Matrix before, before_by_after, after_by_before, after;
   };

@@ -11,7 +11,7 @@ namespace bumpfoil {
 
 class CaseVisitor;
 
-/// What an experiment has in the case file: its table, of the same name, or those that it shares with others.
+/// An experiment in the case file: its table, of the same name, or those that it shares with others.
 struct CaseTable {
   std::string_view experiment;
   std::string_view needs;  ///< the table without which it does not run: its own, or that of another experiment

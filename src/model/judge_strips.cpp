@@ -25,7 +25,7 @@ bool judge_gaps(Judge& judge, const PadDesign& pad) {
   if (!judge.count("bump_foil.strips", foil.strips, "strips", {1, most_strips})) return false;
   if (!judge.within("bump_foil.strip_gap", foil.strip_gap, {0.0, length_range.most, "m"})) return false;
   if (!judge.require(foil.is_split() || foil.strip_gap == 0.0, "bump_foil.strip_gap", quantity(foil.strip_gap, "m"),
-                     "is between strips, and there is one", "set bump_foil.strips, or remove it")) {
+                     "applies between strips, and there is only one", "set bump_foil.strips, or remove it")) {
     return false;
   }
   const double length = pad.bearing.axial_length;
@@ -55,7 +55,7 @@ bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
   const double nearest = std::round(sixths);
   const bool right = nearest >= 0.0 && nearest < staggers_per_pitch &&
                      std::abs(sixths - nearest) <= staggers_per_pitch * stagger_tolerance;
-  return judge.require(right, key, quantity(stagger, ""), "is not a number of sixths of a pitch below a whole one",
+  return judge.require(right, key, quantity(stagger, ""), "is not a multiple of a sixth of a pitch, below one pitch",
                        "give 0, 0.17, 0.33, 0.5, 0.67 or 0.83");
 }
 
@@ -66,7 +66,7 @@ void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil,
   const std::string sections = key + "section";
   const std::string tables = fmt::format("{} tables", strip.sections.size());
   if (!judge.require(strip.sections.empty() || foil.sections.empty(), sections, tables,
-                     "conflicts with bump_foil.section, which is of all strips",
+                     "conflicts with bump_foil.section, which applies to all strips",
                      "give sections of the bump foil or of its strips") ||
       (strip.thickness && !judge.within(key + "thickness", *strip.thickness, length_range))) {
     return;
@@ -74,7 +74,7 @@ void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil,
   for (std::size_t i = 0; i < strip.sections.size(); ++i) {
     const BumpSection& section = strip.sections[i];
     judge.require(!section.pitch && !section.height, fmt::format("{}[{}]", sections, i + 1), "",
-                  "gives a strip pitches or heights, which are those of all strips",
+                  "gives a strip pitches or heights, which are common to all strips",
                   "give height_errors of the strip, or the pitch of bump_foil");
   }
   const std::string own = strip.thickness ? key + "thickness" : sections;
@@ -82,10 +82,10 @@ void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil,
   const bool thicker = strip.thickness || std::any_of(strip.sections.begin(), strip.sections.end(),
                                                       [](const BumpSection& one) { return one.thickness.has_value(); });
   judge.require(!thicker || foil.height_reference == HeightReference::overall, own, value,
-                "changes the height of the bumps where that is one of mid-surfaces",
+                "would change the height of the bumps, which is given for the mid-surface",
                 "give overall heights, bump_foil.height_reference = \"overall\", or remove it");
   judge.require(foil.truss == TrussOverrides{}, own, value,
-                "conflicts with constants of a truss, which are those of all strips", "remove it or [bump_foil.truss]");
+                "conflicts with constants of a truss, which apply to all strips", "remove it or [bump_foil.truss]");
   const auto faults_with = [&](const BumpFoil& alike) {
     Judge alone;
     judge_bump_foil(alone, alike, radius);
@@ -103,14 +103,14 @@ void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil,
   }
 }
 
-/// What staggered strips need.
+/// Requirements of staggered strips.
 void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
   const BumpFoil& foil = pad.bump_foil;
   const auto least = std::min_element(foil.strip.begin(), foil.strip.end(),
                                       [](const FoilStrip& a, const FoilStrip& b) { return a.sixths() < b.sixths(); });
   judge.require(least->sixths() == 0, fmt::format("bump_foil.strip[{}].stagger", least - foil.strip.begin() + 1),
-                quantity(least->stagger, ""), "is the least, and not 0",
-                "give strips by how much more they are staggered, and turn bearing.weld_angle instead");
+                quantity(least->stagger, ""), "is the smallest stagger, but not 0",
+                "measure staggers from the least staggered strip, and turn bearing.weld_angle instead");
   const std::string key = "bump_foil.strip";
   judge.require(pad.bearing.taper == 0.0, key, "", "staggers strips on a sleeve with a taper, which is not supported",
                 "remove bearing.taper, or the stagger");
@@ -127,11 +127,11 @@ void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& j
                 "give fewer bumps, smaller pitches or a shorter top_foil.overhang");
 }
 
-/// What strips that differ need.
+/// Requirements of strips that differ.
 void judge_own(Judge& judge, const PadDesign& pad) {
   const std::string key = "bump_foil.strip";
   judge.require(pad.bump_foil.model != BumpFoilModel::former, key, "",
-                "needs a top foil, of which the Le Lez (2007) model has none", "set model = \"truss\" or \"frame\"");
+                "needs a top foil, which the Le Lez (2007) model does not have", "set model = \"truss\" or \"frame\"");
   judge.require(pad.bump_foil.geometry == Geometry::linear, key, "", "is not supported with large displacements",
                 "set bump_foil.geometry = \"linear\"");
 }
@@ -142,11 +142,12 @@ void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judg
   const BumpFoil& foil = pad.bump_foil;
   bool usable = judge_gaps(judge, pad);
   judge.require(!pad.top_foil.split || foil.is_split(), "top_foil.split", "true",
-                "is of a split bump foil, and this one is whole", "set bump_foil.strips, or remove it");
+                "applies to a split bump foil, and this one is not split", "set bump_foil.strips, or remove it");
   if (foil.strip.empty()) return;
-  usable = judge.require(!usable || foil.is_split() || !foil.has_own_strips(), "bump_foil.strip", "",
-                         "is of a split bump foil, and this one is whole", "set bump_foil.strips, or remove it") &&
-           usable;
+  usable =
+      judge.require(!usable || foil.is_split() || !foil.has_own_strips(), "bump_foil.strip", "",
+                    "applies to a split bump foil, and this one is not split", "set bump_foil.strips, or remove it") &&
+      usable;
   usable = judge.require(!usable || std::cmp_equal(foil.strip.size(), foil.strips), "bump_foil.strip",
                          fmt::format("{} tables", foil.strip.size()),
                          fmt::format("there must be one for each of the {} strips", foil.strips),

@@ -104,7 +104,7 @@ FilmReport BranchFollower::solve_on_branch(const OperatingPoint& to, double twic
   return report;
 }
 
-/// What the step after one that was taken is longer by.
+/// Growth factor of the next step after a successful one.
 double BranchFollower::growth(const FilmReport& taken) const {
   if (taken.iterations >= easy_iterations) return 1.0;
   if (!to_.by_load()) return options_.time_growth;

@@ -209,7 +209,7 @@ class Optimiser {
         point = own.find(values);
       }
       if (point->status != PointStatus::converged) {
-        // Worse than all that the search has met: its models lead away from there.
+        // Worse than all points of the search so far: its models lead away from there.
         aim = worst + 1.0;
         limits.setOnes();
         return true;

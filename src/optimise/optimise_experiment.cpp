@@ -37,7 +37,7 @@ std::vector<ResultFile> optimise_files(const Case& input, const OptimiseResult& 
 
 ExperimentInfo optimise_experiment() {
   return {.name = "optimise",
-          .summary = "Choose keys of the case so that a quantity is best under limits, as specified in [optimise]",
+          .summary = "Maximise or minimise a quantity over keys of the case under limits, as specified in [optimise]",
           .examples =
               "  bumpfoil optimise examples/optimise.toml -o optimised\n"
               "  bumpfoil optimise examples/optimise.toml -o more --set optimise.evaluations=300 optimise.starts=8\n"

@@ -11,7 +11,7 @@ namespace bumpfoil {
 
 class PointRunner;
 
-/// What is evaluated at every point: the case with values of the chosen keys, run by the command of [optimise].
+/// The evaluation of a point: the case with values of the chosen keys, run by the command of [optimise].
 class OptimiseModel {
  public:
   /// @throws Error (input) with every fault of aims, limits and starts

@@ -190,7 +190,7 @@ std::vector<std::string> optimise_failures(const OptimiseResult& result) {
     case OptimiseStatus::rounding_limited:
       return {"the search of the best point ended by round-off before its tolerance"};
     case OptimiseStatus::not_confirmed:
-      return {"the best point has another result when it is evaluated again"};
+      return {"the result of the best point differs when it is evaluated again"};
     case OptimiseStatus::infeasible: {
       const OptimisePoint& nearest = result.points[*result.nearest];
       return {fmt::format("no point meets all limits; the nearest misses {}, at {}",

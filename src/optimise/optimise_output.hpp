@@ -18,13 +18,13 @@ std::vector<std::string> optimise_warnings(const OptimiseResult& result);
 /// For the terminal.
 std::string optimise_table(const OptimiseResult& result);
 
-/// What result.nc holds. @param result  lives as long as it
+/// Contents of result.nc. @param result  lives as long as it
 Dataset optimise_dataset(const OptimiseResult& result);
 
 /// Contents of points.csv: a line for each point.
 std::string points_csv(const OptimiseResult& result);
 
-/// What summary.json lists.
+/// Entries of summary.json.
 nlohmann::ordered_json optimise_lists(const OptimiseResult& result);
 
 /// Contents of case.toml: the case with the best values, and where they come from. @pre  there is a best point

@@ -9,7 +9,7 @@
 
 namespace bumpfoil {
 
-/// What a search is for: an aim, and how good the other is to be at least.
+/// Target of a search: an aim, and the limit on the other aim.
 struct SearchGoal {
   std::size_t aim{};
   std::optional<OptimiseLimit> other{};
@@ -31,7 +31,7 @@ class PointMerits {
   [[nodiscard]] double scaled_aim(const OptimisePoint& point, std::size_t aim) const;
   /// Limits of a goal, not to be positive.
   [[nodiscard]] Eigen::VectorXd scaled_limits(const OptimisePoint& point, const SearchGoal& goal) const;
-  /// What is less is better: first what misses limits the least, then the aim.
+  /// Smaller is better: first the violation of limits, then the aim.
   [[nodiscard]] std::pair<double, double> merit(const OptimisePoint& point, const SearchGoal& goal) const;
 
   /// The best of those that meet a goal; null where none does.

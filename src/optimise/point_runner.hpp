@@ -12,7 +12,7 @@
 
 namespace bumpfoil {
 
-/// What a run says of quantities.
+/// Values of quantities in a run.
 struct PointRun {
   RunStatus status{};
   std::vector<double> values{};  ///< of the quantities that were asked for, in their order; not a number where absent

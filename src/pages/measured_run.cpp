@@ -74,7 +74,7 @@ std::string cycle_name(double at, bool strip) {
   return strip ? fmt::format("{}", at) : direction_name(at * std::numbers::pi / 180.0);
 }
 
-/// What is to be known of a loop, a sentence each.
+/// Remarks on a loop, a sentence each.
 std::vector<std::string> remarks_on(const LastCycle& loop) {
   std::vector<std::string> remarks;
   if (loop.found > 1) remarks.push_back(fmt::format("{} cycles found, the last is used", loop.found));

@@ -164,7 +164,7 @@ Json deviations_json(const Json& result) {
   }
 }
 
-/// What of a summary a report shows.
+/// The part of a summary that a report shows.
 Json summary_shown(const Json& summary, const std::string& kind) {
   if (has_cycles(kind) || has_parameters(kind) || has_points(kind)) return summary;
   Json shown = Json::object();
@@ -197,7 +197,7 @@ const char* result_name_in(const fs::path& folder) {
   return "result.nc";
 }
 
-/// What a folder shows. @throws Error (file)
+/// Contents of a folder for the report. @throws Error (file)
 Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOptions& options) {
   const auto refuse = [&folder](std::string what) {
     throw Error(ErrorKind::file, {{folder.string(), 0, "", "", std::move(what), folder_advice}});

@@ -80,7 +80,7 @@ OrbitSteps orbit_steps(const NetcdfImage& file, const RowSize& size, std::size_t
   const std::vector<std::size_t> ends = ends_of_turns(size.rows, [&](std::size_t first, std::size_t count) {
     std::vector<double> angles = file.numbers(stored, {first}, {count});
     if (!std::all_of(angles.begin(), angles.end(), [](double angle) { return std::abs(angle) < largest_angle; })) {
-      file.refuse("angle", "has a value that is no angle");
+      file.refuse("angle", "has a value that is not an angle");
     }
     return angles;
   });

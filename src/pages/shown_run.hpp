@@ -10,11 +10,11 @@
 
 namespace bumpfoil {
 
-/// What tables on a page say of a quantity: its key in summary.json, words, unit, and what result.nc calls it.
+/// Description of a quantity in tables of a page: its key in summary.json, words, unit, and what result.nc calls it.
 /// @param meaning  with the label that the page shows, and its long name in words, empty where there are none
 nlohmann::ordered_json shown_quantity(const VariableMeaning& meaning);
 
-/// What tables on a page call a quantity of states or vibrations: its label, or words for its name where it has none,
+/// Name of a quantity of states or vibrations in tables of a page: its label, or words for its name where it has none,
 /// or one that belongs under another on the terminal, which it begins with blanks for.
 std::string shown_label(std::string_view label, std::string_view name);
 

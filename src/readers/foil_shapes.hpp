@@ -25,7 +25,7 @@ struct ShapedPoint {
   double contact{absent};  ///< its state, as the result numbers them
 };
 
-/// What a point belongs to.
+/// The part that a point belongs to.
 enum class ShapedPart { top_foil, bump_foil, journal, journal_top, top_bump, bump_sleeve };
 
 /// A surface, or single points.

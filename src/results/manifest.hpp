@@ -10,7 +10,7 @@ namespace bumpfoil {
 /// 128 bits from the system, 32 hexadecimal digits.
 std::string make_run_id();
 
-/// What a summary says of the files beside it.
+/// The entry of a summary on the files beside it.
 Manifest make_manifest(std::string run_id, const std::vector<ResultFile>& files);
 
 }  // namespace bumpfoil

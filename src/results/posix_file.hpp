@@ -32,7 +32,7 @@ class FileDescriptor {
   int descriptor_;
 };
 
-/// What came of locking a file. A lock ends with its process, however that ends.
+/// Result of locking a file. A lock ends with its process, however that ends.
 enum class Lock {
   taken,
   held_by_another,

@@ -13,14 +13,14 @@ struct LimitedQuantity {
   std::string unit;  ///< SI, as UDUNITS spells it; "1" where there is none
 };
 
-/// What a quantity is to keep.
+/// A limit on a quantity.
 struct QuantityLimit {
   std::size_t quantity{};  ///< number of it
   bool above{};            ///< it must be above the bound, else below
   double bound{};          ///< SI
 };
 
-/// What messages say of limits.
+/// Advice in messages about limits.
 struct LimitWords {
   std::string key;      ///< of the case, or option
   std::string whole;    ///< "the ensemble", whose quantities they are

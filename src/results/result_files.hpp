@@ -34,7 +34,7 @@ struct RunRecord {
 /// The message of a run with these failures.
 std::string message_of(std::vector<std::string> failures, RunStatus status);
 
-/// What a run writes.
+/// The files of a run.
 struct ResultContents {
   std::vector<ResultFile> texts;  ///< beside the others
   Dataset dataset;

@@ -14,7 +14,7 @@ namespace bumpfoil {
 /// A number; null where it is not finite.
 nlohmann::ordered_json value_json(double value, const Form& form = {});
 
-/// What every summary begins with. @param input  the case, or one of those, that were run
+/// The head of every summary. @param input  the case, or one of those, that were run
 nlohmann::ordered_json summary_head(std::string_view command, const Case& input, RunStatus status,
                                     const Manifest& manifest);
 

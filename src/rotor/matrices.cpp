@@ -102,7 +102,7 @@ class MatrixCheck {
   bool sizes() {
     const std::size_t count = matrices_.mass.size();
     bool right = require(count > 0 && static_cast<std::size_t>(n_ * n_) == count, "M", fmt::format("{} numbers", count),
-                         "are no square matrix", "give n rows of n numbers");
+                         "are not a square matrix", "give n rows of n numbers");
     right = right && require(n_ >= 4, "M", fmt::format("{} rows", n_), "are too few for a rotor that tilts",
                              "give a matrix with the displacements at two bearings among its unknowns");
     right = right && require(n_ <= most_rotor_unknowns, "M", fmt::format("{} rows", n_), "are too many",
@@ -122,11 +122,11 @@ class MatrixCheck {
     std::set<int> unknowns;
     const auto check = [&](const MatrixPlace& place, const std::string& key) {
       right &= require(!place.name.empty() && names.insert(place.name).second, key + ".name", place.name,
-                       place.name.empty() ? "is empty" : "is given twice", "give each place a name of its own");
+                       place.name.empty() ? "is empty" : "is given twice", "give each position a unique name");
       right &= require(std::isfinite(place.z), key + ".z", fmt::format("{}", place.z), "is not finite",
                        "give a place along the axis, m");
       for (const auto& [axis, number] : {std::pair(".x", place.x), std::pair(".y", place.y)}) {
-        right &= require(number >= 0 && number < n_, key + axis, fmt::format("{}", number), "is no unknown of M",
+        right &= require(number >= 0 && number < n_, key + axis, fmt::format("{}", number), "is not an unknown of M",
                          fmt::format("give the number of its row, from 0 to {}", n_ - 1));
       }
       right &= require(place.x != place.y, key + ".y", fmt::format("{}", place.y), "is the unknown along X, too",
@@ -138,7 +138,7 @@ class MatrixCheck {
       for (const auto& [axis, number] : {std::pair("x", bearing.x), std::pair("y", bearing.y)}) {
         right &= require(unknowns.insert(number).second || bearing.x == bearing.y,
                          fmt::format("bearing[{}].{}", i + 1, axis), fmt::format("{}", number),
-                         "is an unknown of another bearing", "give every bearing unknowns of its own");
+                         "is an unknown of another bearing", "give every bearing its own unknowns");
       }
     }
     for (std::size_t i = 0; i < matrices_.stations.size(); ++i) {
@@ -191,7 +191,7 @@ class MatrixCheck {
                      "is not positive definite", "give a matrix that has mass or inertia in every motion");
     const Eigen::MatrixXd K = entries_of(matrices_.stiffness, n_);
     right &= require((K.diagonal().array() >= 0.0).all() && least_scaled_eigenvalue(K) >= least_eigenvalue, "K", "",
-                     "is not positive semidefinite", "give a stiffness that no motion takes energy out of");
+                     "is not positive semidefinite", "give a stiffness without negative energy in any motion");
     return right;
   }
 

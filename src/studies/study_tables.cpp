@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-/// What `quantities` has of a cycle: numbers that say something about the bearing, not about how it was computed.
+/// Columns of `quantities` for a cycle: numbers that say something about the bearing, not about how it was computed.
 std::vector<CycleQuantity> quantities_of_cycle() {
   std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::cycle);
   std::erase_if(quantities, [](const CycleQuantity& quantity) {

@@ -25,7 +25,7 @@ constexpr std::string_view over_option = "--over";
 constexpr std::size_t most_sweep_faults = 50;
 /// The list that is swept one value at a point.
 constexpr std::string_view swept_list = "equilibrium.speeds";
-/// What all points have in common: their spectra have one axis.
+/// Common to all points: their spectra have one axis.
 constexpr std::string_view never_swept = "transient.revolutions_per_spectrum";
 
 /// The dimension of a value of a key that takes two.
@@ -152,7 +152,7 @@ class GridFaults {
   bool input_{};
 };
 
-/// What a case holds under a key, SI.
+/// Value of a key in a case, SI.
 double value_in(const Case& input, const std::string& key) {
   const std::vector<ListedKey> keys = list_keys(input);
   const nlohmann::ordered_json& held = find_key(keys, key)->value;

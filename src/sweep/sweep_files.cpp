@@ -91,7 +91,7 @@ Json sweep_lists(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   return json;
 }
 
-/// What keeps the sweep from being complete.
+/// Why the sweep is incomplete.
 std::string message_of(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const auto count = [&points](RunStatus status) {
     return std::count_if(points.begin(), points.end(), [=](const SweepPoint& point) { return point.status == status; });

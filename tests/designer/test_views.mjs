@@ -17,7 +17,7 @@ test('vibrations about a load are those of the program', () =>
       await load.fill('-80,0');
       await load.press('Tab');
     });
-    assert.match(await page.locator('.vibration > .note').textContent(), /the journal stands at x = .* µm/);
+    assert.match(await page.locator('.vibration > .note').textContent(), /the journal is at x = .* µm/);
     for (const [title, columns] of [['Stiffness', ['kxx_N_per_m', 'kyy_N_per_m']], ['Loss factor', ['loss_factor_x', 'loss_factor_y']]]) {
       const download = page.waitForEvent('download');
       await page.getByRole('button', { name: `${title}: save the data as CSV` }).click();
@@ -221,7 +221,7 @@ test('the rotor is that of the program, quickly at first, beside the design befo
     assert.equal(remarks.filter((one) => one.includes('formed tighter than the bearing')).length, 1, remarks.join());
     await view.getByLabel('Speed, rpm').fill('fast');
     await view.getByLabel('Speed, rpm').press('Tab');
-    assert.equal(await told(), 'The speed is a number.');
+    assert.equal(await told(), 'Enter the speed as a number.');
     // What the program refuses is told in its words.
     await typeSpeed('-12000');
     assert.match(await view.locator('.remarks').textContent(), /has another sign than the first/);

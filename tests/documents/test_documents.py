@@ -193,6 +193,8 @@ class English(unittest.TestCase):
         is told with | are told with | one fault in | the design before | is the last that | um at least | µm at least
         all stuck | stuck stiffness | further stiffness | loaded stiffness | loaded, tangent | behind a click
         touchdown below | from nothing to | is more at | the rounding of | should mind | on a fault | assumed is one
+        no cylinder | no cylinders | what the rig reads | the rig sees | number of sixths | several answers | nothing heats up
+        stands for a millionth | held against sliding | called right | measured less fitted | that the search has met
     """.replace("\n", "|").split("|")
 
     def texts(self):

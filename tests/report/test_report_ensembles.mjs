@@ -77,7 +77,7 @@ test('sensitivities and bump loads are those of summary.json', () =>
   withReport('many.html', async (page) => {
     const { sensitivities, bump_loads: loads } = summaryOf('many');
     const heights = await csvOf(page, 'Sensitivity to bump heights');
-    const common = rowsOf((await saved(page, 'Sensitivity to what is common to a bearing', /CSV/)).bytes.toString().replaceAll(/"[^"]*"/g, 'friction'));
+    const common = rowsOf((await saved(page, 'Sensitivity to inputs common to a bearing', /CSV/)).bytes.toString().replaceAll(/"[^"]*"/g, 'friction'));
     for (const [direction, degrees] of [['+X', '0'], ['+Y', '90']]) {
       const found = sensitivities[direction].max_force;
       const rows = heights.filter((row) => row.direction_deg === degrees);

@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// Foils as they lie in the sleeve without a journal, pad after pad.
+/// Foils assembled in the sleeve without a journal, pad after pad.
 /// @return none where the contacts cannot be solved
 std::vector<PadAssembly> assemble_without_journal(const Foils& foils);
 

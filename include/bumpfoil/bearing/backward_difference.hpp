@@ -6,8 +6,8 @@
 
 namespace bumpfoil {
 
-/// How the rate of what moves with a bearing enters a step in time: at the end of the step h_n, from the values y_n at
-/// its start and y_{n-1} at the start of the step before,
+/// Backward difference for a rate in a step in time: at the end of the step h_n, from the values y_n at its start and
+/// y_{n-1} at the start of the previous step,
 ///
 ///     dy/dt = (y_{n+1} - y_ref) / span,      y_ref = now y_n + before y_{n-1}
 ///
@@ -24,7 +24,7 @@ struct BackwardDifference {
   }
 };
 
-/// First order: span = h_n, y_ref = y_n. It damps what grows, and says nothing about stability.
+/// First order: span = h_n, y_ref = y_n. It damps growing motions, so its result says nothing about stability.
 inline BackwardDifference implicit_euler(double dt) {
   return {.span = dt};
 }
@@ -34,7 +34,7 @@ inline BackwardDifference implicit_euler(double dt) {
 ///     1 / span = (1 + 2 w) / ((1 + w) h_n),      y_ref = ((1 + w)^2 y_n - w^2 y_{n-1}) / (1 + 2 w)
 ///
 /// Steps that keep growing by w > 1 + sqrt(2) amplify errors without bound [Grigorieff1983]: a step that grows by more
-/// is one of implicit Euler, as is the first one. Single steps of it leave the order of a march as it is.
+/// is one of implicit Euler, as is the first one. Single steps of it do not change the order of a march.
 /// @param dt         h_n > 0, s
 /// @param dt_before  h_{n-1}, s; 0: there is no step before
 inline BackwardDifference bdf2(double dt, double dt_before) {

@@ -9,14 +9,14 @@
 
 namespace bumpfoil {
 
-/// What a step in time leaves to the next one beside the state it led to: a plain value.
+/// History that a step in time passes to the next, in addition to the state: a plain value.
 struct LastStep {
   double dt{};     ///< its length, s; 0: there was none, as after increments that take no time
   Matrix content;  ///< P H at its start, at all nodes
 };
 
-/// All that an increment leaves to the next, with a film or without: a plain value, to be copied, kept and gone back
-/// to. Its excitation is the one that the foils are in balance with.
+/// Everything that one increment passes to the next, with or without a film: a plain value that can be copied, stored
+/// and restored. Its excitation is the one with which the foils are in equilibrium.
 struct BearingState : Excitation {
   double time{};                   ///< s; quasi-static increments take none
   Eigen::Vector2d tilt{0.0, 0.0};  ///< of the journal under a film, see JournalVector, m
@@ -52,7 +52,7 @@ struct StepEvent {
   ContactMode to{};
 };
 
-/// An increment as it was taken: where it led, what happened on the way, what it cost and how it ended.
+/// A computed increment: its end state, the events on the way, its cost and its status.
 struct Step {
   Status status{Status::converged};
   BearingState state;               ///< new; after a failure it means nothing but where the increment was to lead

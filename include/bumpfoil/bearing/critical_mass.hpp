@@ -17,7 +17,7 @@ struct CriticalMass {
 /// refined to 1e-11 of the higher frequency. Sorted by mass.
 ///
 /// A rotor below the smallest one does not whirl, provided that film and foils stay at the state with the journal held:
-/// with a pole of Z in the right half plane these masses mean nothing.
+/// with a pole of Z in the right half-plane these masses are meaningless.
 /// @param impedance  Z(i nu) = dF/d(x, y), N/m, at any frequency in between
 std::vector<CriticalMass> critical_masses(const std::function<Eigen::Matrix2cd(double)>& impedance, double lowest,
                                           double highest);

@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// Work done on the foils between two states by what moves their initial gaps (the journal), trapezoidal rule, J:
+/// Work done on the foils between two states by the journal, which changes their initial gaps; trapezoidal rule, J:
 ///
 ///     W = -1/2 sum (p_begin + p_end) (g0_end - g0_begin)
 ///
@@ -16,7 +16,7 @@ namespace bumpfoil {
 /// @param gap_change  g0_end - g0_begin of each, m
 double gap_work(const Vector& mean_force, const Vector& gap_change);
 
-/// Work that friction takes between two states, -sum t du with the mean of the forces t at both, J.
+/// Energy dissipated by friction between two states, -sum t du with the mean of the forces t at both, J.
 double friction_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
 
 /// Energy dissipated by the friction of a problem, sum of f p |du|, J. Made once: ensembles ask for it about 400 times

@@ -76,31 +76,30 @@ struct FilmPad {
   [[nodiscard]] auto columns() const { return Eigen::seqN(first_column, foil.mesh.nodes()); }
 };
 
-/// A bearing that runs: gas film, top foil, bump foil, and the contacts top foil/bump and bump/sleeve. The film takes
-/// the place of the contact between journal and top foil. Never changed once it is made, so that solvers and results
-/// share it.
+/// A running bearing: gas film, top foil, bump foil, and the contacts top foil/bump and bump/sleeve. The film replaces
+/// the contact between journal and top foil. Immutable, so that solvers and results share it.
 ///
-/// Every pad has a film of its own from edge to edge, with ambient pressure at both; pads have nothing in common but
-/// the journal. A bearing without pads is one. Fields have the columns of all pads in a row, each from its weld, and
-/// as many rows in all. Each strip of a top foil that is split over the width is such a pad: its rows cover its own
-/// part of the width, and at the slits the film ends in ambient pressure.
+/// Every pad has its own film from edge to edge, with ambient pressure at both; pads are coupled only by the journal. A
+/// bearing without pads is one pad. Fields have the columns of all pads in a row, each from its weld, and the same
+/// number of rows for all. Each strip of a top foil that is split over the width is such a pad: its rows cover its part
+/// of the width, and at the slits the film ends in ambient pressure.
 ///
-/// Unknowns come in blocks, pad after pad one for each bump and a last one for the free end. The block of a bump has
-/// the places of its foils' unknowns, with the top foil over the crest among them, and after them the pressures of the
-/// column over the crest, c (P_j - 1) (m). Staggered strips have crests over several columns, its stations, and the
-/// pressures of one follow those of the one before. The block of the free end keeps the displacement of the top foil
-/// in the place of its first pressure; all else there stays zero.
+/// Unknowns come in blocks: pad after pad one for each bump and a last one for the free end. The block of a bump has
+/// the unknowns of its foils, including the top foil over the crest, followed by the pressures of the column over the
+/// crest, c (P_j - 1) (m). Staggered strips have crests over several columns, its stations; the pressures of the
+/// stations follow each other. The block of the free end has the displacement of the top foil in the place of its first
+/// pressure; its other entries stay zero.
 ///
-/// Where displacements vary over the width, foils have theirs on each line (FoilLine): those of the first line in the
-/// places of the foils' unknowns, the others, and at the end what is unknown of the membrane at each station, behind
-/// the pressures. What is the same on both halves varies at top foil and crest alone; what is linear over the width, as
-/// under a tilted journal, at all of the bump foil, which is independent slices then. Against modes of a higher order
-/// the crest has springs of held_crest_stiffness(), and all else that is not uniform all but rigid ones; or all of the
-/// bump foil varies, and the stress functions of its sheet (SheetModel::elastic) stand between lines and membrane.
-/// Where the bump foil is split into strips it is on points of its own instead (Foils), and the lines are those of the
-/// top foil alone.
+/// Where displacements vary over the width, they are given on lines (FoilLine). The first line uses the places of the
+/// foils' unknowns; the unknowns of the other lines, and then those of the membrane at each station, follow the
+/// pressures. Displacements that are symmetric over the width vary at top foil and crest only; those that are linear,
+/// as under a tilted journal, vary in the whole bump foil, which then consists of independent slices. Against modes of
+/// higher order the crest has springs of held_crest_stiffness(), and the other unknowns are held uniform by almost
+/// rigid springs. With SheetModel::elastic the whole bump foil varies instead, and the stress functions of its sheet
+/// come between lines and membrane. A bump foil that is split into strips is given at its own points (Foils), and the
+/// lines are those of the top foil only.
 ///
-/// K of the contact problem is that of the bump foils alone, which holds what means nothing in the last blocks.
+/// K of the contact problem is that of the bump foils alone; it fixes the unused unknowns of the last blocks.
 struct FilmBearing : Foils {
   FilmScales scales;  ///< c is film_thickness_scale()
   std::vector<FilmPad> pads;

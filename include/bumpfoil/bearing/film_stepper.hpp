@@ -17,7 +17,7 @@ namespace bumpfoil {
 
 class FilmNewton;
 
-/// Settings of the search for states of a bearing that runs.
+/// Settings of the search for states of a running bearing.
 struct FilmBearingOptions {
   FilmSolverOptions newton{};
   double first_time_step{0.025};  ///< of a march in time, in units of T0
@@ -66,7 +66,7 @@ enum class TimeScheme : std::uint8_t {
   implicit_euler,  ///< to find states: it damps what grows
 };
 
-/// What an increment of a running bearing leads to, and in what time. A plain value.
+/// The target of an increment of a running bearing, and its time step. A plain value.
 struct Move {
   JournalLaw law;    ///< what holds the journal
   double speed{};    ///< Omega, rad/s
@@ -75,7 +75,7 @@ struct Move {
   TimeScheme scheme{TimeScheme::bdf2};
 };
 
-/// The same of several bearings whose journals one body joins.
+/// The same for several bearings whose journals are connected by one body.
 struct JointMove {
   JointLaw law;
   double speed{};
@@ -112,15 +112,15 @@ struct HeldMotions {
   [[nodiscard]] std::optional<bool> is_stable() const;
 };
 
-/// Takes a running bearing from state to state: gas film, sagging top foil, bump foil, unilateral contact and Coulomb
-/// friction in one system, and the position of the journal with them. Newton's method on the film; in each step the
-/// contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver). Film and foils
-/// are never iterated in turn: a foil that has lifted off its bumps is held by the film alone, and only the joint
-/// matrix knows that.
+/// Advances a running bearing from state to state: gas film, sagging top foil, bump foil, unilateral contact, Coulomb
+/// friction and the position of the journal in one system. Newton's method on the film; in each step the contact
+/// problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver). Film and foils are
+/// never solved in alternation: a foil that has lifted off its bumps is supported by the film alone, which only the
+/// joint matrix represents.
 ///
-/// There may be several states at one operating point, even without friction: which one is found is decided by the path
-/// that leads there. Here it is one step of Newton's method; follow() and settle() in motion/ go further. The stepper
-/// holds nothing of the states: those belong to the caller. One thread at a time; steppers may share the bearing.
+/// There may be several states at one operating point, even without friction; the path decides which one is found.
+/// solve() makes one move, advance() one increment; follow() and settle() in motion/ go further. The stepper does not
+/// own states: they belong to the caller. One thread at a time; steppers may share the bearing.
 class FilmStepper {
  public:
   explicit FilmStepper(SharedFilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
@@ -170,9 +170,8 @@ class FilmStepper {
                                                                       const std::vector<std::complex<double>>& rates,
                                                                       bool stuck = false);
 
-  /// The pole of the bearing with its journal held that lies farthest to the right: what Z has among its own poles,
-  /// whatever carries the journal. The state lasts where its real part is negative. Contacts keep their modes or stick,
-  /// as in stiffness().
+  /// The rightmost pole of the bearing with its journal held; it is also a pole of Z, whatever the rotor. The state
+  /// lasts if its real part is negative. Contacts keep their modes or stick, as in stiffness().
   /// @return nothing if the modes leave a singular system, or the equations of all unknowns are not met to 1e-8
   [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck = false);
 
@@ -182,8 +181,8 @@ class FilmStepper {
   [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
   [[nodiscard]] const FilmBearingOptions& options() const { return options_; }
 
-  /// Takes several bearings to the end of a move of the body that joins their journals, all in one step of Newton's
-  /// method. Friction refers to BearingState::slip_origin, as in solve().
+  /// Solves for several bearings at the end of a move of the body that connects their journals, all in one Newton
+  /// iteration. Friction refers to BearingState::slip_origin, as in solve().
   /// @param steppers  one for each bearing: none twice
   /// @param guesses   of the states at the end, their journals where the guess of y puts them
   /// @param y         first guess of the unknowns of the law; receives the result

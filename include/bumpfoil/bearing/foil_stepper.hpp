@@ -17,16 +17,15 @@ class ModeSystem;
 using FollowerMaker =
     std::function<std::unique_ptr<PathFollower>(const SharedProblem&, const std::shared_ptr<ModeSystem>&)>;
 
-/// Takes foils from state to state. It holds a solver and its workspace, and nothing of the states: those
-/// belong to the caller, who keeps the new one or the old one. One thread at a time; as many steppers as threads share
-/// the foils.
+/// Advances foils from state to state. It holds a solver and its workspace but no states: they belong to the caller,
+/// who keeps the new one or the old one. One thread at a time; as many steppers as threads share the foils.
 ///
 /// In all functions `step` receives the result, its storage is reused, and it must not hold the state to start from.
 class FoilStepper {
  public:
   FoilStepper(SharedFoils foils, const FollowerMaker& make_follower);
 
-  /// Takes other foils of the same stiffness and contacts, whose gaps alone may differ. An assembly must follow.
+  /// Switches to other foils with the same stiffness and contacts; only their gaps may differ. An assembly must follow.
   /// @return false if these are others; then it keeps those it has
   [[nodiscard]] bool set_foils(const SharedFoils& foils);
 

@@ -57,28 +57,28 @@ struct JournalOverWidth {
   WidthProfile profile{};                   ///< of journal and sleeve
 };
 
-/// Foils ready to be loaded: elastic foils and the contacts between the journal (or the plate that presses on a strip,
-/// called journal below), the foils, and what carries them (sleeve, base). Never changed once they are made, so that
-/// any number of runs and threads may share them.
+/// Foils ready to be loaded: elastic foils, their contacts with the journal (or the plate that compresses a strip,
+/// called journal below), with each other, and with their support (sleeve, base). Immutable, so that any number of runs
+/// and threads may share them.
 ///
-/// The journal stands at a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a
-/// bump with the normal n. The plate of a strip moves along X, and all its normals are (1, 0).
+/// The journal has a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a bump with the
+/// normal n. The plate of a strip moves along X, and all its normals are (1, 0).
 ///
 /// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
 ///
-/// Where the bump foil is split into strips that do not move alike, each carries the top foil at points of its own, two
-/// over its width. Each point has a bump foil under it, which no other is joined to, and whose crest touches the top
-/// foil where it is displaced by u(zeta) of WidthLines. That displacement has a place in the block, as top_u of the
-/// point, and so has the force that ties it to those of the lines, as its top_moment. The crests of strips that are
-/// staggered are those of the same bump, some columns of the mesh of the top foil further on, and the journal touches
-/// the lines there, too. Where the top foil is split as well, there is a slice of it under each point, welded where the
-/// strip is, and nothing is tied.
+/// Where the bump foil is split into strips that do not move alike, each strip supports the top foil at two points over
+/// its width. Under each point is a separate bump foil, not connected to any other, whose crest touches the top foil at
+/// the displacement u(zeta) of WidthLines. This displacement is an unknown of the block, top_u of the point, and so is
+/// the force that ties it to the lines, its top_moment. Crests of staggered strips belong to the same bump, some
+/// columns of the mesh of the top foil further along, and the journal may touch the lines there, too. Where the top
+/// foil is split as well, there is a slice of it under each point, welded where the strip is, and no displacement is
+/// tied.
 ///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
-/// Of foils that answer differently over the width there is one on every line between journal and top foil, top foil
-/// and crest and, where feet are not uniform, foot and sleeve; of strips the last two are at the points. Without a top
-/// foil the first is missing, and the second is that of the plate with the crest. Under a film the first is missing,
-/// and the blocks of the problem are those of FilmBearing.
+/// Where foils deform differently over the width, there is one on every line between journal and top foil, top foil and
+/// crest and, if feet are not uniform, foot and sleeve; with strips the last two are at the points. Without a top foil
+/// the first is missing, and the second is that of plate and crest. Under a film the first is missing, and the blocks
+/// of the problem are those of FilmBearing.
 struct Foils {
   std::vector<PlacedPad> placed;  ///< the pads of a bearing, worked out once; none of a strip
   FoilStructure structure;

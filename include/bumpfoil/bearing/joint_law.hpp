@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// What holds the journals of any number of bearings that one body joins, as rows beside the equations of their films
-/// and foils:
+/// Conditions on the journals of several bearings that one body connects, as rows in addition to the equations of their
+/// films and foils:
 ///
 ///     A (y* - y) + sum B_i (F*_i - F_i) = 0,      q_i = N_i y + q_0i
 ///

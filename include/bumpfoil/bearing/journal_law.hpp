@@ -13,12 +13,13 @@ using JournalVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1>;
 /// Derivatives of the one by the other, two or four rows and columns.
 using JournalMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
 
-/// What holds the journal, as more rows of the equations of film and foils:
+/// Conditions on the journal, as additional rows of the equations of film and foils:
 ///
 ///     A (q* - q) + B (F* - F) = 0
 ///
 /// q place of the journal, m; F force on it that balances the film, N. A journal that is held has A = 1 and B = 0, one
-/// that carries a load A = 0 and B = 1; what hangs on a linear structure has its dynamic stiffness for A.
+/// that carries a load A = 0 and B = 1; a journal on a linear structure has the dynamic stiffness of the structure for
+/// A.
 struct JournalLaw {
   JournalMatrix by_position;  ///< A
   JournalMatrix by_force;     ///< B
@@ -41,7 +42,7 @@ struct JournalLaw {
 /// The journal is held at a place, m.
 JournalLaw held_journal(const JournalVector& position, const FilmScales& scales);
 
-/// The journal carries a load, N, and goes where the bearing balances it.
+/// The journal carries a load, N, and moves to where the bearing balances it.
 JournalLaw loaded_journal(const JournalVector& load, const FilmScales& scales);
 
 /// Two laws one behind the other: of the place of the journal in the mid-plane, and of its tilt.

@@ -20,7 +20,7 @@ struct Wedge {
 ///
 ///     f = T / |a|
 ///
-/// on it falls faster than resistance grows. Increments may then have several answers or none [Klarbring1990].
+/// on it falls faster than resistance grows. Increments may then have several solutions or none [Klarbring1990].
 /// Bumps that rest on fewer contacts wedge no less: T is smaller then.
 ///
 /// @param problem  with linear elastic forces, or the tangent of others

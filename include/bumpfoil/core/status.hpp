@@ -13,7 +13,7 @@ namespace bumpfoil {
 /// the report.
 enum class Status : std::uint8_t {
   converged,             ///< the state obeys every equation and inequality within the bounds of its solver
-  no_modes,              ///< no contact modes were found whose exact solution contradicts none of their inequalities
+  no_modes,              ///< no combination of contact modes was found whose exact solution satisfies all inequalities
   no_tangent,            ///< large displacements: no tangents led to elastic forces that balance the contact forces
   iterations_spent,      ///< `uzawa`: a loop ended before its residual had fallen to its tolerance
   energy_defect,         ///< `events`: a part of the path that had to be taken blindly breaks W = E - E0 + D
@@ -37,7 +37,7 @@ inline constexpr auto enum_names<Status> = std::to_array<std::string_view>(
      "load_out_of_reach", "load_not_met", "interrupted", "unstable", "not_unique", "not_converged", "touchdown",
      "no_room", "fold", "not_reached"});
 
-/// Foils that no film presses know the statuses before this one, which have their own numbers in files.
+/// Foils without a film have the statuses before this one, with their own numbers in files.
 inline constexpr auto foil_statuses = static_cast<std::size_t>(Status::not_converged);
 
 /// Those of running bearings, in the order of their numbers in files.

@@ -19,10 +19,10 @@ namespace bumpfoil {
 /// have no gap before them: so the answer does not depend on threads.
 inline constexpr std::size_t ensemble_round = 1000;
 
-/// Who runs an ensemble, and who is asked meanwhile. All but the threads may be left out.
+/// How an ensemble is run, and its callbacks. All except the threads may be omitted.
 struct EnsembleRun {
   unsigned threads{1};
-  /// Called now and then with the number of samples that are done; returning false stops the run.
+  /// Called repeatedly with the number of completed samples; returning false stops the run.
   std::function<bool(double done)> progress{};
   /// Asked after every whole round.
   std::function<bool()> enough{};

@@ -16,7 +16,7 @@ struct SampleFailure {
   int status{};         ///< see EnsembleLayout::status_name
 };
 
-/// What an ensemble is like at one place: of the samples that reached it.
+/// Statistics of an ensemble at one place, over the samples that reached it.
 struct PlaceStatistics {
   std::vector<Statistics> columns;     ///< one for each of the layout; of the status it means nothing
   std::vector<Statistics> bump_loads;  ///< one per bump

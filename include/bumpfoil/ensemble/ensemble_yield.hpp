@@ -10,7 +10,7 @@
 
 namespace bumpfoil {
 
-/// What a quantity of every bearing is to keep, in every direction.
+/// A limit that a quantity of every bearing must meet, in every direction.
 struct EnsembleLimit {
   std::string text;      ///< as it was written
   std::size_t column{};  ///< of the layout
@@ -30,15 +30,15 @@ struct Yield {
   double low{}, high{};  ///< Wilson's 95 % interval of the part that passes [Wilson1927]
 };
 
-/// The limits of an ensemble and what keeps them.
+/// The limits of an ensemble, and how many bearings meet them.
 struct EnsembleYields {
   std::vector<EnsembleLimit> limits;
   std::vector<Yield> each;  ///< of each limit by itself
   Yield all;                ///< of all together
 };
 
-/// Counts them. A bearing passes that keeps it in every direction; one
-/// that did not converge does not pass. A clearance that was never taken up is larger than any bound.
+/// Counts them. A bearing passes if it meets the limit in every direction; one that did not converge does not pass. A
+/// clearance that was never taken up is larger than any bound.
 EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const RowLog& log);
 
 /// The same of rows that are elsewhere. @param values_of_entry  values of all samples in this place of their rows

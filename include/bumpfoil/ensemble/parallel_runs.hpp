@@ -26,8 +26,8 @@ class RunQueue {
   virtual void close() = 0;
 };
 
-/// Does runs that have nothing to do with each other, several at a time, as threads become free. What a run gives back
-/// it writes to a place of its own, so that nothing depends on the number of threads.
+/// Executes independent runs, several at a time, as threads become free. Each run writes its result to its own place,
+/// so that results do not depend on the number of threads.
 ///
 /// @param threads  that run; the calling one only waits
 /// @param tick     called now and then by the calling thread alone; returning false closes the queue and stops the runs

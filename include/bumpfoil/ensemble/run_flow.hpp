@@ -16,8 +16,8 @@ struct RunRange {
   std::size_t first{}, count{};
 };
 
-/// Distributes runs to the threads that do them: numbers go out in their order, rows of what they found come back in
-/// any, and leave in the order of their numbers again. For several threads at once.
+/// Distributes runs to threads: numbers are handed out in order, rows of results come back in any order and leave in
+/// the order of their numbers. For several threads at once.
 ///
 /// Threads run independently: one waits only where a run takes so long that others would be a window ahead of it. That
 /// bounds the memory.

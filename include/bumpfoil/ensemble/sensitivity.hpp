@@ -8,9 +8,9 @@ namespace bumpfoil {
 /// Ranks of numbers among each other, from 1; equal ones share the mean of theirs. Infinite numbers have ranks, too.
 std::vector<double> ranks_of(const std::vector<double>& values);
 
-/// How much a response depends on each of several factors, the others held: partial correlations of ranks, which see
-/// any dependence that rises or falls throughout, however it bends. With the correlations R of the ranks
-/// of the factors and r of these with the ranks of the response, Q = R^-1 and b = Q r,
+/// How much a response depends on each of several factors, the others held: partial rank correlations, which detect any
+/// monotonic dependence, linear or not. With the correlations R of the ranks of the factors and r of these with the
+/// ranks of the response, Q = R^-1 and b = Q r,
 ///
 ///     rho_k = b_k / sqrt(b_k^2 + (1 - r'b) Q_kk)
 class PartialRankCorrelations {

@@ -9,7 +9,7 @@ namespace bumpfoil {
 /// Percentiles that statistics have, %.
 inline constexpr std::array<int, 7> percentiles{1, 5, 25, 50, 75, 95, 99};
 
-/// What is told of a quantity that varies. Numbers that are not defined, for want of values, are not numbers.
+/// Statistics of a quantity that varies. Numbers that are undefined, for lack of values, are NaN.
 struct Statistics {
   std::size_t count{};      ///< values that are defined
   std::size_t undefined{};  ///< and those that are not

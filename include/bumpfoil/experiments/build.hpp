@@ -8,7 +8,7 @@
 #include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/model/case.hpp"
 
-/// Where cases end: they are checked, and what is below takes designs, gases and settings.
+/// The boundary of cases: they are checked here, and lower modules take designs, gases and settings.
 namespace bumpfoil {
 
 /// The foils of the bearing of a case, pressed by its journal without a film.

@@ -14,8 +14,8 @@
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
 
-/// All that can be done to a bearing, each in a folder of its own. A command, its help and its place in the manual, and
-/// a function of the Python package follow from what an experiment says of itself here.
+/// All experiments on a bearing, each in its own folder. The command, its help and its place in the manual, and a
+/// function of the Python package follow from the description of an experiment here.
 namespace bumpfoil {
 
 /// A part of a result that tables of sweeps show by itself: a direction, a vibration.

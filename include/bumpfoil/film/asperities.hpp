@@ -13,8 +13,8 @@ struct GreenwoodTripp {
 /// @param u  distance of the mean planes over the roughness, >= 0; relative error below 1e-12
 GreenwoodTripp greenwood_tripp(double u);
 
-/// Rough surfaces whose peaks touch where a film is thin: what presses them apart besides the film. A plain value, with
-/// dimensions or without:
+/// Rough surfaces whose peaks touch where a film is thin: the contact pressure in addition to the film. A plain value,
+/// with or without dimensions:
 ///
 ///     p_c(h) = K' F_5/2(h / sigma),     K' = (16 sqrt(2) / 15) pi (eta beta sigma)^2 sqrt(sigma / beta) E*
 struct Asperities {

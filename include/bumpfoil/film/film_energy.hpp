@@ -20,7 +20,7 @@ struct FilmPowers {
 /// @param equation  steady
 FilmPowers film_powers(const ReynoldsEquation& equation, const FilmState& film);
 
-/// Isothermal free energy of the gas over that at ambient pressure, int [P ln P - (P - 1)] H dA of the whole width, in
+/// Isothermal free energy of the gas relative to ambient pressure, int [P ln P - (P - 1)] H dA of the whole width, in
 /// units of pa R^2 c. Edges where P is given keep what enters there out of it: they have - (P - 1) H alone.
 double free_energy(const FilmMesh& mesh, const FilmState& film);
 

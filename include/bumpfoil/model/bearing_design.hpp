@@ -67,7 +67,7 @@ struct Bearing {
 /// Parts of a pitch that strips may be staggered by.
 inline constexpr int staggers_per_pitch = 6;
 
-/// What one of the strips that a bump foil is split into over the width has otherwise than the others.
+/// Properties specific to one of the strips into which a bump foil is split over the width.
 struct FoilStrip {
   double stagger{};       ///< of the strip along the foil, its weld included, in pitches: a multiple of a sixth
   PerBump height_errors;  ///< m, positive = taller; added to those of the bump foil
@@ -132,7 +132,7 @@ struct BumpFoil {
     places.erase(std::unique(places.begin(), places.end()), places.end());
     return places;
   }
-  /// What the columns on a pitch of a mesh must be a multiple of, so that every crest is one.
+  /// The columns per pitch of a mesh must be a multiple of this, so that every crest is a column.
   [[nodiscard]] int least_columns_per_pitch() const {
     constexpr int half = staggers_per_pitch / 2;
     const bool halves =

@@ -168,7 +168,7 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
-/// How the clearance varies over the width where journal or sleeve are no cylinders: at zeta = 2 z / L, from -1 to 1,
+/// How the clearance varies over the width where journal or sleeve is not cylindrical: at zeta = 2 z / L, from -1 to 1,
 /// it is wider than in the middle by conicity zeta / 2 + crowning zeta^2. Foils lie on such a sleeve unstressed, so
 /// that only the difference of both surfaces counts. A plain value.
 struct WidthProfile {
@@ -243,7 +243,7 @@ struct EquilibriumSettings {
   bool operator==(const EquilibriumSettings&) const = default;
 };
 
-/// What a bearing that carries a rotor has otherwise than the bearing of the case: whole tables.
+/// Tables of a bearing that carries a rotor which differ from those of the case: whole tables.
 struct RotorBearing {
   std::optional<Bearing> bearing{};
   std::optional<BumpFoil> bump_foil{};
@@ -258,7 +258,7 @@ struct RotorBearing {
   bool operator==(const RotorBearing&) const = default;
 };
 
-/// A case as the program understands it: a bearing and what is to be done to it. SI units, defaults filled in.
+/// A case as interpreted: a bearing and the experiments on it. SI units, defaults filled in.
 struct Case : BearingDesign {
   std::string title;
   SolverSettings solver;
@@ -276,11 +276,11 @@ struct Case : BearingDesign {
   /// Choices of the reader that the case file leaves open, in plain words: warnings of every result.
   std::vector<std::string> remarks{};
 
-  /// Whether foils without a film answer differently over the width.
+  /// Whether foils without a film deform differently over the width.
   [[nodiscard]] bool varies_over_the_width() const {
     return width.tilts() || width.profile() != WidthProfile{} || has_own_strips();
   }
-  /// Whether strips of the bump foil may move each by itself: the top foil answers to that. Under a film they do.
+  /// Whether strips of the bump foil may move independently: the top foil can follow that. Under a film they do.
   [[nodiscard]] bool lets_strips_move_apart() const {
     return bump_foil.is_split() && (width.modes > 1 || top_foil.split);
   }

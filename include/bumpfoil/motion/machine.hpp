@@ -15,8 +15,8 @@ struct RotorMotion {
   Eigen::VectorXd y, v;
 };
 
-/// A rotor and its bearings at an instant, with all that a step in time leaves to the next: a march that goes on from a
-/// copy goes on to the last bit. A plain value.
+/// A rotor and its bearings at an instant, with everything that a step in time passes to the next: a march continued
+/// from a copy is bit-identical. A plain value.
 struct MachineState {
   double time{};   ///< s
   double angle{};  ///< through which the rotor has turned, rad
@@ -55,7 +55,7 @@ struct MachineReport {
   int parts{};           ///< equal ones that the step was taken in
 };
 
-/// Takes a rotor on any number of bearings through time by BDF2,
+/// Advances a rotor on any number of bearings in time by BDF2,
 ///
 ///     M dv/dt + (Omega G + C) v + K y = f - sum B_i^T F_i,      v = dy/dt
 ///

@@ -17,7 +17,7 @@ struct Passage {
   double target{};           ///< where it was to lead on the line of its leg, m or N
 };
 
-/// What becomes of an increment, and of the march.
+/// What happens to an increment, and to the march.
 enum class Verdict {
   go_on,   ///< its state is kept, and the next increment begins there
   stop,    ///< its state is kept, and is the last one
@@ -31,20 +31,20 @@ using Observer = std::function<Verdict(const Passage&)>;
 /// Takes increment `taken` = 1..steps of a leg from a state into `step`.
 using Taker = std::function<void(const Leg& leg, int taken, const BearingState& from, Step& step)>;
 
-/// Says which leg comes next; nothing at the end. It may go by what an observer has seen.
+/// Decides which leg comes next; nothing at the end. It may depend on what was observed.
 using Schedule = std::function<const Leg*()>;
 
 /// That of a program, leg after leg. @param program  outlives the schedule
 Schedule schedule_of(const Program& program);
 
-/// Goes through a schedule, increment by increment: the one loop that does so. What is recorded, accumulated or watched
-/// for is the observer's business; halving increments, following events and crossing folds is that of what takes them.
+/// Runs through a schedule, increment by increment: the only loop that does so. The observer decides what is recorded,
+/// accumulated or watched; halving increments, following events and crossing folds is done by the stepper.
 /// @param state  where the march begins; receives the last state that was kept
 /// @param step   receives the increments, one after the other; its storage is reused
 /// @return whether the schedule was taken to its end
 bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Step& step, const Observer& observe);
 
-/// Takes foils through a schedule.
+/// Runs foils through a schedule.
 /// @param largest  load of the schedule, N; of one by positions any
 /// @param reach    loads are not looked for beyond this displacement, m
 bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, double reach, BearingState& state,
@@ -54,8 +54,8 @@ bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, doubl
 bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe);
 
-/// Takes a bearing that runs through a program: quasi-static increments by follow(), those that take time by one step
-/// of BDF2 each. An increment in time that Newton's method fails to find is taken again in 2, 4, ... 128 equal parts;
+/// Runs a running bearing through a program: quasi-static increments by follow(), those that take time by one step of
+/// BDF2 each. An increment in time that Newton's method fails to find is taken again in 2, 4, ... 128 equal parts;
 /// friction refers to the start of each part.
 bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe);
 

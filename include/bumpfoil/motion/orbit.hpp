@@ -10,8 +10,8 @@
 
 namespace bumpfoil {
 
-/// What a place of a rotor does in a turn, along X and Y: x = mean + Re(once e^{i |Omega| t} + twice e^{2 i |Omega| t})
-/// and more, t = 0 where the rotor stands at angle 0.
+/// Motion of a station of a rotor in a turn, along X and Y: x = mean + Re(once e^{i |Omega| t} + twice e^{2 i |Omega|
+/// t}) and more, t = 0 where the rotor stands at angle 0.
 struct StationOrbit {
   Eigen::Vector2d mean{Eigen::Vector2d::Zero()};               ///< m
   Eigen::Vector2cd once{Eigen::Vector2cd::Zero()};             ///< m
@@ -44,7 +44,7 @@ struct Orbit {
   std::vector<StationOrbit> bearings{};  ///< of the journals in the last turn, periodic or not; none where it ended
   std::vector<StationOrbit> stations{};  ///< of Rotor::stations
   std::vector<BearingTurn> turn{};       ///< of the bearings
-  /// Floquet multipliers that the search has met, the largest first: factors by which what is left of other motions of
+  /// Floquet multipliers found by the search, the largest first: factors by which what is left of other motions of
   /// the journals changes in a turn, as their differences from turn to turn show. An orbit lasts where all are smaller
   /// than one. None where no orbit was found and nothing had to be extrapolated.
   std::vector<std::complex<double>> multipliers{};
@@ -64,12 +64,13 @@ std::optional<MachineState> moved_orbit(const MachineState& linear, const Machin
                                         const MachineState& before);
 
 /// Looks for the motion of a machine that repeats itself in every turn at constant speed. A turn is a map of states;
-/// film and foils forget in a part of it, the rotor in many. Reduced-rank extrapolation takes what is left of other
-/// motions away: after two turns the differences d_i of journals and their velocities over 4 turns per bearing and two
-/// more give weights g, min |sum g_i d_i| with sum g_i = 1, by which whole states are combined, and the march goes on
-/// from there. It converges to orbits that do not last, too: multipliers tell. Differences of less than ten tolerances
-/// are of friction that creeps, and tell none; an orbit that is found without larger ones is disturbed by a thousandth
-/// of the clearance, and as many turns of what follows tell them.
+/// disturbances of film and foils decay within a part of it, those of the rotor in many turns. Reduced-rank
+/// extrapolation removes the remaining other motions: after two turns the differences d_i of journals and their
+/// velocities over 4 turns per bearing and two more give weights g, min |sum g_i d_i| with sum g_i = 1, by which whole
+/// states are combined, and the march goes on from there. It also converges to unstable orbits, which the multipliers
+/// reveal. Differences of less than ten tolerances come from creep by friction and give no multipliers; an orbit that
+/// is found without larger differences is disturbed by a thousandth of the clearance, and the same number of following
+/// turns gives the multipliers.
 /// @param forces  repeat themselves with the angle
 /// @param start   at an angle of whole turns
 Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const MachineState& start,

@@ -19,9 +19,9 @@ double opening_to_start(const FilmBearing& bearing, double floor);
 /// @param to  where it is closed, by the same position or load
 FilmReport close_clearance(FilmStepper& stepper, const OperatingPoint& to, int steps, BearingState& state);
 
-/// From rest to a first state of a running bearing whose foils may leave a journal no room: it begins in a clearance
-/// that is opened until they do. Where formed foils leave none, foils that are formed to the bearing begin, and are
-/// formed step by step to what they are.
+/// From rest to a first state of a running bearing whose foils may leave no space for a film: the run starts in a
+/// clearance that is opened until there is space. If formed foils leave none, it starts with foils that are formed to
+/// the bearing, and their forming is applied step by step.
 /// @param to     the point that `begin` leads to
 /// @param steps  increments of the forming
 /// @param state  as of Beginning

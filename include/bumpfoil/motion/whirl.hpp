@@ -69,9 +69,9 @@ struct FreeMotions {
 std::optional<FreeMotions> find_whirls(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
                                        const WhirlWindow& window, bool stuck = false);
 
-/// What synchronous coefficients say of the same rotor: its motions on Z_i(s) = K_i + s C_i with the stiffness
-/// K_i = Re Z_i(i |Omega|) and the damping C_i = Im Z_i(i |Omega|) / |Omega|. A whirl is not synchronous, so that they
-/// may be far off.
+/// Motions of the same rotor on synchronous coefficients, Z_i(s) = K_i + s C_i with the stiffness K_i = Re Z_i(i
+/// |Omega|) and the damping C_i = Im Z_i(i |Omega|) / |Omega|. Whirl is not synchronous, so these motions may be far
+/// from the true ones.
 std::vector<Whirl> whirls_on_coefficients(const Rotor& rotor, double speed, const std::vector<FilmImpedance>& bearings,
                                           const WhirlWindow& window);
 

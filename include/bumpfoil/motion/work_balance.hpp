@@ -6,12 +6,12 @@
 
 namespace bumpfoil {
 
-/// What drives a machine in some time, where it goes, and what of it is held at the end, J:
+/// Energy that drives a machine over some time, and how it is dissipated and stored, J:
 ///
 ///     entrained + supplied + forces + rubbing = dissipated + friction + damping + stored
 ///
-/// exact in space, see FilmPowers; what is left is the error of the steps in time. The drag of the films on the
-/// surfaces that move at Omega R (Couette) is no part of it: it is dissipated where it is done.
+/// exact in space, see FilmPowers; the defect is the error of the steps in time. The drag of the films on the surfaces
+/// that move at Omega R (Couette) is not part of it: it is dissipated on the spot.
 struct WorkBalance {
   double entrained{};   ///< work of the turning journals on the gas that they draw along
   double supplied{};    ///< by gas that enters at edges above ambient pressure
@@ -22,7 +22,7 @@ struct WorkBalance {
   double damping{};     ///< of the rotor itself
   double stored{};      ///< change of the energy of motion, of shaft, films, foils and asperities
 
-  /// Work of the films on what bounds them and on what they hold.
+  /// Work of the films on their surfaces, stored energy of the gas included.
   [[nodiscard]] double films() const { return entrained + supplied - dissipated; }
   [[nodiscard]] double defect() const { return films() + forces + rubbing - friction - damping - stored; }
   WorkBalance& operator+=(const WorkBalance& other);

@@ -93,8 +93,8 @@ struct OptimiseResult {
   OptimiseStatus status{OptimiseStatus::no_result};
   std::vector<OptimisePoint> points;  ///< all that were evaluated; the first has the values that are given
   std::vector<OptimiseSearch> searches;
-  /// Number of the best point; of two aims the one of the front that is nearest to the best of both. Absent where none
-  /// meets all limits.
+  /// Number of the best point; with two aims the point of the front nearest to the best values of both. Absent where
+  /// none meets all limits.
   std::optional<std::size_t> best{};
   std::optional<std::size_t> nearest{};  ///< the point that misses its limits by the least, where none meets them
   std::vector<std::size_t> front{};      ///< of two aims: numbers of its points, from the best of the first aim on
@@ -104,17 +104,18 @@ struct OptimiseResult {
   [[nodiscard]] bool is_feasible(const OptimisePoint& point) const;
   /// Whether the best point lies at a bound of a key: 0, or -1 at the lower, 1 at the upper.
   [[nodiscard]] int bound_of(std::size_t key) const;
-  /// Whether a limit is all but reached at the best point.
+  /// Whether a limit is active at the best point.
   [[nodiscard]] bool is_active(std::size_t limit) const;
 };
 
-/// By how much a value misses a limit, in parts of its bound; negative where it meets it.
+/// By how much a value misses a limit, relative to its bound; negative if it meets the limit.
 double relative_miss(const OptimiseLimit& limit, double value);
 
-/// What of [optimise] is wrong that only the results of its command can tell: names of quantities, limits, starts.
+/// Errors of [optimise] that only the results of its command can reveal: names of quantities, limits, starts.
 std::vector<Fault> optimise_faults(const Case& input);
 
-/// Chooses keys of a case within their bounds so that a quantity is best under limits on others, without derivatives.
+/// Maximises or minimises a quantity over keys of a case, within their bounds and under limits on other quantities,
+/// without derivatives.
 ///
 /// The result depends on the case alone, to the last bit, not on threads. A point that fails is kept, and never best.
 /// @throws Error (input) with optimise_faults()

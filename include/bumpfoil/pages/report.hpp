@@ -80,7 +80,7 @@ struct ReadingOptions {
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///
-/// Files are not believed: their shapes, and that they are of one run, is verified before they are used.
+/// Files are not trusted: their shapes, and that they belong to one run, are verified before use.
 ///
 /// @param folders  of results, at least one
 /// @throws Error (file) that lists every folder that does not exist, holds no result, cannot be read, or is damaged;

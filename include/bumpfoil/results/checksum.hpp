@@ -7,7 +7,7 @@
 namespace bumpfoil {
 
 /// XXH3 of 128 bits (https://xxhash.com) in its canonical form, 32 hexadecimal digits: what `xxhsum -H2` prints. It
-/// tells damage, not forgery.
+/// detects damage, not forgery.
 std::string xxh3_128(std::string_view bytes);
 
 /// The same of a file, read piece by piece. @throws Error (file) if it cannot be read

@@ -34,8 +34,8 @@ struct Variable {
   bool compressed{};                                ///< in its own netCDF file
 };
 
-/// What a result is, described once: its own netCDF file holds it over its dimensions, that of a sweep over the swept
-/// keys as well.
+/// Content of a result, described once: its own netCDF file has it over its dimensions, that of a sweep also over the
+/// swept keys.
 struct Dataset {
   std::vector<DataDimension> dims{};
   std::vector<Variable> coordinates{};  ///< known, and the same at all points of a sweep

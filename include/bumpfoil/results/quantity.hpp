@@ -9,11 +9,11 @@
 
 #include "bumpfoil/core/status.hpp"
 
-/// What is told of every quantity of a result: a `name`, that of the variable in result.nc; a `unit` as UDUNITS spells
+/// Description of every quantity of a result: a `name`, that of the variable in result.nc; a `unit` as UDUNITS spells
 /// it, "1" where there is none, empty for words; a `long_name`; and a Form.
 namespace bumpfoil {
 
-/// Stands among numbers for one that is not known or does not exist. Files show it in their own way, never as a number.
+/// Represents a number that is unknown or does not exist. Files show it in their own way, never as a number.
 inline constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 /// As what values are written.

@@ -12,9 +12,9 @@
 namespace bumpfoil {
 
 /// The folder that a run writes to, claimed from the start to the end: nobody else can write results to it. Files are
-/// staged out of sight and published as one set. Whatever is killed, and whenever: published_file() gives the old files
-/// of all names or the new ones, files are never seen half written, and the next one who opens the folder completes a
-/// publication that was cut short, and removes what was not published.
+/// staged out of sight and published as one set. Whenever a process is killed, published_file() gives either all old
+/// files or all new ones, files are never seen half written, and the next process that opens the folder completes an
+/// interrupted publication and removes unpublished files.
 ///
 /// Inside the folder, as long as it takes: `.bumpfoil/claim`, a locked file; `.bumpfoil/staged-*`, files that are not
 /// published; `.bumpfoil/set`, a set that counts as published, with files that are not yet in their places.

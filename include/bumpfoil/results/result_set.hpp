@@ -26,7 +26,7 @@ inline constexpr auto enum_names<RunStatus> = std::to_array<std::string_view>({"
 /// so.
 RunStatus run_status(const std::vector<Status>& parts, std::size_t due);
 
-/// Where a result comes from, for those who open it years later. What is empty is left out.
+/// Provenance of a result, for readers years later. Empty entries are left out.
 struct Provenance {
   std::string command_line;
   std::string case_text;  ///< of the case file, as its author wrote it
@@ -47,7 +47,7 @@ struct FileChecksum {
   std::string xxh3_128;
 };
 
-/// By what readers tell the files of one run from those of another, and whole files from damaged ones.
+/// Lets readers distinguish the files of one run from those of another, and intact files from damaged ones.
 struct Manifest {
   std::string run_id;  ///< 32 hexadecimal digits, at random; see Provenance::times
   std::vector<FileChecksum> files;

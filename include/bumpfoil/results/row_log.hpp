@@ -12,9 +12,8 @@
 namespace bumpfoil {
 
 /// Rows of numbers on the disk, where millions have room: samples of an ensemble, steps of a march in time. They are
-/// added at the end block by block, and read by columns. Each block carries a checksum and is flushed to the disk:
-/// whatever is killed or loses its power, the log that is found is whole up to some row, and what is torn behind it
-/// falls away.
+/// added at the end block by block, and read by columns. Each block carries a checksum and is flushed to the disk: if a
+/// process is killed or power fails, the log is intact up to some row, and the torn end is discarded.
 ///
 /// Numbers are written as they lie in memory: a log is for machines like the one that began it.
 class RowLog {

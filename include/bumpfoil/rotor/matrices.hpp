@@ -34,7 +34,7 @@ struct RotorMatrices {
 /// Unknowns of a rotor that is given by its matrices.
 inline constexpr int most_rotor_unknowns = 300;
 
-/// What keeps matrices from being those of a rotor: sizes, numbers that are not finite, M, C or K not symmetric, M not
+/// Reasons why matrices are not those of a rotor: sizes, numbers that are not finite, M, C or K not symmetric, M not
 /// positive definite, K not positive semidefinite, G not antisymmetric, unknowns that are not there, a stiffness that
 /// holds the rotor or lets go of a part of it, places that do not lie where a tilt of the rotor has them, gyroscopic
 /// terms of the other sense of rotation. Their keys are "M", "bearing[1].x"; matrices that are wrong in themselves are

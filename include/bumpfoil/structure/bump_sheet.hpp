@@ -8,8 +8,8 @@
 
 namespace bumpfoil {
 
-/// What a bump foil in one piece is against displacements that vary over the width by P_k, k >= 2. With them its lines
-/// of crests and feet slide by different amounts at different places, and its sheet is sheared and stretched.
+/// Model of a bump foil in one piece for displacements that vary over the width by P_k, k >= 2. With them its lines of
+/// crests and feet slide by different amounts at different places, and its sheet is sheared and stretched.
 enum class SheetModel : std::uint8_t {
   held,     ///< rigid: no line slides and no foot lifts, held_crest_stiffness()
   elastic,  ///< it gives way: every slice moves as the bump foil does, and bump_sheet_stiffness() joins them
@@ -20,7 +20,7 @@ inline int sheet_nodes(const BumpDofs& dofs) {
   return dofs.feet() + 1;
 }
 
-/// The sheet of a bump foil between its slices, which give way along the base themselves. The forces per length in its
+/// The sheet of a bump foil between its slices, which themselves deform along the base. The forces per length in its
 /// middle surface are those of a Membrane, with f at the nodes of the truss or frame: weld, ends of arcs and crests, or
 /// crests and feet; linear in between and zero at the free end. With the pieces between nodes X long along the base and
 /// S along the foil, t thick, and u the mean tangential displacement of each, mode by mode,

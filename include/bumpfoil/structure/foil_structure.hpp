@@ -19,7 +19,7 @@ struct BumpDofs {
   std::vector<int> foot_v;
   int top_u{-1};       ///< radial displacement of the top foil over the crest, positive outward
   int top_moment{-1};  ///< scaled bending moment of the top foil at the crest; not a displacement
-  int unused{};        ///< places at the end of the block that mean nothing
+  int unused{};        ///< unused places at the end of the block
 
   [[nodiscard]] int feet() const { return static_cast<int>(foot_u.size()); }
 };

@@ -24,8 +24,8 @@ struct Forming {
 /// The forming of the top foil of a pair of bent foils. There must be one.
 Forming make_forming(const FoilDesign& foils);
 
-/// What forming adds to the compatibility of the foil in its moment form, T M + r = D' u, see TopFoilMoments: the
-/// rotations, at the weld and at all nodes but the last, between neighbouring spans that are formed but not bent,
+/// Contribution of the forming to the compatibility of the foil in its moment form, T M + r = D' u, see TopFoilMoments:
+/// the rotations, at the weld and at all nodes but the last, between neighbouring spans that are formed but not bent,
 ///
 ///     r_k = R times the sum over both spans of the integral of kappa_0 sin(x) / sin(d), x = d at node k
 ///

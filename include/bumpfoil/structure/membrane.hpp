@@ -6,10 +6,10 @@
 
 namespace bumpfoil {
 
-/// What a foil that is curved by 1/R along theta takes against displacements w_k P_k(zeta) outward with k >= 2: they
-/// stretch it, as those with k = 0, 1 do not. Its side edges are free. The forces per length in its middle surface,
-/// along the foil, across it and in shear, are those of one stress function f_k(s) per mode, s along the foil, a half
-/// the width:
+/// Membrane stiffness of a foil that is curved by 1/R along theta against outward displacements w_k P_k(zeta) with k >=
+/// 2: they stretch it, those with k = 0, 1 do not. Its side edges are free. The forces per length in its middle
+/// surface, along the foil, across it and in shear, are those of one stress function f_k(s) per mode, s along the foil,
+/// a half the width:
 ///
 ///     N_s = sum f_k P_k,   N_z = sum f_k'' chi_k,   N_sz = - sum f_k' chi_k'
 ///     chi_k'' = P_k (in z = a zeta),   chi_k = chi_k' = 0 at the side edges

@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// What of the width of a bearing is computed: half, where all is the same on both halves, or all of it.
+/// Computed part of the width of a bearing: half of it, if both halves are equal, or all of it.
 enum class WidthPart : std::uint8_t { half, whole };
 
 /// How displacements of a foil vary over its width: zeta in [-1, 1] from side to side, P_k the polynomials of Legendre,

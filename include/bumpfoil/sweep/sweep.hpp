@@ -58,7 +58,7 @@ std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point);
 /// "friction.coefficient=0.15, cycle.amplitude=60 um"
 std::string point_name(const Sweep& sweep, std::size_t point);
 
-/// What is kept of a point: the numbers and words of its result, and nothing else.
+/// The stored part of a point: the numbers and words of its result.
 struct SweepPoint {
   RunStatus status{RunStatus::interrupted};   ///< as it stays where the point was not begun
   std::vector<std::string> dims{};            ///< names of the dimensions of the result
@@ -82,7 +82,7 @@ SweepPoint point_of_bytes(const std::string& bytes);
 /// What is kept of the result of a point.
 SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome);
 
-/// Points that were not begun have nothing: this makes of them what says so.
+/// Makes results for points that were not started, flagged as such.
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points);
 
 /// Interrupted if any point was, else failed if any point was, else complete.

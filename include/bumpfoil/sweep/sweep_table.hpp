@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// What a sweep found, as text, a block for each direction, cycle or vibration: the headline quantities across, the
+/// Results of a sweep as text, a block for each direction, cycle or vibration: the headline quantities across, the
 /// values of a single key down. Of grids, and of more values than fit on a screen, the smallest and the largest of each
 /// quantity and where they are. What is not known is a dash.
 std::string sweep_table(const Sweep& sweep, const std::vector<SweepPoint>& points);

@@ -11,7 +11,7 @@ namespace bumpfoil {
 /// The quantities of a cycle, its warnings, and why it ended before its time.
 nlohmann::ordered_json cycle_json(const Case& input, const CycleResult& result, std::size_t cycle);
 
-/// What summary.json lists: `cycles`, each with the loads at full displacement.
+/// Entries of summary.json: `cycles`, each with the loads at full displacement.
 nlohmann::ordered_json cycle_lists(const Case& input, const CycleResult& result);
 
 }  // namespace bumpfoil

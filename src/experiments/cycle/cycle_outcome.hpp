@@ -4,7 +4,7 @@
 
 namespace bumpfoil {
 
-/// What a run has to show whose results are cycles.
+/// Outcome of a run whose results are cycles.
 Outcome cycle_outcome(const Case& input, CycleResult result);
 
 /// Runs a path and stages its files as it goes.

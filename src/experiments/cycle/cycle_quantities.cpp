@@ -152,7 +152,7 @@ void CycleQuantities::turn(TurningPoint response) {
   cycle_.turning_point = std::move(response);
 }
 
-/// What needs the turning points only.
+/// Quantities that need the turning points only.
 void CycleQuantities::find_stiffness() {
   const Increment& top = cycle_.turns.front();
   LoadingCurve::Point base;
@@ -171,7 +171,7 @@ void CycleQuantities::find_stiffness() {
   cycle_.loaded_stiffness = if_positive((top.force_direct - base.force) / range);
 }
 
-/// What needs the whole loop.
+/// Quantities that need the whole loop.
 void CycleQuantities::find_losses() {
   const double loop = cleared(work_, least_loop * largest_work_);
   cycle_.loop_energy = loop;

@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// What takes less memory.
+/// Advice to reduce memory.
 inline constexpr std::string_view cycle_advice = "use fewer steps or directions";
 
 /// A run of cycles, as all of its files tell of it.

@@ -20,7 +20,7 @@ struct NamedNumbers {
   std::vector<double> values;
 };
 
-/// What result.nc of a bearing and of a strip call and place differently.
+/// Names and places that differ between result.nc of a bearing and of a strip.
 struct ResultLayout {
   NamedNumbers cycles;  ///< their coordinate: directions, or numbers of a strip's cycles, begun or not; a path: none
   std::vector<std::size_t> places;  ///< of the cycles of the case among these, which are sorted; a path: one

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What each of several pads takes of the force; null where that is not known.
+/// Part of the force carried by each of several pads; null if unknown.
 void add_pad_forces(Json& json, const FilmBearing& bearing, const RunningState& state, bool known) {
   if (bearing.pads.size() == 1) return;
   for (const int axis : {0, 1}) {

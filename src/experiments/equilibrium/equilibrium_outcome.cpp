@@ -22,7 +22,7 @@ constexpr double margin_of_overhang = 2.0;
 /// Motions of the foil up to this part of the minimum film thickness are small ones.
 constexpr double linear_part = 0.1;
 
-/// What flutters in an unstable state, where, and what helps.
+/// The part that flutters in an unstable state, its location, and advice.
 std::string flutter_text(const FilmBearing& bearing, const RunningState& state) {
   const auto& [sliding, stuck] = state.held;
   const HeldMotion& motion = sliding && (!stuck || sliding->rate.real() >= stuck->rate.real()) ? *sliding : *stuck;
@@ -138,7 +138,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
       if (state.light_contacts > 0 && state.held_if_open.is_stable() != stable) {
         lines.push_back(fmt::format(
             "{}: whether the state is stable depends on {} closed contact{} with less than 1 mN, top foil on bumps or "
-            "bumps on sleeve: the verdict is doubtful",
+            "bumps on sleeve: its stability is doubtful",
             name_of_state(state), state.light_contacts, state.light_contacts == 1 ? "" : "s"));
       }
       if (const std::string overhang = overhang_text(*result.bearing, state); !overhang.empty()) {

@@ -47,12 +47,12 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
               "of small motions about the states, for stiffness and damping; default: that of the rotation",
               "[\"375 Hz\", \"750 Hz\"]", frequency},
              &equilibrium.frequencies);
-  keys.value(
-      {"limits", defaulted, "Limits",
-       "true: find lift-off speeds and load capacities, too: of the last stable states at least film.h_lift_off thick"},
-      &equilibrium.limits);
+  keys.value({"limits", defaulted, "Limits",
+              "true: also find lift-off speeds and load capacities: of the last stable states with a film thickness of "
+              "at least film.h_lift_off"},
+             &equilibrium.limits);
   keys.value({"ross_version", defaulted, "Version of ROSS",
-              "that coefficients.toml is for; 2 has synchronous coefficients alone"},
+              "for which coefficients.toml is written; 2 has synchronous coefficients only"},
              &equilibrium.ross_version);
 }
 
@@ -131,7 +131,7 @@ void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& fo
   judge.count("equilibrium.steps", equilibrium.steps, "increments");
   if (foil.bumps) judge_memory(judge, input, equilibrium);
   judge.require(equilibrium.ross_version == 2 || equilibrium.ross_version == 3, "equilibrium.ross_version",
-                std::to_string(equilibrium.ross_version), "is a version that nothing is written for", "give 2 or 3");
+                std::to_string(equilibrium.ross_version), "is not a supported version", "give 2 or 3");
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
     judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
   }

@@ -126,7 +126,7 @@ class LimitSearch {
     return limit;
   }
 
-  /// What is unstable, or may be, on the path before `end`.
+  /// States that are or may be unstable, on the path before `end`.
   void add_unstable(Places::const_iterator end, FilmLimit& limit) const {
     bool goes_on = false;
     for (auto place = path_.begin(); place != end; ++place) {

@@ -8,11 +8,11 @@
 
 namespace bumpfoil {
 
-/// What result.nc has of running bearings: everything known of every state, its film, bumps and feet, and the geometry.
-/// Of states that were not found all is absent but what was asked for.
+/// Contents of result.nc for running bearings: everything known of every state, its film, bumps and feet, and the
+/// geometry. Of states that were not found all is absent but what was asked for.
 Dataset state_dataset(const Case& input, const EquilibriumResult& result);
 
-/// What sweeps keep of running bearings: their quantities over speed and load, or speed and position.
+/// Contents of sweeps of running bearings: their quantities over speed and load, or speed and position.
 Dataset equilibrium_dataset(const EquilibriumSettings& settings, const EquilibriumResult& result);
 
 /// Where that has a state of the result.

@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// What a run has to show whose results are films.
+/// Outcome of a run whose results are films.
 Outcome running_outcome(const Case& input, EquilibriumResult result);
 
 }  // namespace bumpfoil

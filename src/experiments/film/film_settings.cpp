@@ -39,7 +39,8 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
   using enum Presence;
   using enum Dimension;
   keys.value({"columns_per_pitch", defaulted, "Columns per pitch",
-              "of the mesh; even, so that every crest is a column; with staggered strips a multiple of 6, but for 0.5"},
+              "of the mesh; even, so that every crest is a column; with staggered strips a multiple of 6, unless all "
+              "staggers are 0 or 0.5"},
              &film.columns_per_pitch);
   keys.value({"rows", defaulted, "Rows", "of the mesh, on half the width"}, &film.rows);
   keys.value({"h_floor", defaulted, "Contact threshold",
@@ -70,15 +71,14 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
 void describe(CaseVisitor& keys, WidthSettings& width) {
   using enum Presence;
   using enum Dimension;
-  keys.value(
-      {"modes", defaulted, "Modes over the width",
-       "of the displacement of the foils, for equilibrium and the commands with a rotor, and without a film for a "
-       "journal that tilts or is no cylinder: 1, uniform; 2, linear, too; 3, with a parabola; 4 and 5, with "
-       "polynomials of the third and fourth degree. With 2 or more bearings resist the tilt of a rotor"},
-      &width.modes);
+  keys.value({"modes", defaulted, "Modes over the width",
+              "of the displacement of the foils, for equilibrium and the commands with a rotor, and without a film for "
+              "a journal that is tilted or not cylindrical: 1, uniform; 2, also linear; 3, also a parabola; 4 and 5, "
+              "also polynomials of the third and fourth degree. With 2 or more bearings resist the tilt of a rotor"},
+             &width.modes);
   keys.value({"sheet", defaulted, "Elastic sheet",
-              "true: the bump foil gives way in its own surface, so that its feet slide by different amounts over the "
-              "width, with 3 modes or more; false: it is held against that"},
+              "true: the feet of the bump foil slide by different amounts over the width, with 3 modes or more; false: "
+              "they do not"},
              &width.sheet);
   keys.value({"tilt", defaulted, "Tilt",
               "misalignment: slope of the axis of the journal, or under a rotor of the line through the centres of its "
@@ -179,7 +179,7 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, double statio
   const int columns = film.columns_per_pitch;
   const bool columns_right = judge.require(
       columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
-      "puts no column over every crest", fmt::format("give an even number from 4 to {}", most_columns));
+      "does not put a column over every crest", fmt::format("give an even number from 4 to {}", most_columns));
   const bool rows_right =
       judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
                     "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
@@ -232,7 +232,8 @@ void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
   if (asperity.modulus) judge.within("asperity.modulus", *asperity.modulus, {1e6, 1e13, "Pa"});
   const bool by_peaks = asperity.density || asperity.radius || asperity.modulus;
   judge.require(!asperity.pressure_factor || !by_peaks, "asperity.pressure_factor", "",
-                "conflicts with density, radius or modulus, which it is made of", "give the factor or what makes it");
+                "conflicts with density, radius or modulus, from which it follows",
+                "give either the factor or those three");
   if (asperity.pressure_factor) return;
   judge.require(asperity.density.has_value(), "asperity.density", "", "is missing, as is pressure_factor",
                 "give peaks per area such as \"17000 1/mm2\", or pressure_factor such as \"250 MPa\"");
@@ -262,20 +263,20 @@ void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, 
   for (std::size_t i = 0; i < 2; ++i) judge_size(judge, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
 }
 
-/// What a journal that does not press alike over the width needs where there is no film.
+/// Requirements of a journal that loads the foils unevenly over the width, without a film.
 /// @param key  that says so
 void judge_dry_width(Judge& judge, const Case& input, const char* key, const char* command) {
   judge.require_for(command, input.width.modes != 1 || input.top_foil.split, key, "",
-                    "needs foils that answer to it where there is no film",
+                    "needs foils that can follow it where there is no film",
                     "set width.modes = 3, or 2 without a parabola");
   judge.require_for(command, input.bump_foil.geometry == Geometry::linear, key, "",
                     "is not supported with large displacements", "set bump_foil.geometry = \"linear\"");
   judge.require_for(command, input.bump_foil.model != BumpFoilModel::former, key, "",
-                    "needs a top foil, of which the Le Lez (2007) model has none",
+                    "needs a top foil, which the Le Lez (2007) model does not have",
                     "set model = \"truss\" or \"frame\"");
 }
 
-/// Journals that are tilted or no cylinders, and sleeves alike.
+/// Journals that are tilted or not cylindrical, and sleeves likewise.
 void judge_journal(Judge& judge, const Case& input) {
   const WidthSettings& width = input.width;
   judge_size(judge, "width.conicity", width.conicity, most_widening, "m");
@@ -287,7 +288,7 @@ void judge_journal(Judge& judge, const Case& input) {
                     "give width.tilt, or run equilibrium");
   for (const char* const command : {"stability", "unbalance", "transient"}) {
     judge.require_for(command, width.moment.empty(), "width.moment", "",
-                      "is not for bearings under a rotor, which puts moments on them itself",
+                      "is not supported under a rotor, which exerts its own moments on the bearings",
                       "remove it, or give width.tilt for bearings that are misaligned");
   }
   const char* const key = !width.moment.empty()   ? "width.moment"
@@ -299,26 +300,26 @@ void judge_journal(Judge& judge, const Case& input) {
   for (const char* const command : {"cycle", "path", "vibration"}) {
     judge_dry_width(judge, input, key, command);
     judge.require_for(command, width.moment.empty() || input.solver.chosen() != SolverName::uzawa, "solver.name",
-                      std::string(name_of(input.solver.chosen())), "does not support a journal that tilts by itself",
+                      std::string(name_of(input.solver.chosen())), "does not support a journal that is free to tilt",
                       "set name = \"newton\" or \"events\"");
   }
 }
 
-/// What is not computed yet of bump foils that are split into strips.
+/// Unsupported combinations of bump foils that are split into strips.
 void judge_strips_in_use(Judge& judge, const Case& input) {
   const bool apart = input.bump_foil.is_split() && input.varies_over_the_width();
   for (const char* const command : {"cycle", "path", "vibration"}) {
     judge.require_for(command, !apart || input.solver.chosen() != SolverName::uzawa, "solver.name",
-                      std::string(name_of(input.solver.chosen())), "does not support strips that move each by itself",
+                      std::string(name_of(input.solver.chosen())), "does not support strips that move independently",
                       "set name = \"newton\" or \"events\"");
   }
   if (!input.has_own_strips()) return;
   judge.require_for("strip", !input.strip, "bump_foil.strip", "",
-                    "differs over the width, and the plate presses foils that do not", "remove [[bump_foil.strip]]");
+                    "differs over the width, but foils between plates are uniform", "remove [[bump_foil.strip]]");
   for (const char* const command :
        {"cycle", "path", "vibration", "equilibrium", "stability", "unbalance", "transient"}) {
     judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "bump_foil.strip", "",
-                      "needs a top foil that answers to strips which differ",
+                      "needs a top foil that can follow strips that differ",
                       "set width.modes = 3, or 2 without a parabola");
   }
   if (input.top_foil.split) return;  // each strip has a mesh of its own
@@ -331,26 +332,26 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
   }
 }
 
-/// What is not computed yet where the film varies over the width.
+/// Unsupported combinations where the film varies over the width.
 void judge_width(Judge& judge, const Case& input) {
   judge_strips_in_use(judge, input);
   judge_journal(judge, input);
   const int modes = input.width.modes;
   judge.require(!input.width.sheet || (modes >= 3 && !input.bump_foil.is_split()), "width.sheet", "true",
-                input.bump_foil.is_split() ? "is of a bump foil in one piece, and split ones slide strip by strip"
-                                           : "needs foils that are not linear over the width",
+                input.bump_foil.is_split() ? "applies to a bump foil in one piece; strips slide independently"
+                                           : "needs foils with a parabola over the width",
                 input.bump_foil.is_split() ? "remove it" : "set width.modes = 3, or remove it");
   if (!judge.require(modes >= 1 && modes <= most_modes, "width.modes", std::to_string(modes),
                      "is not a number of modes over the width",
-                     fmt::format("give 1, uniform, 2, linear, too, 3, with a parabola, or up to {}", most_modes)) ||
+                     fmt::format("give 1 (uniform), 2 (also linear), 3 (also a parabola), or up to {}", most_modes)) ||
       modes == 1) {
     return;
   }
   judge.require_for("film", false, "width.modes", std::to_string(modes),
-                    "is of foils, and film has walls in their place", "set width.modes = 1, or run equilibrium");
+                    "applies to foils, and the command film has none", "set width.modes = 1, or run equilibrium");
 }
 
-/// What a bearing surface in place of the foils cannot have.
+/// Keys that do not apply to a bearing surface in place of the foils.
 void judge_wall(Judge& judge, const Case& input) {
   judge.require_for("film", input.pads.empty(), "pad", "",
                     "are parts of the sleeve: a bearing surface without foils has none",
@@ -373,7 +374,7 @@ void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   const double stations = together ? static_cast<double>(input.bump_foil.stations().size()) : 1.0;
   judge_film(judge, input.film, foil.bumps ? film_bumps(input) : 0, stations, input.has_equal_halves());
   judge.require_for("film", !input.asperity, "asperity", "",
-                    "is of journal and top foil, but film has walls in its place",
+                    "applies to journal and top foil, and the command film has no foils",
                     "remove [asperity], or run equilibrium");
   for (const char* const command : film_commands) {
     judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",

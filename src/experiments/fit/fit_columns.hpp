@@ -33,7 +33,7 @@ struct FitColumnInfo {
 /// Of tables, places first.
 std::span<const FitColumnInfo> fit_columns();
 
-/// What results call it: "stiffness", "minimum film thickness".
+/// Name in results: "stiffness", "minimum film thickness".
 std::string_view title_of(FitColumn column);
 
 /// SI; "1" of a plain number.

@@ -17,7 +17,7 @@ namespace bumpfoil {
 /// Whether a key holds a real number that a fit can change.
 bool is_fitted_key(const std::string& key);
 
-/// What to write in place of another.
+/// Advice on a key that cannot be fitted.
 std::string advice_on_fitted(const std::string& key);
 
 /// Absent of plain numbers, and of what is no key.

@@ -10,7 +10,7 @@
 
 namespace bumpfoil {
 
-/// What the readings of a rig would be, for values of its parameters and those of the case. The journal (or plate) of a
+/// Predicted readings of a rig, for values of its parameters and those of the case. The journal (or plate) of a
 /// loop goes to where the rig reads the largest displacement that was measured; of a loop to both sides, as far as half
 /// the range.
 class FitModel {

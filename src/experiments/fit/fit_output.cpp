@@ -32,9 +32,10 @@ constexpr std::array fit_quantities{
     FitQuantity<FitResult>{"status", "", "how the minimisation ended",
                            [](const FitResult& fit) { return static_cast<double>(fit.status); }, tag::none, "status",
                            shown::unitless, flags<Status>},
-    FitQuantity<FitResult>{"chi_square", "1", "squares of measured less fitted over their standard deviations",
+    FitQuantity<FitResult>{"chi_square", "1",
+                           "sum of the squares of measured minus fitted over their standard deviations",
                            [](const FitResult& fit) { return fit.chi_square; }},
-    FitQuantity<FitResult>{"degrees_of_freedom", "1", "points and priors less parameters",
+    FitQuantity<FitResult>{"degrees_of_freedom", "1", "points and priors minus parameters",
                            [](const FitResult& fit) { return static_cast<double>(fit.degrees_of_freedom); }, tag::none,
                            "", shown::in_files, whole_number},
     FitQuantity<FitResult>{"reduced_chi_square", "1", "chi-square per degree of freedom: 1 where noise explains all",
@@ -88,7 +89,7 @@ constexpr std::array measured_quantities{
                                 "force in a loop from the scatter of neighbours",
                                 [](const FittedQuantity& one) { return one.noise; }},
     FitQuantity<FittedQuantity>{"residual_rms", "1",
-                                "root mean square of measured less fitted, in the SI unit of the quantity",
+                                "root mean square of measured minus fitted, in the SI unit of the quantity",
                                 [](const FittedQuantity& one) { return one.residual; }}};
 
 constexpr std::array fit_point_quantities{
@@ -100,9 +101,9 @@ constexpr std::array fit_point_quantities{
                              [](const FittedPoint& point) { return point.at; }},
     FitQuantity<FittedPoint>{"measured_value", "1", "in the SI unit of the quantity; of a loop, mean of the forces",
                              [](const FittedPoint& point) { return point.measured; }},
-    FitQuantity<FittedPoint>{"model_value", "1", "what the fitted model gives there, in the SI unit of the quantity",
+    FitQuantity<FittedPoint>{"model_value", "1", "value of the fitted model there, in the SI unit of the quantity",
                              [](const FittedPoint& point) { return point.fitted; }},
-    FitQuantity<FittedPoint>{"value_residual", "1", "measured less fitted, in the SI unit of the quantity",
+    FitQuantity<FittedPoint>{"value_residual", "1", "measured minus fitted, in the SI unit of the quantity",
                              [](const FittedPoint& point) { return point.measured - point.fitted; }},
     FitQuantity<FittedPoint>{"value_deviation", "1",
                              "standard deviation of the measured value, in the SI unit of the quantity",
@@ -154,7 +155,8 @@ std::vector<std::string> fit_warnings(const FitResult& result) {
   if (is_excessive(result.chi_square, result.degrees_of_freedom)) {
     lines.push_back(fmt::format(
         "the model does not explain the data: chi-square per degree of freedom is {:.3g}, 1 where noise explains all; "
-        "standard errors are larger by its root, and still too small where residuals follow each other",
+        "standard errors are multiplied by its square root, and still too small where neighbouring residuals are "
+        "correlated",
         result.reduced_chi_square()));
   }
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
@@ -167,9 +169,9 @@ std::vector<std::string> fit_warnings(const FitResult& result) {
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     if (!result.parameters[i].at_jump) continue;
     lines.push_back(fmt::format(
-        "the model jumps beside the value of {}, as other contacts slide there: its standard error is not known, and "
+        "the model jumps near the value of {}, as other contacts slide there: its standard error is not known, and "
         "those of the others hold for this value; more fit.starts may find a deeper minimum beyond the jump, and "
-        "fit.profile = true shows what the data tell of it",
+        "fit.profile = true shows what the data say about it",
         result.settings.parameters[i].key));
   }
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {

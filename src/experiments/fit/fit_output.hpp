@@ -15,13 +15,13 @@ std::vector<std::string> fit_warnings(const FitResult& result);
 /// For the terminal.
 std::string fit_table(const FitResult& result);
 
-/// What fit.nc holds. @param result  lives as long as it
+/// Contents of fit.nc. @param result  lives as long as it
 Dataset fit_dataset(const FitResult& result);
 
 /// Contents of fit.csv: a line for each point of the data.
 std::string fit_csv(const FitResult& result);
 
-/// What summary.json lists.
+/// Entries of summary.json.
 nlohmann::ordered_json fit_lists(const FitResult& result);
 
 /// Contents of case.toml: the fitted case, and where its values come from.

@@ -110,22 +110,22 @@ void describe(CaseVisitor& keys, FitData& data) {
       &data.displacement_std);
   keys.value({"points", defaulted, "Points", "of equal arc length along the loop at which it is compared"},
              &data.points);
-  keys.value({"displacement_origin", defaulted, "Origin of the displacement", "what the rig reads where s = 0", "0 um",
-              length},
-             &data.rig.displacement_origin);
-  keys.value({"force_origin", defaulted, "Origin of the force", "what the rig reads without a force", "0 N", force},
+  keys.value(
+      {"displacement_origin", defaulted, "Origin of the displacement", "reading of the rig at s = 0", "0 um", length},
+      &data.rig.displacement_origin);
+  keys.value({"force_origin", defaulted, "Origin of the force", "reading of the rig without a force", "0 N", force},
              &data.rig.force_origin);
   keys.value({"displacement_drift", defaulted, "Drift of the displacement", "from the start of the loop to its end",
               "0 um", length},
              &data.rig.displacement_drift);
   keys.value({"force_drift", defaulted, "Drift of the force", "from the start of the loop to its end", "0 N", force},
              &data.rig.force_drift);
-  keys.value({"x_origin", defaulted, "Origin of the position, X", "of an equilibrium: what the rig reads at the centre",
+  keys.value({"x_origin", defaulted, "Origin of the position, X", "of an equilibrium: reading of the rig at the centre",
               "0 um", length},
              &data.rig.x_origin);
   keys.value({"y_origin", defaulted, "Origin of the position, Y", "the same", "0 um", length}, &data.rig.y_origin);
   keys.value(
-      {"torque_origin", defaulted, "Origin of the torque", "what the rig reads without a torque", "0 N mm", moment},
+      {"torque_origin", defaulted, "Origin of the torque", "reading of the rig without a torque", "0 N mm", moment},
       &data.rig.torque_origin);
   keys.value(
       {"machine_stiffness", optional, "Stiffness of the machine",
@@ -134,7 +134,7 @@ void describe(CaseVisitor& keys, FitData& data) {
   const bool given = std::any_of(data.table.begin(), data.table.end(),
                                  [](const FitReadings& readings) { return !readings.values.empty(); });
   keys.table({"readings", optional, "Readings",
-              "of vibrations or an equilibrium, the same as lists: where they were measured, and what"},
+              "of vibrations or an equilibrium, as lists instead of a file: operating points and measured values"},
              given, [&data](CaseVisitor& inner) {
                for (const FitColumnInfo& info : fit_columns()) {
                  inner.value(key_of_readings(info), &data.column(info.column).values);
@@ -151,25 +151,24 @@ void describe(CaseVisitor& keys, FitParameter& parameter) {
   keys.value(of_key("start", required, "Start", "with the unit of the key", "0.1"), &parameter.start);
   keys.value(of_key("lower", required, "Lower bound", "", "0.0"), &parameter.lower);
   keys.value(of_key("upper", required, "Upper bound", "", "0.5"), &parameter.upper);
-  keys.value(of_key("mean", optional, "Prior mean", "of what is known before, with std", "0.1"), &parameter.mean);
+  keys.value(of_key("mean", optional, "Prior mean", "prior mean; needs std", "0.1"), &parameter.mean);
   keys.value(of_key("std", optional, "Prior standard deviation", "", "0.05"), &parameter.std);
 }
 
 void describe(CaseVisitor& keys, FitSettings& fit) {
   using enum Presence;
   keys.value({"machine_stiffness", optional, "Stiffness of the machine",
-              "in series with the foils: the rig sees both; without it, it is rigid", "50 MN/m", Dimension::stiffness},
+              "in series with the foils; without it, the rig is rigid", "50 MN/m", Dimension::stiffness},
              &fit.machine_stiffness);
-  keys.value({"starts", defaulted, "Starts", "minimisations, the first from the starts of the parameters"},
+  keys.value({"starts", defaulted, "Starts", "number of minimisations, the first from the starts of the parameters"},
              &fit.starts);
   keys.value({"huber", optional, "Huber's constant",
-              "residuals beyond so many standard deviations count linearly, not by their squares", "1.345"},
+              "residuals beyond this number of standard deviations count linearly, not squared", "1.345"},
              &fit.huber);
-  keys.value(
-      {"profile", defaulted, "Profiles",
-       "true: also what the sum of squares rises by where a parameter is held near its best value and the others "
-       "are fitted again; takes many times as long as the fit"},
-      &fit.profile);
+  keys.value({"profile", defaulted, "Profiles",
+              "true: also compute profiles, the rise of the sum of squares with a parameter held near its best value "
+              "and the others fitted again; takes many times as long as the fit"},
+             &fit.profile);
   list_of_tables(keys, {"data", required, "Measured data", "one for each loop or table"}, fit.data,
                  [](CaseVisitor& inner, FitData& data) { describe(inner, data); });
   list_of_tables(keys, {"parameter", required, "Parameter", "one for each key that is fitted"}, fit.parameters,
@@ -224,12 +223,13 @@ void judge_column(Judge& judge, const FitData& data, const FitColumnInfo& info, 
   const std::string place = fmt::format("{}.readings.{}", key, info.name());
   const bool own = info.is_of(data.experiment);
   judge.require_for("fit", readings.values.empty() || own, place, "",
-                    fmt::format("are not of data of the experiment \"{}\"", name_of(data.experiment)), "remove them");
+                    fmt::format("do not apply to data of the experiment \"{}\"", name_of(data.experiment)),
+                    "remove them");
   judge_finite(judge, readings.values, place, info.unit());
   if (info.measured) {
     const std::string std_place = fmt::format("{}.{}", key, info.std_key);
     if (!judge.require_for("fit", !readings.std || own, std_place, quantity(readings.std.value_or(0.0), info.unit()),
-                           fmt::format("is not of data of the experiment \"{}\"", name_of(data.experiment)),
+                           fmt::format("does not apply to data of the experiment \"{}\"", name_of(data.experiment)),
                            "remove it")) {
       return;
     }
@@ -237,7 +237,7 @@ void judge_column(Judge& judge, const FitData& data, const FitColumnInfo& info, 
                       quantity(readings.std.value_or(0.0), info.unit()), "must be positive",
                       "give the standard deviation of one reading");
     judge.require_for("fit", !readings.std || !readings.values.empty(), std_place,
-                      quantity(readings.std.value_or(0.0), info.unit()), "is of a column without readings",
+                      quantity(readings.std.value_or(0.0), info.unit()), "applies to a column without readings",
                       fmt::format("give readings.{}, or remove it", info.name()));
   }
   judge.require_for("fit", readings.values.empty() || !own || readings.values.size() == rows_of(data), place,
@@ -254,7 +254,7 @@ void judge_table(Judge& judge, const Case& input, const FitData& data, const std
   }
   for (const FitColumnInfo& info : fit_columns()) judge_column(judge, data, info, key);
   judge.require_for("fit", !fitted_columns(data).empty(), key + (vibration ? ".stiffness_std" : ".h_min_std"), "",
-                    "is missing: columns are fitted by their standard deviations, and none is given",
+                    "is missing: a column is fitted only if its standard deviation is given",
                     "give one of them or more");
   const auto all_within = [&](FitColumn column, const Range& range) {
     for (const double value : data.column(column).values) {
@@ -270,14 +270,14 @@ void judge_table(Judge& judge, const Case& input, const FitData& data, const std
     judge.require_for("fit",
                       (data.preload && data.preload->control == Control::load) ||
                           (!data.preload && input.vibration && !input.vibration->loads.empty()),
-                      key + ".preload", "", "is no load that the journal vibrates about",
+                      key + ".preload", "", "is not a load about which the journal can vibrate",
                       "give a load, or readings.load_x and readings.load_y");
   }
   judge.require_for("fit", vibration || any_load, key + ".readings.load_x", "", "is missing",
                     "give the static load along X, Y or both");
 }
 
-/// What a rig does to other kinds of data does nothing to these.
+/// Rig errors of other kinds of data do not apply to these.
 void judge_rig(Judge& judge, const FitData& data, const std::string& key) {
   const auto own = rig_keys_of(data.experiment);
   const auto require_effect = [&](bool given, std::string_view name) {
@@ -310,11 +310,12 @@ void judge_data(Judge& judge, const Case& input, const FitData& data, const std:
 
 void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSettings& fit, const std::string& key) {
   const bool known = judge.require(is_fitted_key(parameter.key), key + ".key", parameter.key,
-                                   "is no key of a number that can be fitted", advice_on_fitted(parameter.key));
+                                   "is not a numeric key that can be fitted", advice_on_fitted(parameter.key));
   if (!known) return;
   if (const std::optional<std::size_t> data = data_of_key(parameter.key)) {
-    const bool there = judge.require(*data >= 1 && *data <= fit.data.size(), key + ".key", parameter.key,
-                                     fmt::format("is of missing data: there are {}", fit.data.size()), "count from 1");
+    const bool there =
+        judge.require(*data >= 1 && *data <= fit.data.size(), key + ".key", parameter.key,
+                      fmt::format("refers to missing data: there are {}", fit.data.size()), "count from 1");
     if (!there) return;
     const FittedExperiment experiment = fit.data[*data - 1].experiment;
     const auto own = rig_keys_of(experiment);
@@ -346,7 +347,7 @@ void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSetti
   judge.require(parameter.mean.has_value() == parameter.std.has_value(), key + (parameter.mean ? ".std" : ".mean"), "",
                 "is missing", "give mean and std, or neither");
   judge.require(!parameter.std || *parameter.std > 0.0, key + ".std", quantity(parameter.std.value_or(0.0), unit),
-                "must be positive", "leave out mean and std where nothing is known before");
+                "must be positive", "leave out mean and std if there is no prior knowledge");
 }
 
 /// Numbers that are compared with the model.
@@ -374,8 +375,9 @@ void judge_fit(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) 
                 "give about 1.345");
   const std::size_t numbers = numbers_of(fit);
   judge.require_for("fit", fit.data.empty() || numbers == 0 || numbers >= fit.parameters.size(), "fit.parameter",
-                    std::to_string(fit.parameters.size()), fmt::format("are more than what was measured, {}", numbers),
-                    "fit fewer of them, add data, or say by mean and std what is known before");
+                    std::to_string(fit.parameters.size()),
+                    fmt::format("are more than the measured values, {}", numbers),
+                    "fit fewer of them, add data, or give prior values by mean and std");
   for (std::size_t i = 0; i < fit.data.size(); ++i) {
     judge_data(judge, input, fit.data[i], fmt::format("fit.data[{}]", i + 1));
   }

@@ -46,7 +46,7 @@ std::string words_of(const std::vector<std::size_t>& which, const Eigen::VectorX
   const double ratio = -first / second;
   const bool same_unit = units[which[0]] == units[which[1]];
   if (same_unit && std::abs(std::abs(ratio) - 1.0) < near_one) {
-    return fmt::format("{}: only their {} is seen", joined(names), ratio > 0.0 ? "sum" : "difference");
+    return fmt::format("{}: only their {} can be identified", joined(names), ratio > 0.0 ? "sum" : "difference");
   }
   return fmt::format("{} are hardly separable: {} of one makes up for {} of the other", joined(names),
                      with_unit(std::abs(first), units[which[0]]),

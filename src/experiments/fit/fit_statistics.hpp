@@ -8,7 +8,7 @@
 
 namespace bumpfoil {
 
-/// What linearised least squares say of parameters at a minimum.
+/// Linearised least-squares statistics of the parameters at a minimum.
 struct FitEstimate {
   Eigen::MatrixXd sensitivities;  ///< of residuals over their weights' deviations, by the parameters; priors last
   Eigen::VectorXd weights;        ///< what counts of each residual: 1, or less of one that is robust

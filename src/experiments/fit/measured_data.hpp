@@ -9,7 +9,7 @@
 
 namespace bumpfoil {
 
-/// What the model answers at the points of some data.
+/// Values of the model at the points of some data.
 struct DataAnswer {
   std::vector<double> fitted;   ///< as the rig would read them, SI
   std::vector<double> std;      ///< standard deviation of what was measured
@@ -24,7 +24,7 @@ class MeasuredData {
   MeasuredData& operator=(const MeasuredData&) = delete;
   virtual ~MeasuredData() = default;
 
-  /// What was measured, without what the model gives: each point is a residual.
+  /// Measured values, without those of the model: each point is a residual.
   [[nodiscard]] const FittedData& measured() const { return measured_; }
 
   /// The case with what was done to its foils.

@@ -102,7 +102,7 @@ void append(ReadBranch& branch, std::vector<LoadingCurve::Point>::const_iterator
   }
 }
 
-/// What the rig reads of a loop that turns where the largest displacement was measured.
+/// The loop as the rig reads it, turning where the largest displacement was measured.
 std::optional<ReadLoop> read_loop(LoopRunner& runner, const MeasuredCurve& curve, bool swings, const Rig& rig) {
   const double compliance = rig.machine_stiffness ? 1.0 / *rig.machine_stiffness : 0.0;
   const double reach = swings ? 0.5 * (curve.top() - curve.bottom())

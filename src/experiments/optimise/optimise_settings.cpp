@@ -17,43 +17,43 @@ constexpr Range tolerance_range{1e-6, 0.1, ""};
 
 void describe(CaseVisitor& keys, OptimisedKey& one) {
   using enum Presence;
-  keys.value({"key", required, "Key", "a key of the case that holds a real number", "\"bearing.radial_clearance\""},
-             &one.key);
+  keys.value({"key", required, "Key", "a real-valued key of the case", "\"bearing.radial_clearance\""}, &one.key);
   const auto of_key = [&one](auto... rest) { return key_in_unit_of(one.key, rest...); };
   keys.value(of_key("lower", required, "Lower bound", "with the unit of the key", "\"20 um\""), &one.lower);
   keys.value(of_key("upper", required, "Upper bound", "", "\"40 um\""), &one.upper);
-  keys.value(of_key("start", optional, "Start", "by default what the case holds", "\"30 um\""), &one.start);
-  keys.value({"log", defaulted, "Logarithmic", "true: steps are those of the logarithm, between positive bounds"},
-             &one.log);
+  keys.value(of_key("start", optional, "Start", "by default the value in the case", "\"30 um\""), &one.start);
+  keys.value({"log", defaulted, "Logarithmic", "true: steps in the logarithm, between positive bounds"}, &one.log);
 }
 
 void describe(CaseVisitor& keys, OptimiseSettings& optimise) {
   using enum Presence;
-  keys.choice({"command", defaulted, "Command", "what is run at every point; \"montecarlo\": an ensemble"},
+  keys.choice({"command", defaulted, "Command", "command that is run at every point; \"montecarlo\": an ensemble"},
               optimise.command);
   keys.value({"maximise", optional, "Maximise",
-              "quantity of result.nc that is to be largest where it is smallest, over all directions or states; of an "
-              "ensemble \"yield\", or one with a statistic, such as \"h_min.p5\"",
+              "quantity of result.nc whose smallest value over all directions or states is maximised; of an ensemble "
+              "\"yield\", or one with a statistic, such as \"h_min.p5\"",
               "[\"h_min\"]"},
              &optimise.maximise);
   keys.value({"minimise", optional, "Minimise",
-              "quantity that is to be smallest where it is largest; two aims in all make a front", "[\"power\"]"},
+              "quantity whose largest value is minimised; two aims in all make a front", "[\"power\"]"},
              &optimise.minimise);
-  keys.value(
-      {"limits", optional, "Limits", "what the result must meet in every direction or state", "[\"h_min > 5 um\"]"},
-      &optimise.limits);
+  keys.value({"limits", optional, "Limits", "limits that the result must meet in every direction or state",
+              "[\"h_min > 5 um\"]"},
+             &optimise.limits);
   keys.value({"bearing_limits", optional, "Limits of a bearing",
-              "of an ensemble: what a bearing must meet to count in the yield", "[\"h_min > 5 um\"]"},
+              "of an ensemble: limits that a bearing must meet to count in the yield", "[\"h_min > 5 um\"]"},
              &optimise.bearing_limits);
-  keys.value({"evaluations", defaulted, "Evaluations", "number of points at most"}, &optimise.evaluations);
-  keys.value({"starts", defaulted, "Starts",
-              "searches, the first from the starts of the keys, others from the best of places spread evenly"},
-             &optimise.starts);
+  keys.value({"evaluations", defaulted, "Evaluations", "maximum number of points"}, &optimise.evaluations);
+  keys.value(
+      {"starts", defaulted, "Starts",
+       "number of searches, the first from the starts of the keys, the others from the best of evenly spread points"},
+      &optimise.starts);
   keys.value({"tolerance", defaulted, "Tolerance",
-              "of the keys, in parts of the distance between their bounds: ends a search"},
+              "of the keys, relative to the distance between their bounds, at which a search ends"},
              &optimise.tolerance);
   keys.value({"front", defaulted, "Points of the front", "between its ends, of two aims"}, &optimise.front);
-  keys.value({"seed", defaulted, "Seed", "of these places; ensembles draw by montecarlo.seed, the same at all points"},
+  keys.value({"seed", defaulted, "Seed",
+              "of the evenly spread points; ensembles draw by montecarlo.seed, the same at all points"},
              &optimise.seed);
   list_of_tables(keys, {"key", required, "Key", "one for each key that is chosen, at most five"}, optimise.keys,
                  [](CaseVisitor& inner, OptimisedKey& one) { describe(inner, one); });
@@ -73,7 +73,7 @@ void describe_optimise(CaseVisitor& keys, Case& input) {
 void judge_key(Judge& judge, const OptimisedKey& one, const std::string& key) {
   const bool of_table = one.key.starts_with("optimise.") || is_of_rig(one.key);
   if (!judge.require(!of_table && is_fitted_key(one.key), key + ".key", one.key,
-                     "is no key of a real number that can be chosen", advice_on_fitted(one.key))) {
+                     "is not a real-valued key that can be chosen", advice_on_fitted(one.key))) {
     return;
   }
   const std::optional<Dimension> dimension = dimension_of(one.key);
@@ -86,8 +86,7 @@ void judge_key(Judge& judge, const OptimisedKey& one, const std::string& key) {
     return;
   }
   judge.require(!one.log || one.lower > 0.0, key + ".lower", quantity(one.lower, unit),
-                "is not positive, but steps are those of the logarithm",
-                "give a positive lower bound, or remove log = true");
+                "is not positive, but steps are in the logarithm", "give a positive lower bound, or remove log = true");
   judge.require(!one.start || (*one.start >= one.lower && *one.start <= one.upper), key + ".start",
                 quantity(one.start.value_or(0.0), unit), "lies outside the bounds", "start between lower and upper");
 }

@@ -346,8 +346,8 @@ std::vector<std::string> warning_lines(const Case& input, const StabilityResult&
   }
   if (fluttering > 0) {
     lines.push_back(fmt::format(
-        "at {} of {} speeds (first at {}) it is the foils that are unstable, whatever rotor they carry: bumpfoil "
-        "equilibrium says where they flutter and what helps, such as top_foil.formed_radius = \"seated\" or the other "
+        "at {} of {} speeds (first at {}) the foils themselves are unstable, whatever rotor they carry: bumpfoil "
+        "equilibrium shows where they flutter and what helps, such as top_foil.formed_radius = \"seated\" or the other "
         "sense of rotation",
         fluttering, result.map.points.size(), rotor_speed_text(first->speed)));
   }

@@ -14,7 +14,7 @@
 #include "bumpfoil/results/result_set.hpp"
 #include "experiments/rotor_speeds.hpp"
 
-/// What results of the command stability tell, described once for all files.
+/// Quantities of the command stability, described once for all files.
 namespace bumpfoil {
 
 /// Which contacts stick.
@@ -68,7 +68,7 @@ std::optional<bool> is_stable(const SpeedPoint& point);
 /// How the run ended.
 RunStatus status_of(const StabilityResult& result);
 
-/// What keeps a speed from being found, each with its place.
+/// Speeds without a result, each with its reason.
 std::vector<std::string> failure_lines(const StabilityResult& result);
 
 /// Where an answer is less than it seems, and what to do about it.

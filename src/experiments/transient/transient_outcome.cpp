@@ -21,7 +21,7 @@ RunStatus status_of(const TransientReading& reading) {
   return run_status({reading.result.status}, 1);
 }
 
-/// What summary.json lists: totals of the run, and rubs.
+/// Entries of summary.json: totals of the run, and rubs.
 Json transient_lists(const TransientReading& reading) {
   // What all summaries begin with has a status of its own, that of the run.
   Json json{{"end_status", name_of(reading.result.status)}, {"revolutions", reading.turns.size()}};

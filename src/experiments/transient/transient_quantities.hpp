@@ -8,7 +8,7 @@
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
-/// What results of the command transient tell, described once for all files.
+/// Quantities of the command transient, described once for all files.
 namespace bumpfoil {
 
 /// A place of the rotor in a revolution.

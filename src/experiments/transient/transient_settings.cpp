@@ -25,7 +25,7 @@ void describe(CaseVisitor& keys, RotorPulse& pulse) {
   using enum Presence;
   using enum Dimension;
   keys.value({"force", required, "Force", "peak value, along X and Y", "[\"0 N\", \"20 N\"]", force}, &pulse.force);
-  keys.value({"begin", required, "Begin", "", "0.01 s", duration}, &pulse.begin);
+  keys.value({"begin", required, "Start", "", "0.01 s", duration}, &pulse.begin);
   keys.value({"duration", required, "Duration", "of half a sine wave", "2 ms", duration}, &pulse.duration);
   keys.value({"at", defaulted, "Place", "by name: a bearing, an end, a disk or an unbalance of the rotor"}, &pulse.at);
 }
@@ -36,7 +36,7 @@ void describe(CaseVisitor& keys, BaseMotion& base) {
   keys.value({"acceleration", required, "Acceleration", "peak value, along X and Y", "[\"0 m/s2\", \"30 m/s2\"]",
               acceleration},
              &base.acceleration);
-  keys.value({"begin", required, "Begin", "", "0.01 s", duration}, &base.begin);
+  keys.value({"begin", required, "Start", "", "0.01 s", duration}, &base.begin);
   keys.value({"duration", required, "Duration", "", "11 ms", duration}, &base.duration);
   keys.value(
       {"frequency", optional, "Frequency", "of a sine wave; default: half a sine wave, a shock", "50 Hz", frequency},

@@ -24,7 +24,7 @@ RunStatus status_of(const UnbalanceResult& result) {
                     result.points.size());
 }
 
-/// What summary.json lists: `stations` by their names, `peaks`, and `speeds` with the response of each kind at each.
+/// Entries of summary.json: `stations` by their names, `peaks`, and `speeds` with the response of each kind at each.
 Json unbalance_lists(const UnbalanceResult& result) {
   const std::vector<RotorStation> stations = result.machine.places();
   Json json;

@@ -114,7 +114,7 @@ constexpr auto unbalance_quantity_table = std::to_array<UnbalanceQuantity>({
      least_film_in_orbits, headline | sampled | of_orbits, "minimum film, orbits", shown::micrometres},
     {"orbits_last",
      "1",
-     "whether the rotor stays on the periodic orbits at all speeds: no Floquet multiplier that was met is larger than "
+     "whether the rotor stays on the periodic orbits at all speeds: no Floquet multiplier found is larger than "
      "1",
      all_last,
      sampled | of_orbits,
@@ -236,12 +236,12 @@ constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
      "change in the last turn of journal positions over c, and of their velocities over c and the speed",
      [](const Orbit& orbit) { return orbit.change; }, of_solver},
     {"largest_multiplier", "1",
-     "largest Floquet multiplier that the search has met: an orbit lasts where it is smaller than 1",
+     "largest Floquet multiplier found by the search: an orbit lasts where it is smaller than 1",
      [](const Orbit& orbit) { return orbit.multipliers.empty() ? absent : std::abs(orbit.multipliers.front()); }, none,
      "largest Floquet multiplier", shown::unitless},
     {"orbit_lasts",
      "1",
-     "whether the rotor stays on the periodic orbit: no Floquet multiplier that the search has met is larger than 1",
+     "whether the rotor stays on the periodic orbit: no Floquet multiplier found by the search is larger than 1",
      [](const Orbit& orbit) {
        const std::optional<bool> lasts = lasting(orbit);
        return lasts ? static_cast<double>(*lasts) : absent;
@@ -402,7 +402,7 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
   if (large > 0) {
     lines.push_back(fmt::format(
         "at {} of {} speeds the orbit of a journal is larger than {:.0f} % of the minimum film "
-        "thickness (most at {}: {:.0f} %): it is no small motion, and the linear response is rough",
+        "thickness (most at {}: {:.0f} %): the motion is not small, and the linear response is only approximate",
         large, result.points.size(), 100.0 * small_part_of_film, rotor_speed_text(worst->speed), 100.0 * worst_part));
   }
   if (left > 0) {

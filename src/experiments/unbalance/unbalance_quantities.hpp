@@ -14,7 +14,7 @@
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/rotor_speeds.hpp"
 
-/// What results of the command unbalance tell, described once for all files.
+/// Quantities of the command unbalance, described once for all files.
 namespace bumpfoil {
 
 /// How a response was found.
@@ -79,7 +79,7 @@ struct ResponsePeak {
 };
 std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result);
 
-/// What keeps a speed from being found, each with its place.
+/// Speeds without a result, each with its reason.
 std::vector<std::string> failure_lines(const UnbalanceResult& result);
 
 /// Where an answer is less than it seems, and what to do about it.

@@ -64,7 +64,7 @@ std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
   return out;
 }
 
-/// What the bearings do in a turn, the worst of them or all together.
+/// Results of the bearings in a turn, of the worst or of all together.
 std::string orbit_lines(const UnbalanceResult& result) {
   const auto row = [](std::initializer_list<std::string_view> cells) {
     std::string line;

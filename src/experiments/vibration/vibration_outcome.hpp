@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// What a run of vibrations has to show.
+/// Outcome of a run of vibrations.
 Outcome vibration_outcome(const Case& input, VibrationResult result);
 
 }  // namespace bumpfoil

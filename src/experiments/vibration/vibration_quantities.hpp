@@ -27,13 +27,13 @@ struct MatrixEntry {
 };
 inline constexpr std::array<MatrixEntry, 4> matrix_entries{{{"xx", 0, 0}, {"xy", 0, 1}, {"yx", 1, 0}, {"yy", 1, 1}}};
 
-/// What keeps vibrations from being found, each with its place.
+/// Failures of vibrations, each with its place.
 std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result);
 
 /// Where an answer is less than it seems, and what to do about it.
 std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result);
 
-/// What files call the direction of a vibration, or the sense of an orbit.
+/// Name in files of the direction of a vibration, or of the sense of an orbit.
 inline std::string_view motion_key(const VibrationSettings& settings) {
   return settings.orbits() ? "sense" : "direction_deg";
 }

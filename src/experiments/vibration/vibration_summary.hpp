@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// What summary.json lists of vibrations: `loads`, `vibrations` and `coefficients`.
+/// Entries of summary.json for vibrations: `loads`, `vibrations` and `coefficients`.
 nlohmann::ordered_json vibration_lists(const Case& input, const VibrationResult& result,
                                        const std::vector<LinearFoils>& all);
 

@@ -569,7 +569,7 @@ TEST(ParseCase, ReadsBearingsOfARotor) {
   EXPECT_EQ(parse_case(case_to_toml(padded), "written"), padded);
 
   const auto refused = [&](const std::string& bearings) { return refusal(on(bearings)); };
-  expect_in(refused("[{}]"), "rotor.bearing: is given 1 times, for 2 places of bearings");
+  expect_in(refused("[{}]"), "rotor.bearing: is given 1 times, for 2 bearing positions");
   expect_in(refused("[{}, {rotor={mass=1}}]"), "rotor.bearing[2].rotor: unknown table");
   expect_in(refused("[{}, {montecarlo={samples=1}}]"), "rotor.bearing[2].montecarlo: unknown table");
   expect_in(refused("[{}, {bearing={clearance=1e-6}}]"), "did you mean \"bearing.radial_clearance\"?");

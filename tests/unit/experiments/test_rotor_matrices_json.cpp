@@ -74,8 +74,8 @@ TEST(ReadRotorMatrices, ReadsARotor) {
 }
 
 TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
-  EXPECT_EQ(faults_of("[1, 2"), Faults{": is no JSON"});
-  EXPECT_EQ(faults_of("[1, 2]"), Faults{": is no JSON object"});
+  EXPECT_EQ(faults_of("[1, 2"), Faults{": is not JSON"});
+  EXPECT_EQ(faults_of("[1, 2]"), Faults{": is not a JSON object"});
   EXPECT_EQ(faults_of("{}"),
             (Faults{"M: is missing", "C: is missing", "G: is missing", "K: is missing", "bearing: is missing"}));
   Json file = rotor_file();
@@ -87,7 +87,7 @@ TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
   file["bearing"][1]["why"] = 3;
   file["station"][0]["y"] = -1;
   EXPECT_EQ(faults_of(file.dump()),
-            (Faults{"Q: unknown key", "M[2]: has 5 numbers, but there are 4 rows", "K[3]: is no list of numbers",
+            (Faults{"Q: unknown key", "M[2]: has 5 numbers, but there are 4 rows", "K[3]: is not a list of numbers",
                     "bearing[1].z: is missing", "bearing[2].why: unknown key",
                     "bearing[2].x: is no number of a row, from 0", "station[1].y: is no number of a row, from 0"}));
   // What matrices have only together.
@@ -129,16 +129,17 @@ TEST(RotorMatrices, GoThroughACaseFile) {
   EXPECT_EQ(made.rotor.stations[1].name, "plane 1");
   EXPECT_EQ(made.rotor.stations[1].motion, made.rotor.bearings[1].motion);
 
-  EXPECT_NE(refusal({"rotor.unbalance=[{amount=1e-6, at=0.04}]"}).find("rotor.unbalance[1].at = 0.04: is no place of"),
-            std::string::npos);
-  EXPECT_NE(refusal({"rotor.mass=2"}).find("rotor.mass = 2: is given beside matrices"), std::string::npos);
-  EXPECT_NE(refusal({"rotor.bearings=[-0.05, 0.05]"}).find("rotor.bearings: is given beside matrices"),
+  EXPECT_NE(
+      refusal({"rotor.unbalance=[{amount=1e-6, at=0.04}]"}).find("rotor.unbalance[1].at = 0.04: is not a bearing"),
+      std::string::npos);
+  EXPECT_NE(refusal({"rotor.mass=2"}).find("rotor.mass = 2: is given in addition to matrices"), std::string::npos);
+  EXPECT_NE(refusal({"rotor.bearings=[-0.05, 0.05]"}).find("rotor.bearings: is given in addition to matrices"),
             std::string::npos);
   EXPECT_NE(refusal({"rotor.matrix.M=[1.0]"}).find("conflicts with matrix"), std::string::npos);
   Json wrong = rotor_file();
   wrong["bearing"][1]["x"] = 9;
   folder.write("rotor.json", wrong.dump());
-  EXPECT_NE(refusal({}).find("rotor.json: bearing[2].x = 9: is no unknown of M"), std::string::npos) << refusal({});
+  EXPECT_NE(refusal({}).find("rotor.json: bearing[2].x = 9: is not an unknown of M"), std::string::npos) << refusal({});
   EXPECT_EQ(refusal({}).find("rotor.mass"), std::string::npos) << refusal({});
   EXPECT_EQ(refusal({}).find("rotor.matrix"), std::string::npos) << refusal({});
   EXPECT_NE(refusal({"rotor.matrices=none.json"}).find("none.json: cannot be read"), std::string::npos);

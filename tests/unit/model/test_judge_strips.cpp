@@ -60,7 +60,7 @@ TEST(JudgeStrips, CountsThemAndLeavesThemWidth) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip.resize(2); }), Keys{"bump_foil.strip"});
   Case whole = reference_case();
   whole.bump_foil.strip = {FoilStrip{.stagger = 0.0, .height_errors = -1e-6}};
-  EXPECT_NE(find_faults(whole, {"cycle"}).front().what.find("this one is whole"), std::string::npos);
+  EXPECT_NE(find_faults(whole, {"cycle"}).front().what.find("this one is not split"), std::string::npos);
 }
 
 TEST(JudgeStrips, StaggersOnTheMesh) {

@@ -83,7 +83,7 @@ export function spaceView(states: States, selection: GridSelection, bearing: () 
           follow();
         }),
       ],
-      note: 'Drag to turn it, or focus it and use the arrow keys; + and − come closer and go away, Home goes back.',
+      note: 'Drag to rotate it, or focus it and use the arrow keys; + and − zoom, Home resets the view.',
       subject: () => [`top foil coloured by ${colours[by].text}`, wordsOf(states, selection.place, solid), where(), states.label].filter((words) => words !== '').join(' · '),
       legend: () => [
         ...(solid ? [colourBar(range(), colours[by].unit, by === 'pressure' ? { value: ambient(), text: 'ambient' } : undefined)] : []),
@@ -108,7 +108,7 @@ export function spaceView(states: States, selection: GridSelection, bearing: () 
   const follow = (): void => {
     solid = solidAt(states, selection.place, bearing());
     panel.refresh();
-    canvas.setAttribute('aria-label', `Bearing in 3D: ${solid ? `${colours[by].text} on the top foil ${rangeText(range(), colours[by].unit)}, ambient pressure ${formatQuantity(ambient(), 'Pa')}; ` : ''}${wordsOf(states, selection.place, solid)}; ${where()}. Arrow keys turn it.`);
+    canvas.setAttribute('aria-label', `Bearing in 3D: ${solid ? `${colours[by].text} on the top foil ${rangeText(range(), colours[by].unit)}, ambient pressure ${formatQuantity(ambient(), 'Pa')}; ` : ''}${wordsOf(states, selection.place, solid)}; ${where()}. Arrow keys rotate it.`);
     later();
   };
   selection.onChange(follow);

@@ -38,7 +38,7 @@ export class FactorPanel {
     const panel = new ChartPanel({
       title,
       controls: [list],
-      note: 'Partial rank correlations: 1 where the quantity always grows with it, −1 where it always falls, 0 where it does not depend on it.',
+      note: 'Partial rank correlations: 1 if the quantity always rises with the input, −1 if it always falls, 0 if it does not depend on it.',
       subject: () => `${capital(this.quantity.label)} · ${this.direction} · ${ensemble.label}${this.isKnown ? '' : ' · unknown: too few bearings for this many random inputs'}`,
       file: () => fileName('sensitivities', this.quantity.name, ensemble.label, this.direction),
       csv: () => this.csv(),

@@ -109,7 +109,7 @@ export function fittedData(fit: Fit, data: number): HTMLElement[] {
       title: `Residuals of the ${title.toLowerCase()}`,
       name: 'Residual (std. deviations)',
       unit: '',
-      text: 'measured less fitted over its standard deviation; of noise alone, 95 % lie between the dashed lines',
+      text: 'measured minus fitted, over its standard deviation; of pure noise, 95 % lies between the dashed lines',
       csv: [
         ['residual', ({ residual }) => residual],
         ['deviation', ({ deviation }) => deviation],

@@ -93,7 +93,7 @@ export class HistogramPanel {
 
   private words(): string {
     const { statistics, quantity } = this;
-    if (!statistics || statistics.count === 0) return 'not known of any bearing';
+    if (!statistics || statistics.count === 0) return 'not known for any bearing';
     const [low, high] = statistics.mean_interval_95;
     const half = 0.5 * ((high ?? NaN) - (low ?? NaN));
     // One unit for all.

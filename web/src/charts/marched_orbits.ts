@@ -85,7 +85,7 @@ export function marchedOrbits(run: TimeRun, selection: GridSelection): HTMLEleme
     words: { slider: 'Step of the run', play: 'Play the run' },
   });
   const panel = new OrbitPanel({
-    note: 'From the dot, where the rotor stands at angle 0, to the arrow.',
+    note: 'From the dot, where the rotor is at angle 0, to the arrow.',
     clearance: run.clearance,
     stations,
     several: order.length > 1,

@@ -334,7 +334,7 @@ export function responseCharts(responses: Responses, selection: GridSelection): 
     {
       ...common,
       title: 'Polar plot',
-      note: 'Amplitude from the middle, phase counterclockwise from the right. The mark of the highest speed is larger.',
+      note: 'Amplitude from the centre, phase counterclockwise from the right. The mark of the highest speed is larger.',
       upwards: () => '',
       unit: 'm',
       round: true,
@@ -362,7 +362,7 @@ function multiplierDiagram(responses: Responses, across: string, over: (values: 
   return {
     title: 'Floquet multipliers',
     subject: () => `${lasting} of ${told.length} periodic orbits last`,
-    note: 'The largest that the search has met: below 1 the rotor stays on the orbit, above 1 it leaves it and whirls.',
+    note: 'The largest multiplier found by the search: below 1 the rotor stays on the orbit, above 1 it leaves it and whirls.',
     across,
     upwards: () => 'Largest Floquet multiplier',
     unit: '',

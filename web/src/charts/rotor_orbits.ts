@@ -46,7 +46,7 @@ export function rotorOrbits(responses: Responses, selection: GridSelection): HTM
       }));
   const speedWords = (): string => responses.speed.texts[selection.index(responses.speed)] ?? '';
   const panel = new OrbitPanel({
-    note: 'One turn, from the dot, where the rotor stands at angle 0, to the arrow.',
+    note: 'One turn, from the dot, where the rotor is at angle 0, to the arrow.',
     clearance,
     stations,
     several: responses.stations.length > 1,

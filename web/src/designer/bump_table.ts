@@ -146,7 +146,7 @@ export function bumpTable(keys: CaseKey[], place: Place): Section {
   const body = el('tbody');
   const table = el('table', { class: 'bump-table' }, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'Bump'), ...columns.map(({ head }) => head))), body);
   const title = 'Bumps one by one';
-  const root = el('details', { class: 'group', 'data-table': 'bumps' }, el('summary', {}, title), el('div', { class: 'fields' }, el('p', { class: 'note' }, 'From the weld. A changed cell gives its column to each bump by itself; a law keeps its ends.'), el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': title }, table)));
+  const root = el('details', { class: 'group', 'data-table': 'bumps' }, el('summary', {}, title), el('div', { class: 'fields' }, el('p', { class: 'note' }, 'Counted from the weld. Changing a cell gives every bump its own value; a law keeps its ends.'), el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': title }, table)));
   const refresh = (): void => {
     if (!root.open) return;
     const bumps = Number(place.understood('bump_foil.bumps') ?? 0);

@@ -56,7 +56,7 @@ export class CurvePanel {
     private readonly choose: (index: number) => void,
   ) {
     // Its place is kept for it.
-    this.root = el('div', { class: 'curve' }, el('section', { class: 'panel', 'aria-label': title }, el('header', {}, el('h3', {}, title)), el('p', { class: 'note' }, 'Follows once the state is there.')));
+    this.root = el('div', { class: 'curve' }, el('section', { class: 'panel', 'aria-label': title }, el('header', {}, el('h3', {}, title)), el('p', { class: 'note' }, 'Computed once the state is found.')));
   }
 
   show(title: string, now: EquilibriumAnswer, before: EquilibriumAnswer | undefined, index: number): void {

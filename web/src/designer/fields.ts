@@ -298,7 +298,7 @@ function listSection({ path, open, countedBy }: Group, keys: CaseKey[], place: P
     const foils = path === 'pad' ? ownFoilKeys(table, keys).flatMap((key) => fieldOf(key, place) ?? []) : [];
     const takeOut = el('button', { type: 'button', class: 'quiet', 'aria-label': `Remove: ${title} ${number}` }, 'Remove');
     takeOut.addEventListener('click', () => design.remove(table));
-    const inner = foils.length > 0 ? [el('details', { class: 'own-foils' }, el('summary', {}, 'Foils of its own'), el('p', { class: 'note' }, 'What is not given is as in the bump foil and the top foil of the case.'), ...foils.map((field) => field.root))] : [];
+    const inner = foils.length > 0 ? [el('details', { class: 'own-foils' }, el('summary', {}, 'Foils of its own'), el('p', { class: 'note' }, 'Keys that are not given are those of the bump foil and the top foil of the case.'), ...foils.map((field) => field.root))] : [];
     return {
       fields: [...fields, ...foils],
       takeOut,

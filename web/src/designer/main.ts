@@ -288,11 +288,11 @@ async function start(): Promise<void> {
   // For those who want numbers without clicking: include/bumpfoil/pages/designer.hpp says what may be asked.
   Object.assign(window, { bumpfoilAsk: (request: Request) => solvers.slow.ask(request) });
   const keys = await solvers.quick.ask<KeysAnswer>({ what: 'keys' });
-  if (!keys || isFaulty(keys)) throw new Error(keys?.faults[0]?.message ?? 'the solver does not answer');
+  if (!keys || isFaulty(keys)) throw new Error(keys?.faults[0]?.message ?? 'the solver does not respond');
   const shared = await caseIn(location.hash);
   new Page(keys, solvers, shared ?? Object.values(keys.presets)[0] ?? '');
 }
 
 start().catch((error: unknown) => {
-  document.getElementById('designer')?.append(el('p', { class: 'warnings', role: 'alert' }, `The designer cannot start: ${String(error)}. It needs a browser of 2022 or later.`));
+  document.getElementById('designer')?.append(el('p', { class: 'warnings', role: 'alert' }, `The designer cannot start: ${String(error)}. It needs a browser of 2023 or later.`));
 });

@@ -222,7 +222,7 @@ export class RotorView {
     this.add.hidden = hasRotor(now);
     const speed = this.speed.value * rpm;
     if (!Number.isFinite(speed)) {
-      this.told.textContent = 'The speed is a number.';
+      this.told.textContent = 'Enter the speed as a number.';
       this.begun = '';
       this.root.setAttribute('aria-busy', 'false');
       return;
@@ -280,7 +280,7 @@ export class RotorView {
     const { mass } = now.run.summary.case['rotor'] as { mass?: number };
     const of = mass === undefined ? '' : ` of ${Number(mass.toPrecision(4))} kg`;
     const rotor = hasRotor(design) ? `Rotor${of}.` : `The case has no rotor. A rotor${of} is assumed: half of it on each of two equal bearings, weight along −Y.`;
-    this.told.textContent = `${rotor} ${quick ? 'A quick answer on a coarse mesh; that on the mesh of the case follows …' : 'On the mesh of the case.'}`;
+    this.told.textContent = `${rotor} ${quick ? 'Preview on a coarse mesh; the result on the mesh of the case follows …' : 'On the mesh of the case.'}`;
     this.notes.replaceChildren(...remarks(notesOf(now.run)));
     if (!this.views) {
       this.views = new RotorViews(now, speed);

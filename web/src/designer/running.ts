@@ -192,7 +192,7 @@ export class RunningView {
     if (!isSeen(this.root) || !this.designs) return;
     const point = this.point;
     if (!point) {
-      this.told.textContent = 'Speed, loads and positions are numbers.';
+      this.told.textContent = 'Enter speed, loads and positions as numbers.';
       this.begun = '';
       this.root.setAttribute('aria-busy', 'false');
       return;

@@ -77,7 +77,7 @@ export class VibrationView {
     const [x, y] = this.load.map(({ box }) => Number(box.value));
     const most = 1e-6 * Number(this.reach.box.value);
     if (![x, y, most].every(Number.isFinite) || !(most > 0)) {
-      this.told.textContent = 'Loads and amplitudes are numbers without separators, amplitudes positive.';
+      this.told.textContent = 'Enter loads and amplitudes as numbers without separators; amplitudes must be positive.';
       return;
     }
     const amplitudes = Array.from({ length: points }, (_, i) => Number((most * least ** (1 - i / (points - 1))).toPrecision(4)));
@@ -114,7 +114,7 @@ export class VibrationView {
     }
     const { position_m: place, status } = at(answers, 0);
     const [x, y] = place.map((one) => formatQuantity(one, 'm', 3));
-    this.told.textContent = status === 'converged' ? `Under the load the journal stands at x = ${x ?? ''}, y = ${y ?? ''}.` : `The load was not reached: ${status.replaceAll('_', ' ')}.`;
+    this.told.textContent = status === 'converged' ? `Under the load the journal is at x = ${x ?? ''}, y = ${y ?? ''}.` : `The load was not reached: ${status.replaceAll('_', ' ')}.`;
     for (const panel of this.panels) panel.refresh();
     this.root.dataset['answered'] = String(Number(this.root.dataset['answered'] ?? 0) + 1);
   }

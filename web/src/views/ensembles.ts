@@ -92,7 +92,7 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
   const others = histograms(quantities.filter((quantity) => !main.includes(quantity)));
   const factors = [
     { name: 'Sensitivity to bump heights', along: axisText('bump', ensemble.hasPads), of: ensemble.heightFactors },
-    { name: 'Sensitivity to what is common to a bearing', along: 'What scatters', of: ensemble.commonFactors(caseKeys) },
+    { name: 'Sensitivity to inputs common to a bearing', along: 'What scatters', of: ensemble.commonFactors(caseKeys) },
   ].flatMap(({ name, along, of }) => (of.length > 0 ? [new FactorPanel(name, of, along, ensemble, looked).root] : []));
   const compared = { several: false, focus: [ensemble], shown: [ensemble], names: label, onChange: () => undefined };
   const first = runs.length === 1 ? 'A bearing' : `The first ${runs.length} bearings`;

@@ -23,7 +23,7 @@ function overKeys(result: Optimisation): HTMLElement[] {
 function frontOf(result: Optimisation): HTMLElement[] {
   if (result.front.length < 2) return [];
   const [across, upwards] = [aimAxis(result, 0), aimAxis(result, 1)];
-  return [pointChart(result, { title: 'Front of both aims', subject: 'on the line no aim is better without the other being worse', across, upwards, line: result.front, lineText: 'front' })];
+  return [pointChart(result, { title: 'Front of both aims', subject: 'on the line neither aim can improve without the other getting worse', across, upwards, line: result.front, lineText: 'front' })];
 }
 
 function sectionsOf(result: Optimisation, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {

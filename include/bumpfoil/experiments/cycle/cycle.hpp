@@ -73,7 +73,7 @@ struct Clearance {
   bool operator==(const Clearance&) const = default;
 };
 
-/// What one orbit of a path took, and how far it was from closing.
+/// Energy of one orbit of a path, and its closure error.
 struct OrbitLoop {
   double energy{};           ///< closed integral of F.dx, J; 0 without dissipation, see docs/theory/energies.md
   double force_defect{};     ///< from the force where it began to that where it ended, N
@@ -144,7 +144,7 @@ struct Cycle {
   int substeps{};                              ///< of all increments
   double wall_time{};                          ///< s
 
-  /// All increments are there, and each meets the bounds of its solver.
+  /// Whether all increments are present, and each meets the bounds of its solver.
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
@@ -158,7 +158,7 @@ struct CycleResult {
   bool over_width{};          ///< Case::varies_over_the_width(): results have moments, and what varies over the width
   std::vector<Cycle> cycles;  ///< one per direction, in the order of the case; of a strip, one after the other
 
-  /// All cycles that were due are there, and converged.
+  /// Whether all requested cycles are present and converged.
   [[nodiscard]] bool converged() const;
 };
 
@@ -171,7 +171,7 @@ using ProgressCallback = std::function<bool(double)>;
 /// cycle has ended.
 using RecordSink = std::function<void(const CycleResult&)>;
 
-/// What is kept of a cycle beside its quantities.
+/// What is recorded of a cycle in addition to its quantities.
 enum class Recording {
   everything,  ///< increments and fields; every increment is judged by its residuals
   curve,       ///< the loop alone; judged as with `quantities`
@@ -191,8 +191,8 @@ class CycleRunner {
   /// the result.
   ///
   /// For quantities alone the event-driven solver takes rates from a matrix of all contacts, and whole legs in one
-  /// increment: between two changes of contact the response is straight. What did not come through so is done again as
-  /// with all records. Quantities are the same to some 1e-9 of the largest force and of the energy stored.
+  /// increment: between two changes of contact the response is straight. A cycle that fails this way is rerun as with
+  /// all records. Quantities are the same to some 1e-9 of the largest force and of the energy stored.
   /// @param settings  all but their directions
   /// @param centre    excitation at the centred journal: its position is taken from there
   [[nodiscard]] Cycle run(double direction, const CycleSettings& settings, Recording recording = Recording::everything,

@@ -13,7 +13,7 @@ namespace bumpfoil {
 /// "+X", "37.5 deg". @param direction  rad
 std::string direction_name(double direction);
 
-/// What tells a cycle of a result from the others: "-X", "37.5 deg" or, of a strip, "cycle 2".
+/// The name of a cycle in a result: "-X", "37.5 deg" or, of a strip, "cycle 2".
 std::string cycle_name(const CycleResult& result, std::size_t cycle);
 
 /// Where and why a cycle ended before its time.

@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// What a loop is to those who know springs and dampers alone: the first harmonic of its force. With the displacement
-/// x = X cos(tau) along the unit vector n,
+/// The linear spring and damper equivalent of a loop: the first harmonic of its force. With the displacement x = X
+/// cos(tau) along the unit vector n,
 ///
 ///     stiffness = (1/(pi X)) closed integral of F cos(tau) dtau,   loss = (1/(pi X^2)) closed integral of F dx
 ///

@@ -9,7 +9,7 @@
 
 namespace bumpfoil {
 
-/// Where a cycle leaves what the model is valid for, or found nothing, and what to do about it: a sentence each.
+/// Where a cycle leaves the validity range of the model, or has no result, and what to do about it: a sentence each.
 ///
 /// - what the reader of the case chose, see Case::remarks, and what follows from the forming of top foils;
 /// - bumps compressed by more than an eighth of their rise without large displacements, or by more than half;
@@ -19,7 +19,7 @@ namespace bumpfoil {
 /// - a foil whose bending stress exceeds the yield stress that the case gives.
 std::vector<std::string> warnings_of(const Case& input, const CycleResult& result, std::size_t cycle);
 
-/// Says of a loop that has not settled by how much it still changes. @param loops  what they are called: "cycles"
+/// States by how much a loop that has not settled still changes. @param loops  what they are called: "cycles"
 std::string unsettled(const Cycle& cycle, std::string_view loops);
 
 /// Those of all cycles, each behind the name of its cycle: "-X: ...".

@@ -14,9 +14,9 @@
 
 namespace bumpfoil {
 
-/// How a state answers to small motions of the journal at a frequency, as FilmStepper::impedances() tells, by
-/// displacements and slopes (FilmBearing::by_slopes()): K = Re
-/// Z, C = Im Z / frequency. Of further motion, and with all closed contacts stuck; absent where the system is singular.
+/// Response of a state to small motions of the journal at a frequency, from FilmStepper::impedances(), by displacements
+/// and slopes (FilmBearing::by_slopes()): K = Re Z, C = Im Z / frequency. With sliding contacts still sliding, and with
+/// all closed contacts stuck; absent where the system is singular.
 struct FilmWhirl {
   double frequency{};  ///< rad/s
   std::optional<JournalMatrixC> impedance, stuck_impedance;
@@ -53,8 +53,8 @@ struct UnstableRange {
   double from{}, to{};  ///< the first and the last unstable state that was found; from <= to
 };
 
-/// How far a path has states that count: their minimum film thickness is film.h_lift_off or more, and they are stable
-/// with the journal held. States of which the latter is not known count as stable.
+/// How far a path has valid states: their minimum film thickness is film.h_lift_off or more, and they are stable with
+/// the journal held. States whose stability is not known count as stable.
 struct FilmLimit {
   FilmLimitKind kind{};
   Status status{Status::not_converged};  ///< converged where the path was followed to where its film is too thin
@@ -74,7 +74,7 @@ struct FilmLimit {
   [[nodiscard]] bool found() const { return status == Status::converged; }
 };
 
-/// A state of a bearing that runs, as it was asked for and as it was found.
+/// A state of a running bearing, as requested and as found.
 struct RunningState {
   FilmPath path{};                       ///< that led here
   OperatingPoint asked;                  ///< speed, and load or position
@@ -133,12 +133,12 @@ struct EquilibriumResult {
   [[nodiscard]] bool converged() const;
 };
 
-/// The bearing that the states of a case are of.
+/// The bearing whose states a case requests.
 /// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
 FilmBearing require_running_bearing(const Case& input);
 
-/// Sees to it that states are judged: stability, stiffness, critical mass, stresses, and those that were found for
-/// rotor dynamics, too. The walk along a path does not wait for that. This one judges them at once.
+/// Arranges the assessment of states: stability, stiffness, critical mass, stresses, and coefficients for rotor
+/// dynamics. The search along a path does not wait for it. This class assesses states immediately.
 class StateJudges {
  public:
   virtual ~StateJudges() = default;
@@ -161,38 +161,37 @@ class NoJudges final : public StateJudges {
 
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
 ///
-/// A path begins with a cold start of the journal held at 0.6 C_r along the first load, or on the way to the first
-/// position at 0.7 C_r of it at most, where lobes of pads take from C_r. On to the first state, and from each state to
-/// the next:
+/// A path starts with a cold start: the journal is held at 0.6 C_r along the first load, or on the way to the first
+/// position, at 0.7 C_r at most. Here C_r is less the lobes of pads. The path continues to the first state, and from
+/// state to state:
 ///
-/// * load_ramp, at every speed anew: the load changes from the force found to the first load in `steps` equal
-///   increments; then load after load, one increment each.
-/// * position_ray, at every speed anew: the journal moves in a straight line to the first position in `steps` equal
-///   increments; then position after position, one increment each. Towards loads: a cold start at the centre, to
-///   0.6 C_r along the first load in `steps` increments, then as a load ramp.
-/// * speed_ramp, for every load or position anew: load_ramp or position_ray at 1.5 times the first speed, from there to
-///   it in `steps` equal increments; then speed after speed, one increment each.
-/// * cold_start, for every state anew: a position at once, where the journal must not touch the undeformed foils; to a
-///   load the journal is let go, and the film marched on in time until it rests.
+/// * load_ramp, restarted at every speed: the load changes from the force found to the first load in `steps` equal
+///   increments, then from load to load in one increment each.
+/// * position_ray, restarted at every speed: the journal moves in a straight line to the first position in `steps`
+///   equal increments, then from position to position in one increment each. Towards loads: a cold start at the centre,
+///   to 0.6 C_r along the first load in `steps` increments, then as a load ramp.
+/// * speed_ramp, restarted for every load or position: load_ramp or position_ray at 1.5 times the first speed, then to
+///   the first speed in `steps` equal increments, then from speed to speed in one increment each.
+/// * cold_start, restarted for every state: directly at a position, where the journal must not touch the undeformed
+///   foils; under a load the journal is released, and the film is marched in time until it rests.
 ///
-/// Under a load a journal at rest, which takes asperities, comes from a cold start and a march in time on any path.
-/// From rest to the first speed it breaks loose: the state that it comes to is found in time, too.
+/// Under a load a journal at rest, which requires asperities, is found by a cold start and a march in time on any path.
+/// From rest to the first speed it breaks loose: that state is found by a march in time, too.
 ///
-/// A film that is started that suddenly may throw the foils onto the journal. load_ramp, position_ray and speed_ramp
-/// then begin with a cold start at the centre instead, and the journal goes to where it was to be in `steps`
-/// increments.
+/// Such a sudden start of the film may throw the foils onto the journal. load_ramp, position_ray and speed_ramp then
+/// begin with a cold start at the centre instead, and the journal moves to its starting point in `steps` increments.
 ///
-/// Foils that leave a journal at the centre too little room for a film (0.3 C_r, where lobes take from C_r, below
-/// film.h_floor, or C_r <= 0) are opened before the cold start, C_r to where c is left of it. When the first state is
-/// reached so, or the one at 1.5 times its speed, they close to what they are in `steps` equal increments, load or
-/// position held. Where that is not possible the last state says how far they came.
+/// If the foils leave too little space for a film around a centred journal (0.3 C_r, less the lobes, below
+/// film.h_floor, or C_r <= 0), they are opened before the cold start: C_r is increased until the assembled clearance is
+/// c. Once the first state is reached in this way, or the one at 1.5 times its speed, the opening closes in `steps`
+/// equal increments at constant load or position. If it cannot close, the last state says how far it closed.
 ///
-/// With `prefer_stable`, on one path, every state that is unstable with the journal held gives way to the first stable
-/// one that another path leads to, from rest to this state alone, if any does. States behind it on its path stay those
-/// that follow from the unstable one.
+/// With `prefer_stable`, on one path, every state that is unstable with the journal held is replaced by the first
+/// stable one that another path leads to, from rest to this state alone, if there is one. Later states on its path
+/// still follow from the unstable one.
 ///
-/// Friction refers to the increment before; what is followed inside an increment is cut in steps as small as it takes.
-/// Where a state is not found, those after it on its path are not looked for.
+/// Friction refers to the previous increment; steps inside an increment are as small as necessary. After a state that
+/// is not found, the later ones on its path are not computed.
 ///
 /// @param paths     which to take, one after the other; empty: the one of the case
 /// @param progress  called with the fraction that is done; returning false ends the run
@@ -213,13 +212,12 @@ EquilibriumResult find_states(const SharedFilmBearing& bearing, const Equilibriu
 /// and 1.2 times any speed.
 std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium);
 
-/// Adds to every state where the torque of its curve over speed, with the same path, journal and sense of rotation, is
-/// least: by a parabola through the slowest three neighbours of which the middle one has the least. That is where a
-/// journal lifts off rough surfaces; without asperities, and where no speed lies between, there is none.
+/// Adds to every state the speed of minimum torque on its curve over speed, with the same path, journal and sense of
+/// rotation: the vertex of a parabola through the slowest three neighbours whose middle one has the least torque. There
+/// a journal lifts off rough surfaces. It is absent without asperities, and if the minimum is at an end of the speeds.
 void add_least_torque_speeds(EquilibriumResult& result);
 
-/// The states of a case in the order in which its path reaches them, as far as they are known before: none was found,
-/// and all have this status.
+/// The states of a case in the order in which its path reaches them, before any is computed: all have this status.
 std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, Status status);
 
 /// Paths that lead to the states of a case: a ramp of loads needs loads.

@@ -21,14 +21,14 @@ class MeshComparison {
   double thickness_floor_;  ///< over c
 };
 
-/// Estimates what the mesh of the film makes of the states that were found (RunningState::mesh_error). The scheme is of
-/// second order: with q on the mesh of the case and q' on a mesh that is coarser by r in columns and rows, q is off by
+/// Estimates the discretisation error of the states that were found (RunningState::mesh_error). The scheme is of second
+/// order: with q on the mesh of the case and q' on a mesh that is coarser by r in columns and rows, q is off by
 ///
 ///     (q' - q) / (r^2 - 1)
 ///
-/// (Richardson). The state on the other mesh is looked for from the known one, which takes a few iterations and stays
-/// near it; friction refers to the known state. A mesh that cannot be coarser than it is (columns_per_pitch = 4, or
-/// three rows or less) is compared with a finer one. Where no state is found on the other mesh nothing is estimated.
+/// (Richardson). The search on the other mesh starts from the known state, takes a few iterations and stays near it;
+/// friction refers to the known state. A mesh that cannot be made coarser (columns_per_pitch = 4, or three rows or
+/// less) is compared with a finer one. If no state is found on the other mesh, there is no estimate.
 /// @param result  of run_equilibrium() with this case
 void estimate_mesh_errors(const Case& input, EquilibriumResult& result);
 

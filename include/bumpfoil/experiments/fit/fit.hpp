@@ -169,10 +169,10 @@ struct FittedPoint {
 struct FittedQuantity {
   FitColumn column{};
   double noise{};     ///< standard deviation of one reading: given, or of a loop from the scatter of neighbours, SI
-  double residual{};  ///< root mean square of measured less fitted
+  double residual{};  ///< root mean square of measured minus fitted
 };
 
-/// What was measured in one go, beside what the model gives.
+/// One measurement, with the values of the model.
 struct FittedData {
   FittedExperiment experiment{};
   std::string axis{};                 ///< what its curves are drawn over: "displacement"
@@ -194,7 +194,7 @@ struct FitResult {
   Status status{Status::converged};
   std::vector<FittedValue> parameters;
   Eigen::MatrixXd correlation;  ///< not a number where a standard error is absent
-  double chi_square{};          ///< squares of measured less fitted over their standard deviations, priors included
+  double chi_square{};          ///< squares of measured minus fitted over their standard deviations, priors included
   int degrees_of_freedom{};
   /// Of the sensitivities of the data, each parameter's scaled to length 1: 1 / smallest singular value [Brun2001].
   double collinearity{};

@@ -35,7 +35,7 @@ struct OptimiseSettings {
   std::vector<std::string> bearing_limits{};  ///< what a bearing of an ensemble must meet to count in its yield
   int evaluations{120};                       ///< points at most
   int starts{3};                              ///< searches, the first from the starts that are given
-  double tolerance{1e-3};                     ///< of the keys, in parts of the way between their bounds
+  double tolerance{1e-3};                     ///< of the keys, relative to the distance between their bounds
   int front{5};                               ///< points between the ends of the front of two aims
   int seed{1};                                ///< of the places among which further starts are the best
   std::vector<OptimisedKey> keys{};

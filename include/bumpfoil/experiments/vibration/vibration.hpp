@@ -47,10 +47,10 @@ VibrationResult run_vibration(const Case& input, const ProgressCallback& progres
 /// Loops of one vibration at most.
 inline constexpr int most_vibration_loops = 100;
 
-/// Linear foils that answer the vibrations about one load with one amplitude in the same way, first harmonic for first
-/// harmonic: dF = K dx + (H/omega) d(dx)/dt with F = what holds the journal, and so K_ij = dF_i/dx_j. Entries that no
-/// vibration tells are not numbers: two directions at right angles tell all, as do two orbits of both senses, one
-/// direction along an axis the column of that.
+/// Linear foils with the same first harmonics as the vibrations about one load with one amplitude: dF = K dx +
+/// (H/omega) d(dx)/dt with the applied force F, so that K_ij = dF_i/dx_j. Entries that no vibration determines are NaN:
+/// two directions at right angles determine all, as do two orbits of both senses; one direction along an axis
+/// determines its column.
 struct LinearFoils {
   Eigen::Vector2d load{0.0, 0.0};  ///< N
   double amplitude{};              ///< m

@@ -242,7 +242,7 @@ TEST(FitTables, TellNoStandardErrorAtAJump) {
   EXPECT_FALSE(at_jump.parameters[0].at_bound);
   EXPECT_FALSE(at_jump.parameters[0].standard_error || at_jump.parameters[0].lower_95);
   ASSERT_EQ(fit_warnings(at_jump).size(), 1U);
-  EXPECT_TRUE(fit_warnings(at_jump)[0].starts_with("the model jumps beside the value of friction.coefficient"));
+  EXPECT_TRUE(fit_warnings(at_jump)[0].starts_with("the model jumps near the value of friction.coefficient"));
   EXPECT_NE(fit_table(at_jump).find("at a jump"), std::string::npos);
   EXPECT_NE(fitted_case_text(at_jump).find(", at a jump\n"), std::string::npos);
   const auto told = fit_lists(at_jump).at("parameters").at(0);
@@ -337,9 +337,9 @@ TEST(FitTables, AreJudged) {
   EXPECT_EQ(refusal(vibration + "loss_factor_std = 0.01\n" + readings), "");
   EXPECT_EQ(refusal(vibration + "loss_factor_std = 0.01\n" + readings, "fit.data[1].machine_stiffness"), "");
   expect_refusal(vibration + "loss_factor_std = 0.01\n" + readings, "no effect", "fit.data[1].force_drift");
-  expect_refusal(vibration + readings, "by their standard deviations");
+  expect_refusal(vibration + readings, "only if its standard deviation");
   expect_refusal(vibration + "stiffness_std = \"1 MN/m\"\nloss_factor_std = 0.01\n" + readings, "without readings");
-  expect_refusal(vibration + "h_min_std = \"1 um\"\nloss_factor_std = 0.01\n" + readings, "is not of data");
+  expect_refusal(vibration + "h_min_std = \"1 um\"\nloss_factor_std = 0.01\n" + readings, "does not apply to data");
   expect_refusal(vibration + "loss_factor_std = -1\n" + readings, "must be positive");
   expect_refusal("experiment = \"vibration\"\nloss_factor_std = 0.01\n" + readings, "no load");
   expect_refusal(
@@ -351,7 +351,7 @@ TEST(FitTables, AreJudged) {
   expect_refusal("experiment = \"equilibrium\"\nh_min_std = \"1 um\"\n", "readings.speed");
   const std::string second = "[[fit.parameter]]\nkey = \"bearing.weld_angle\"\nstart = 0\nlower = -1\nupper = 1\n";
   const std::string one = vibration + "stiffness_std = 1e6\nreadings = { amplitude = [1e-6], stiffness = [1e7] }\n";
-  expect_refusal(one + second, "fit.parameter = 2: are more than what was measured, 1");
+  expect_refusal(one + second, "fit.parameter = 2: are more than the measured values, 1");
   EXPECT_EQ(refusal(one + second + "mean = 0\nstd = 1\n").find("fit.parameter"), std::string::npos);
   expect_refusal(vibration + "force_origin = \"1 N\"\nloss_factor_std = 0.01\n" + readings,
                  "fit.data[1].force_origin = 1 N: has no effect on data of the experiment \"vibration\"");

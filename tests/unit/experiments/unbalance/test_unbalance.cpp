@@ -315,7 +315,7 @@ TEST(Unbalance, WarnsOfLargeOrbits) {
   input.settings.set(rotor);
   const Outcome outcome = experiment_named("unbalance").run(input, {});
   ASSERT_FALSE(outcome.warnings.empty());
-  EXPECT_NE(outcome.warnings.back().find("it is no small motion"), std::string::npos);
+  EXPECT_NE(outcome.warnings.back().find("the motion is not small"), std::string::npos);
 }
 
 /// At -11,000 rpm, below the onset of whirl, the small unbalance leads to the orbit that the linear response has, but
