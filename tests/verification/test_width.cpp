@@ -48,8 +48,11 @@ FoilDesign frames(int bumps) {
   return make_bearing_design(PadDesign(input));
 }
 
-/// Stiffness of crests against P_2 per unit of the integral of its square, N/m, on a sheet that gives way.
-Matrix crests_on_sheet(const FoilDesign& foils, bool feet_slide) {
+/// How the bump foil is joined over the width.
+enum class Joined { by_its_sheet, as_slices };
+
+/// Stiffness of crests against P_2 per unit of the integral of its square, N/m.
+Matrix crest_stiffness(const FoilDesign& foils, bool feet_slide, Joined joined) {
   const FoilStructure structure = make_foil_structure(foils);
   const BumpDofs& dofs = structure.dofs;
   const BlockTridiagonal sheet = bump_sheet_stiffness(foils, {2});
@@ -64,7 +67,7 @@ Matrix crests_on_sheet(const FoilDesign& foils, bool feet_slide) {
       (i == dofs.crest_v ? crests : others).push_back(row);
     }
   }
-  Matrix K = sheet.dense() / over_the_width;
+  Matrix K = (joined == Joined::by_its_sheet ? 1.0 / over_the_width : 0.0) * sheet.dense();
   K(of_slices, of_slices) += structure.K.dense();
   const Matrix out = K(others, others);
   const Matrix across = K(others, crests);
@@ -196,6 +199,17 @@ constexpr Reference references[]{{.extent = 60.0,
                                   .crest_f = {-0.3934293, -0.5574305, -0.6614797, -0.6706281, -0.5817068, -0.4244192},
                                   .span_f = {-0.4798099, -0.6199582, -0.679108, -0.6374537, -0.5087525, -0.3365773}}};
 
+void expect_displaced(const Displaced& found, const Reference& reference) {
+  for (int i = 0; i < 6; ++i) {
+    const int crest = columns_per_pitch / 2 + columns_per_pitch * (10 + i);
+    const int middle = crest + columns_per_pitch / 2;
+    EXPECT_NEAR(1e6 * found.w[crest], reference.crest_w[i], 1e-5 * 2.8);
+    EXPECT_NEAR(1e6 * found.w[middle], reference.span_w[i], 1e-5 * 2.8);
+    EXPECT_NEAR(1e-3 * found.f[crest], reference.crest_f[i], 1e-5 * 0.67);
+    EXPECT_NEAR(1e-3 * found.f[middle], reference.span_f[i], 1e-5 * 0.67);
+  }
+}
+
 TEST(WidthOfTheTopFoil, BendsUnderALobeAsTheIndependentProgramSays) {
   const FoilDesign foils = frames(26);
   const Matrix held = held_crest_stiffness(make_foil_structure(foils), 0);
@@ -203,16 +217,30 @@ TEST(WidthOfTheTopFoil, BendsUnderALobeAsTheIndependentProgramSays) {
     const bool elastic = reference.sheet == SheetModel::elastic;
     SCOPED_TRACE(testing::Message() << reference.extent << " degrees, elastic sheet " << elastic << ", feet slide "
                                     << reference.feet_slide);
-    const Displaced found = pressed({reference.extent * std::numbers::pi / 180.0},
-                                    elastic ? crests_on_sheet(foils, reference.feet_slide) : held);
-    for (int i = 0; i < 6; ++i) {
-      const int crest = columns_per_pitch / 2 + columns_per_pitch * (10 + i);
-      const int middle = crest + columns_per_pitch / 2;
-      EXPECT_NEAR(1e6 * found.w[crest], reference.crest_w[i], 1e-5 * 2.8);
-      EXPECT_NEAR(1e6 * found.w[middle], reference.span_w[i], 1e-5 * 2.8);
-      EXPECT_NEAR(1e-3 * found.f[crest], reference.crest_f[i], 1e-5 * 0.67);
-      EXPECT_NEAR(1e-3 * found.f[middle], reference.span_f[i], 1e-5 * 0.67);
-    }
+    const Displaced found =
+        pressed({reference.extent * std::numbers::pi / 180.0},
+                elastic ? crest_stiffness(foils, reference.feet_slide, Joined::by_its_sheet) : held);
+    expect_displaced(found, reference);
+  }
+}
+
+/// Bump foils in strips slide as independent slices.
+constexpr Reference on_slices[]{{.extent = 60.0,
+                                 .crest_w = {0.9865962, -0.102188, -1.937645, -2.099492, -0.4894836, 0.9931573},
+                                 .span_w = {2.294791, -2.427636, -3.949151, -2.962655, 1.635235, 1.340503},
+                                 .crest_f = {-0.2315893, -0.4878238, -0.7119551, -0.7341325, -0.5372772, -0.2743577},
+                                 .span_f = {-0.351557, -0.6168511, -0.7541905, -0.6566782, -0.4015067, -0.1699257}},
+                                {.extent = 100.0,
+                                 .crest_w = {-0.207017, -0.9729806, -1.312853, -1.340937, -1.057929, -0.387004},
+                                 .span_w = {-1.213761, -1.985882, -2.288869, -2.082043, -1.377098, 0.1451404},
+                                 .crest_f = {-0.4983614, -0.7655978, -0.9384021, -0.9537678, -0.8062086, -0.5489891},
+                                 .span_f = {-0.6379434, -0.8690744, -0.9676229, -0.8984204, -0.6859635, -0.4092776}}};
+
+TEST(WidthOfTheTopFoil, BendsOnSlicesAsTheIndependentProgramSays) {
+  const Matrix crests = crest_stiffness(frames(26), true, Joined::as_slices);
+  for (const Reference& reference : on_slices) {
+    SCOPED_TRACE(testing::Message() << reference.extent << " degrees");
+    expect_displaced(pressed({reference.extent * std::numbers::pi / 180.0}, crests), reference);
   }
 }
 
@@ -257,6 +285,31 @@ TEST(WidthOfTheTopFoil, IsNearShells) {
       EXPECT_NEAR(1e6 * found.crest_w(12, 2 * i), shells.crest_13[i], shells.bound);
       EXPECT_NEAR(1e6 * found.span_w(12, 2 * i), shells.span_13[i], shells.bound);
       EXPECT_NEAR(1e6 * found.span_w(10, 2 * i), shells.span_11[i], shells.bound);
+    }
+  }
+}
+
+/// Shells of a bump foil in three strips without gaps, of the same program.
+constexpr BondedShells shells_on_strips[]{
+    {60.0, true, 0.2, {6.0424, 5.3371, 3.8526}, {11.798, 10.097, 7.0263}, {-0.85021, 0.089069, 1.753}},
+    {100.0, true, 0.1, {6.1936, 5.7147, 4.6881}, {10.843, 9.8469, 8.0278}, {6.6433, 6.152, 5.1716}}};
+
+/// w_0 and P_2 on slices, as near as a whole foil on its elastic sheet.
+TEST(WidthOfTheTopFoil, IsNearShellsOnStrips) {
+  const Matrix crests = crest_stiffness(frames(26), true, Joined::as_slices);
+  for (const BondedShells& shells : shells_on_strips) {
+    SCOPED_TRACE(testing::Message() << shells.extent << " degrees");
+    const double extent = shells.extent * std::numbers::pi / 180.0;
+    const ShellNumbers uniform =
+        press_bumps({.bumps = 26, .middle = std::numbers::pi, .extent = extent, .feet_slide = shells.feet_slide}, 1);
+    const Displaced parabola = pressed({extent}, crests);
+    for (int i = 0; i < 3; ++i) {
+      const double shape = legendre(2, shell_zeta()[static_cast<std::size_t>(2 * i)]);
+      const auto w = [&](double w0, int column) { return 1e6 * (w0 + shape * parabola.w[column]); };
+      EXPECT_NEAR(w(uniform.crest_w(12, 0), 12 * columns_per_pitch + columns_per_pitch / 2), shells.crest_13[i],
+                  shells.bound);
+      EXPECT_NEAR(w(uniform.span_w(12, 0), 13 * columns_per_pitch), shells.span_13[i], shells.bound);
+      EXPECT_NEAR(w(uniform.span_w(10, 0), 11 * columns_per_pitch), shells.span_11[i], shells.bound);
     }
   }
 }
