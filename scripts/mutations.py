@@ -292,12 +292,12 @@ def page_of(results, reasons):
     """The table of the results, and all changes that no test detects."""
     last = {key_of(one): one for one in results}
     yield "# Mutations\n"
-    yield "One token of the sources is changed at a time, and the short tests of its module are run (`make mutations`):"
-    yield "signs, operators, conditions, constants, loop bounds, dropped statements. Messages, and"
-    yield "named constants of iterations, steps and tolerances, are not changed. Lines are drawn evenly over a module;"
-    yield "the sources with most of them come first. Comparisons outside loops and sizes are reversed, and"
-    yield "tolerances grow a thousandfold.\n"
-    yield "| module | changes | caught | of these by tests written since | not caught |\n|---|---|---|---|---|"
+    yield "`make mutations` changes one token of the sources at a time and runs the short tests of its module. It"
+    yield "changes signs, operators, conditions, constants and loop bounds, and drops statements. Comparisons"
+    yield "outside loops and sizes are reversed; tolerances grow a thousandfold. Messages, and named constants of"
+    yield "iterations, steps and tolerances, are not changed. Lines are sampled uniformly over a module; the"
+    yield "sources with most of them come first.\n"
+    yield "| module | changes | caught | of these by tests added since | not caught |\n|---|---|---|---|---|"
     rows = []
     for module in MODULES:
         own = [one for one in last.values() if one["module"] == module and one["verdict"] not in NOT_TRIED]
@@ -306,7 +306,7 @@ def page_of(results, reasons):
         yield "| " + " | ".join(map(str, [module, *rows[-1]])) + " |"
     yield "| all | " + " | ".join(str(sum(numbers)) for numbers in zip(*rows)) + " |"
     left = sum(one["verdict"] == OPEN for one in last.values())
-    yield f"\nChanges that no test detects; {left} of these were tried with the short tests of their module only:\n"
+    yield f"\nChanges that no test detects; for {left} of these only the short tests of their module were run:\n"
     yield "| where | line | change | why |\n|---|---|---|---|"
     for one in last.values():
         if one["verdict"] in ("survived", OPEN):

@@ -185,7 +185,7 @@ def ratio_table(rows, columns, ratios):
 
 def means_table(rows):
     means = [
-        ("as it is", "thickness", 0.102),
+        ("unchanged", "thickness", 0.102),
         ("top foil 0.15 mm", "thickness", 0.15),
         ("top foil 0.2 mm", "thickness", 0.2),
         ("overhang 1.143 instead of 2.286 mm", "overhang", 1.143),

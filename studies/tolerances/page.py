@@ -109,7 +109,7 @@ def clearances(data):
             rows.append([scatter, force, number(data.drawn(quantity), 1, 1e6), *percentiles,
                          data.width(ensemble, quantity), data.squeezed(ensemble)])
     return table(
-        ["heights", "at", "as drawn (µm)", "5 %", "50 %", "95 %", "95 % less 5 %", "press on the centred journal (%)"],
+        ["heights", "at", "as drawn (µm)", "5 %", "50 %", "95 %", "95 % minus 5 %", "press on the centred journal (%)"],
         rows,
     )
 
@@ -143,7 +143,7 @@ def alone(data):
             for quantity in ("max_force_N", "loaded_stiffness_N_per_m", "loop_energy_J", "loss_factor")
         ), data.shift(ensemble, "loaded_stiffness_N_per_m"), data.width(ensemble, "clearance_5N_m")])
     return table(
-        ["scatters alone", "std", "on a drawing", "force (%)", "structural stiffness (%)", "loop energy (%)",
+        ["scattered quantity", "std", "on a drawing", "force (%)", "structural stiffness (%)", "loop energy (%)",
          "loss factor (%)", "mean stiffness (%)", "clearance at 5 N (µm)"],
         rows,
     )
@@ -168,76 +168,78 @@ def text(of_ensembles):
     stiffness, force = "loaded_stiffness_N_per_m", "max_force_N"
     return reflowed(f"""# Which tolerance to pay for
 
-The paper shows twelve bearings with bump heights that scatter by 10 and 20 µm. Here are
-{data.bearings("heights_10um")} for 10 µm and {data.bearings("heights_20um")} for 20 µm, and the same question for the
-other tolerances of a drawing. Reference bearing, friction 0.1, pushed by 79.5 µm, solver `events`. Written by
+The paper shows twelve bearings with bump heights that scatter by 10 and 20 µm. This page shows
+{data.bearings("heights_10um")} for 10 µm and {data.bearings("heights_20um")} for 20 µm, and the effect of the other
+tolerances on a drawing. The bearing is the reference bearing with friction 0.1; the journal moves by 79.5 µm; the
+solver is `events`. The command
 
     make tolerances
 
-from `studies/tolerances/ensembles.json`, with all numbers;
-`TOLERANCES="--heights 20000 --others 2000"` runs more bearings. Numbers after ± are standard errors.
+writes this page from `studies/tolerances/ensembles.json`, which has all numbers. `TOLERANCES="--heights 20000 --others
+2000"` runs more bearings. Numbers after ± are standard errors.
 
 ## Does the stiffness fall or rise with the scatter of heights?
 
-It falls. Normal distributions, independent bumps, +X:
+It falls. Heights are normally distributed and independent; direction +X:
 
 {heights(data)}
 
 The mean structural stiffness changes by {data.shift("heights_10um", stiffness)} % at 10 µm and by
 {data.shift("heights_20um", stiffness)} % at 20 µm, while the mean maximum force rises by
-{data.shift("heights_10um", force)} and {data.shift("heights_20um", force)} %. Both have one cause. The tallest bumps
-touch the journal first: the load is taken up earlier, over a longer displacement on which few bumps carry. In the end
-nearly all bumps under the journal carry as without scatter, only from shifted origins: the tangent stiffness at full
-displacement hardly changes ({data.shift("heights_10um", "tangent_stiffness_loading_N_per_m")} and
-{data.shift("heights_20um", "tangent_stiffness_loading_N_per_m")} %). The force is convex in the height, so
-on average it gains more from tall bumps than it loses from low ones: the force rises slightly, and the loop energy
-with it ({data.shift("heights_10um", "loop_energy_J")} and {data.shift("heights_20um", "loop_energy_J")} %).
+{data.shift("heights_10um", force)} and {data.shift("heights_20um", force)} %. Both have the same cause. The tallest
+bumps carry load first. The take-up is therefore smaller, and few bumps carry over a longer displacement. At full
+displacement nearly all bumps under the journal carry load, as without scatter but from shifted origins. The tangent
+stiffness there hardly changes ({data.shift("heights_10um", "tangent_stiffness_loading_N_per_m")} and
+{data.shift("heights_20um", "tangent_stiffness_loading_N_per_m")} %). The force is a convex function of the height, so
+that tall bumps add more on average than low ones subtract: the force rises slightly, and so does the loop energy
+({data.shift("heights_10um", "loop_energy_J")} and {data.shift("heights_20um", "loop_energy_J")} %).
 
-The same in all directions, means relative to the nominal bearing:
+Change of the means from the nominal bearing, in all directions:
 
 {directions(data)}
 
-## How wide is the clearance?
+## How much does the clearance scatter?
 
-Clearance that a push test would report, +X, in µm:
+Clearance that a push test measures, +X, in µm:
 
 {clearances(data)}
 
-The clearance is affected first: its median is below nominal, since a push test finds the tallest bump near the direction
-of the push, and its width is several times the deviation of a single height. Last column: bearings that press on the
-centred journal with more than 1 N before the push.
+The clearance is the most sensitive quantity. Its median is below nominal, since a push test finds the tallest bump near
+the direction of the push. Its range is several times the standard deviation of one height. The last column counts
+bearings that press on the centred journal with more than 1 N before the push.
 
 ## Which bumps matter?
 
-Bumps with the largest partial rank correlations between their height and the quantity, at 10 µm:
+Bumps whose height has the largest partial rank correlation with the quantity, at 10 µm:
 
 {bumps(data)}
 
-They are those under the journal; bumps 26 and 1 are next to the weld, at −X. The force depends about equally on each of
-about ten bumps: measure the mean height over the loaded arc. The stiffness is higher if the bumps at the ends of that
-arc are tall, and the clearance is smaller if any bump in it is tall.
+These bumps lie under the journal; bumps 26 and 1 are next to the weld, at −X. The force depends about equally on each
+of about ten bumps: measure the mean height over the loaded arc. Tall bumps at the ends of that arc increase the
+stiffness. Any tall bump within it reduces the clearance.
 
 ## What does each tolerance alone do?
 
 {alone(data)}
 
-Standard deviations relative to nominal, +X; then the change of the mean stiffness, and the width of the clearance at
-5 N, 95 % minus 5 %. {data.bearings("bump_length")} bearings for each except the first.
+Force to loss factor: standard deviations relative to nominal, +X. The last columns are the change of the mean
+stiffness, and the range of the clearance at 5 N, 95th minus 5th percentile. Each row has {data.bearings("bump_length")}
+bearings, except the first.
 
-Pay for heights first: at 10 µm they scatter force and stiffness by {data.spread("heights_10um", force)} and
+Tighten the heights first. At 10 µm they scatter force and stiffness by {data.spread("heights_10um", force)} and
 {data.spread("heights_10um", stiffness)} %, reduce the mean stiffness, and widen the clearance to
-{data.width("heights_10um", "clearance_5N_m")} µm; at 5 µm that is {data.spread("heights_5um", force)} %,
-{data.spread("heights_5um", stiffness)} % and {data.width("heights_5um", "clearance_5N_m")} µm. Then the radial
-clearance: held to ± 5 µm it still scatters the force by {data.spread("radial_clearance", force)} %, and the loop energy
+{data.width("heights_10um", "clearance_5N_m")} µm. At 5 µm these figures are {data.spread("heights_5um", force)} %,
+{data.spread("heights_5um", stiffness)} % and {data.width("heights_5um", "clearance_5N_m")} µm. The radial clearance
+comes next: held to ± 5 µm it still scatters the force by {data.spread("radial_clearance", force)} % and the loop energy
 by {data.spread("radial_clearance", "loop_energy_J")} %. The thickness of the bump foil, held to ± 5 µm, scatters force
 and stiffness by {data.spread("bump_foil_thickness", force)} %, and the length of the bumps, held to ± 50 µm, by
-{data.spread("bump_length", force)} %. Friction is not a tolerance on a drawing: ± 0.04 about 0.1 scatters the loop energy by
-{data.spread("friction_bump_sleeve", "loop_energy_J")} % on the sleeve and by
+{data.spread("bump_length", force)} %. Friction is not a tolerance on a drawing: ± 0.04 about 0.1 scatters the loop
+energy by {data.spread("friction_bump_sleeve", "loop_energy_J")} % on the sleeve and by
 {data.spread("friction_top_bump", "loop_energy_J")} % under the top foil. The thickness of the top foil does not matter:
 ± 5 µm scatters the force by {data.spread("top_foil_thickness", force)} %.
 
-Heights correlated over 20 mm along the foil, about four pitches, as from a tilted tool, scatter the force by
-{data.spread("heights_10um_correlated", force)} % instead of {data.spread("heights_10um", force)} %, and change the mean
-stiffness by {data.shift("heights_10um_correlated", stiffness)} % instead of {data.shift("heights_10um", stiffness)} %:
-equally tall neighbours share the load, and their errors no longer cancel.
+Heights may also be correlated along the foil, as from a tilted tool. Correlated over 20 mm, about four pitches, they
+scatter the force by {data.spread("heights_10um_correlated", force)} % instead of {data.spread("heights_10um", force)} %
+and change the mean stiffness by {data.shift("heights_10um_correlated", stiffness)} % instead of
+{data.shift("heights_10um", stiffness)} %. Neighbours of equal height share the load, and their errors no longer cancel.
 """).rstrip() + "\n"
