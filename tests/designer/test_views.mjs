@@ -97,7 +97,7 @@ test('the running bearing is that of the program, beside the design before', () 
     // What is no number is said, and what was there comes back.
     await view.getByLabel('Speed, rpm').fill('fast');
     await view.getByLabel('Speed, rpm').press('Tab');
-    assert.match(await view.locator('> .note').first().textContent(), /are numbers/);
+    assert.match(await view.locator('> .note').first().textContent(), /as numbers/);
     await answeredIn(page, '.running', async () => {
       await view.getByLabel('Speed, rpm').fill('40000');
       await view.getByLabel('Speed, rpm').press('Tab');
