@@ -74,7 +74,7 @@ struct EventFollower::Workspace {
   StraightPiece piece;
   bool inside_piece{};            ///< whether the piece starts at `reached`
   std::vector<ContactMode> mode;  ///< of the piece, or the guess for the next
-  bool first_touch{};  ///< unloaded foils are touched at `reached`: all touching contacts are tried closed
+  bool first_touch{};             ///< unloaded foils are touched at `reached`: all touching contacts are tried closed
   ContactState next;   ///< state where the path is halted, or the state before a piece that starts from another
   ContactState whole;  ///< storage for complete()
   std::vector<Eigen::Index> flipped;  ///< contacts of the last event
