@@ -203,8 +203,8 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
   }
 
   std::vector<ContactMode> mode_;
-  double constraint_scale_{0.0};  ///< scales constraint rows to the stiffness, so that pivots compare
-  RowMajor unit_loads_;           ///< of solve_units(), then their residuals in the balance
+  double constraint_scale_{0.0};  ///< brings constraint rows to the size of the stiffness, so that pivots compare
+  RowMajor unit_loads_;           ///< of solve_units(), and then what they leave of the balance
   bool factored_{false};
   int factorisations_{0};
 };

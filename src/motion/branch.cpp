@@ -52,8 +52,8 @@ class BranchFollower {
   BearingState& state_;
   double longest_, shortest_;  ///< steps
   double reached_{};           ///< by the last state
-  double leap_{shortest_};     ///< from the end of a branch to the next state
-  bool comes_to_rest_{true};   ///< whether all marches in time so far came to rest
+  double leap_{shortest_};     ///< from the end of a branch to the next state behind it
+  bool comes_to_rest_{true};   ///< where the film was marched in time so far
   FilmReport total_;
 };
 
