@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Ends the program after a failure, without the exit handler of HDF5, which crashes after running out of memory.
+/// Ends the program after a failure without the exit handler of HDF5, which crashes when out of memory.
 [[noreturn]] void leave(ExitCode code) {
   std::fflush(nullptr);
   std::_Exit(static_cast<int>(code));
@@ -25,7 +25,7 @@ namespace {
 int main(int argc, char** argv) {
   using namespace bumpfoil;
   hold_closed_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit makes the write fail, which is reported
+  std::signal(SIGXFSZ, SIG_IGN);  // at a file-size limit, writing then fails and is reported
   try {
     const Ranks ranks;
     if (ranks.rank() > 0) {

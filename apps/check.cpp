@@ -19,7 +19,7 @@ struct CheckOptions {
   std::vector<std::string> overrides;
 };
 
-/// Lines of comment.
+/// The results of all checks as comment lines.
 std::string verdicts(const std::vector<CheckedCommand>& commands) {
   std::string out = commands.empty() ? "" : "\n";
   for (const CheckedCommand& command : commands) {

@@ -53,7 +53,7 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
   return ExitCode::wrong_input;
 }
 
-/// "did you mean 'a', 'b' or 'c'? " of these names; empty without any.
+/// "did you mean 'a', 'b' or 'c'? " with these names; empty without any.
 std::string suggestion(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<std::string> nearest_of(std::string_view word, const std::vector<std
   return nearest ? std::vector{*nearest} : std::vector<std::string>{};
 }
 
-/// Options of a command, and of the program, which all commands take.
+/// Options of a command, and those of the program, which all commands accept.
 std::vector<const CLI::Option*> options_of(const CLI::App& program, const CLI::App& command) {
   std::vector<const CLI::Option*> options = command.get_options();
   const std::vector<const CLI::Option*> common = program.get_options();
@@ -76,8 +76,7 @@ std::vector<const CLI::Option*> options_of(const CLI::App& program, const CLI::A
   return options;
 }
 
-/// Options that may be meant by an unknown word: the letter in the other case, names that start like it, or the nearest
-/// one.
+/// Options similar to an unknown word: the letter in the other case, names with the same start, or the nearest one.
 std::vector<std::string> options_like(const std::string& word, const std::vector<const CLI::Option*>& options) {
   const std::string letters = word.substr(std::min(word.find_first_not_of('-'), word.size()));
   if (letters.empty()) return {};
@@ -98,7 +97,7 @@ std::vector<std::string> options_like(const std::string& word, const std::vector
   return longer.empty() ? nearest_of(word, names) : longer;
 }
 
-/// Reports unknown words of the command line: no command, no option, one too many.
+/// Reports unknown words of the command line: unknown commands or options, and excess arguments.
 /// @return whether there are any
 bool tell_unknown_words(const CLI::App& program) {
   const std::vector<std::string> words = program.remaining();
@@ -133,14 +132,14 @@ bool tell_unknown_words(const CLI::App& program) {
   return true;
 }
 
-/// Whether a word sets a key of a table: --set takes all that follow, but no file names.
+/// Whether a word sets a key of a table: --set takes all following words, but not file names.
 bool is_override(std::string_view word) {
   const std::string_view key = word.substr(0, word.find('='));
   return key.size() < word.size() && key.find('.') != std::string_view::npos &&
          key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.[]") == std::string_view::npos;
 }
 
-/// The words of the command line as the parser takes them: one --set for each change, and --help for help.
+/// The words of the command line in parser form: one --set per change, and --help for help.
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
@@ -152,7 +151,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
     words.emplace_back("--help");
   }
   for (const std::string& word : words) {
-    // The parser would take it for -o utput.
+    // The parser would read it as -o utput.
     if (word != "-output" && !word.starts_with("-output=")) continue;
     throw Error(ErrorKind::input, {{"", 0, "-output", "", "unknown option", "did you mean -o or --output?"}});
   }
@@ -165,7 +164,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
-/// One word for a POSIX shell.
+/// Quotes a word for a POSIX shell.
 std::string quoted(std::string_view word) {
   const auto is_plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -202,14 +201,14 @@ ExitCode run_command_line(int argc, char** argv, const Ranks& ranks) {
   });
   try {
     std::vector<std::string> words = words_of(argc, argv);
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    std::reverse(words.begin(), words.end());  // as required by CLI11
     program.parse(std::move(words));
   } catch (const CLI::CallForHelp& call) {
-    // Without a command it would print the help of the program.
+    // Without a command, the parser would print the help of the program.
     if (program.get_subcommands().empty() && tell_unknown_words(program)) return ExitCode::wrong_input;
     return answer(program, call);
   } catch (const CLI::ParseError& error) {
-    // Before missing arguments: a typing error may be the cause.
+    // Reported before missing arguments: a typing error may be the cause.
     const bool is_answer = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
     if (!is_answer && tell_unknown_words(program)) return ExitCode::wrong_input;
     return answer(program, error);

@@ -4,7 +4,7 @@
 
 namespace bumpfoil {
 
-/// What the program reports to the shell.
+/// Exit codes of the program.
 enum class ExitCode {
   done = 0,
   wrong_input = 2,
@@ -13,9 +13,9 @@ enum class ExitCode {
   interrupted = 130,  ///< partial results are written and flagged
 };
 
-/// Reads the command line and runs its command. Prints the help, or what is wrong with the line itself.
+/// Reads the command line and runs its command. Prints the help, or errors in the command line itself.
 /// @param ranks  this is the first one
-/// @throws Error and what the command throws
+/// @throws Error and exceptions of the command
 ExitCode run_command_line(int argc, char** argv, const Ranks& ranks);
 
 }  // namespace bumpfoil

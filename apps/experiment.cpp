@@ -34,7 +34,7 @@ struct ExperimentOptions {
   bool resume{};
 };
 
-/// The case of a sample that is given as FILE:NUMBER.
+/// The case of a sample given as FILE:NUMBER.
 Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand command) {
   const std::size_t colon = sample.rfind(':');
   std::size_t number = 0;
@@ -45,7 +45,7 @@ Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand 
   return read_sampled_case(sample.substr(0, colon), number, input, command);
 }
 
-/// A fit writes a case.toml: results must not overwrite the case that they come from, under any name.
+/// A fit writes a case.toml: results must not overwrite their own input, under any name.
 void require_other_file(const ExperimentOptions& options, const std::vector<std::string>& names) {
   std::error_code code;
   for (const std::string& name : names) {
@@ -61,14 +61,14 @@ void remove_all(const std::filesystem::path& folder, const std::vector<std::stri
 }
 
 ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options, const Session& session) {
-  // Read once: the case written with the results is the one that they came from.
+  // Read once: the case stored with the results is exactly their input.
   const std::string case_text = read_case_text(options.case_path);
   Case input =
       parse_case(case_text, options.case_path,
                  {.overrides = options.overrides, .commands = {std::string(experiment.name)}, .check = faults_of_run});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
   require_other_file(options, experiment.files);
-  const InterruptionGuard guard;  // before there is anything to clean up
+  const InterruptionGuard guard;  // before anything needs cleanup
   bool resumes = false;
   for (const std::string& name : experiment.checkpoints) {
     const std::filesystem::path checkpoint = std::filesystem::path(options.folder) / name;
@@ -96,7 +96,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   if (outcome.files) {
     const std::vector<ResultFile> files = outcome.files(provenance);
     for (const ResultFile& file : files) folder.stage(file.name, file.contents);
-    // Some need a result to be written: the case of a fit.
+    // Some files are written only with a result: the case of a fit.
     std::erase_if(written, [&files](const std::string& name) {
       return std::none_of(files.begin(), files.end(), [&name](const ResultFile& file) { return file.name == name; });
     });
@@ -121,7 +121,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   return exit_code_of(outcome.status);
 }
 
-/// Adds an option that is short for --set.
+/// Adds an option that abbreviates a --set.
 void add_switch(CLI::App& command, const Switch& one, std::vector<std::string>& overrides) {
   const std::string option = fmt::format("--{}", one.name);
   const std::string help = fmt::format("{}: {}={}", one.help, one.key, one.values.empty() ? one.value : "N");

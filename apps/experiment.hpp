@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// To those who find an unfinished run in their folder.
+/// Advice for a folder with an unfinished run.
 inline constexpr const char* resume_advice = "continue it with --resume, restart with --force, or use another folder";
 
 /// Exit code for the status of a run.

@@ -18,7 +18,7 @@ struct InitOptions {
 void run_init(const InitOptions& options, const Session& session) {
   if (options.keys) return write_text(options.path, case_reference(), options.force, session);
   write_text(options.path, case_template(options.preset), options.force, session);
-  // Editors read it beside the case; other cases there may use it already.
+  // Editors read it next to the case; other cases there may already use it.
   const std::filesystem::path schema = std::filesystem::path(options.path).replace_filename(case_schema_name);
   if (options.path.empty() || (std::filesystem::exists(schema) && !options.force)) return;
   write_text(schema, case_schema(), options.force, session);

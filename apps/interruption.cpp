@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 std::array<struct sigaction, signals.size()> actions_before{};
-/// Signals may come to any thread.
+/// Signals may arrive on any thread.
 std::atomic<bool> signal_seen{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void note_signal(int signal) {
-  // Other signals may come twice without a second request: to a group and to its member, or every second.
+  // Other signals may arrive twice without a second request: to a group and to its member, or every second.
   if (signal == SIGINT && signal_seen) {
     constexpr std::string_view message = "\nbumpfoil: interrupted twice: results not yet written are lost\n";
     [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, message.data(), message.size());

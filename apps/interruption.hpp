@@ -2,9 +2,9 @@
 
 namespace bumpfoil {
 
-/// During its lifetime, Ctrl-C and the signals by which systems end programs (SIGTERM, SIGHUP, and SIGXCPU at a time
-/// limit) are recorded instead of ending the program; a second Ctrl-C ends it. Ignored signals stay ignored, such as
-/// SIGHUP under nohup.
+/// During its lifetime, Ctrl-C and termination signals of the system (SIGTERM, SIGHUP, and SIGXCPU at a time limit) are
+/// recorded instead of ending the program; a second Ctrl-C ends it. Ignored signals stay ignored, such as SIGHUP under
+/// nohup.
 class InterruptionGuard {
  public:
   InterruptionGuard();

@@ -45,7 +45,7 @@ struct MonteCarloOptions {
   bool resume{};
 };
 
-/// Samples that a run has done, for the terminal.
+/// Rate of completed samples, for the terminal.
 class Rate {
  public:
   explicit Rate(std::size_t before) : before_(static_cast<double>(before)) {}
@@ -70,7 +70,7 @@ CLI::Validator positive_number() {
           "positive"};
 }
 
-// A row travels as its numbers lie in memory.
+// A row is sent in its memory representation.
 std::string bytes_of_row(const std::vector<double>& row) {
   return {reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double)};
 }
@@ -81,7 +81,7 @@ std::vector<double> row_of(const std::string& bytes) {
   return row;
 }
 
-/// The case with options applied as keys. Errors in them are reported for the option that was typed.
+/// The case with options applied as keys. Errors in them are reported for the option as typed.
 Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& options) {
   struct Shorthand {
     std::string option, key, value;
@@ -110,7 +110,7 @@ Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& 
 ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session) {
   const std::string case_text = read_case_text(options.case_path);
   const Case input = parse_ensemble_case(case_text, options);
-  const InterruptionGuard guard;  // before there is anything to clean up
+  const InterruptionGuard guard;  // before anything needs cleanup
   const std::filesystem::path checkpoint = std::filesystem::path(options.folder) / checkpoint_name;
   const bool resumes = options.resume && RowLog::identity_of(checkpoint).has_value();
   const Existing existing = options.force || resumes ? Existing::replace : Existing::refuse;

@@ -43,7 +43,7 @@ void print_message(std::string_view line) noexcept {
   try {
     print(stderr, printable_lines(line) + '\n');
   } catch (const std::exception&) {
-    // Not even memory for a copy: nothing can be reported.
+    // Out of memory for a copy: nothing can be reported.
   }
 }
 

@@ -6,11 +6,11 @@
 namespace bumpfoil {
 
 /// Shows the progress of a run: a changing line on standard error, only on a terminal and only after a second. A job of
-/// several ranks has no terminal; its log gets a line after a second, two, four and so on, finally once a minute.
+/// several ranks has no terminal; its log gets a line after 1, 2, 4 s and so on, finally once a minute.
 class ProgressBar {
  public:
-  /// @param wanted   false keeps it silent
-  /// @param begun fraction done before
+  /// @param wanted   false: no output
+  /// @param begun fraction completed before
   /// @param for_log  lines for a log
   explicit ProgressBar(bool wanted, double begun = 0.0, bool for_log = false);
   ~ProgressBar();  ///< removes the line

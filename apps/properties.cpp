@@ -27,7 +27,7 @@ struct PropertiesOptions {
   bool json{};
 };
 
-/// Position of a pad, and how much its pitches are stretched to fill its arc.
+/// Position of a pad, and the stretch of its pitches that fills its arc.
 std::string place_of(const Case& input, const PlacedPad& pad, std::size_t number) {
   const Bearing& bearing = pad.alone.bearing;
   constexpr double turn = 2.0 * std::numbers::pi;

@@ -7,21 +7,21 @@ namespace bumpfoil {
 
 /// Subject of a message between ranks.
 enum class Subject {
-  order,    ///< to help
-  runs,     ///< to be done
-  done,     ///< what runs gave, and how many are wanted next
-  refusal,  ///< why this rank cannot help
-  enough,   ///< of this order
-  end,      ///< of all
+  order,    ///< request to help
+  runs,     ///< to be executed
+  done,     ///< results of runs, and the number wanted next
+  refusal,  ///< the reason why this rank cannot help
+  enough,   ///< end of this order
+  end,      ///< end of all work
 };
 
 struct Letter {
-  int rank{};  ///< that it comes from
+  int rank{};  ///< of the sender
   Subject subject{};
   std::string text;
 };
 
-/// The processes that mpirun, or another MPI launcher, started together, including this one; just one without a
+/// The processes started together by mpirun or another MPI launcher, including this one; a single one without a
 /// launcher. All calls must come from the thread that created it.
 class Ranks {
  public:

@@ -1,4 +1,4 @@
-// The program without MPI: a single process. ranks_mpi.cpp replaces this file where MPI was found.
+// The program without MPI: a single process. ranks_mpi.cpp replaces this file if MPI is available.
 
 #include <array>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// All calls to MPI. Where it was not found ranks_alone.cpp replaces this file.
+// All calls to MPI. ranks_alone.cpp replaces this file without MPI.
 
 #include <mpi.h>
 
@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Without a launcher MPI is not initialised: that would take longer than many runs.
+/// Without a launcher, MPI is not initialised: this would take longer than many runs.
 bool has_launcher() {
   constexpr std::array names{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
   return std::any_of(names.begin(), names.end(), [](const char* name) { return std::getenv(name) != nullptr; });

@@ -28,7 +28,7 @@ struct ReportOptions {
   bool unchecked{};
 };
 
-/// A file that is given as FILE or FILE:DIRECTION.
+/// A file given as FILE or FILE:DIRECTION.
 MeasuredFile measured_file(const std::string& text) {
   const std::size_t colon = text.rfind(':');
   std::error_code code;

@@ -41,7 +41,7 @@ struct ReproduceOptions {
   bool force{};
 };
 
-/// Figure number of a study, if it is one of the paper.
+/// Figure number of a study, if it is a figure of the paper.
 std::optional<int> figure_number(std::string_view study) {
   constexpr std::string_view prefix = "figure";
   if (!study.starts_with(prefix)) return std::nullopt;
@@ -64,8 +64,8 @@ std::vector<Study> wanted_studies(const ReproduceOptions& options) {
   return studies;
 }
 
-/// A study with its output folders: its own, and one for each run inside it. They are created, or refused, before
-/// anything is computed.
+/// A study with its output folders: its own, and one for each run inside it. They are created, or refused, before any
+/// computation.
 class StudyWriter {
  public:
   StudyWriter(Study study, const std::filesystem::path& path, Existing existing)
@@ -82,7 +82,7 @@ class StudyWriter {
   /// Increments of all runs: the share of this study in the progress.
   [[nodiscard]] double increments() const { return increments_; }
 
-  /// Runs everything. @return false if it was stopped
+  /// Executes all runs. @return false if interrupted
   bool run(const ProgressCallback& progress) {
     results_.resize(cases_.size());
     return run_in_parallel(
@@ -127,7 +127,7 @@ class StudyWriter {
     return plotted;
   }
 
-  /// Of the written files.
+  /// Outcome in terms of the written files.
   [[nodiscard]] const StudyOutcome& outcome() const { return outcome_; }
 
  private:
@@ -142,13 +142,13 @@ class StudyWriter {
   Study study_;
   std::vector<Case> cases_;
   ResultFolder folder_;
-  std::list<ResultFolder> run_folders_;  ///< inside folder_, so removed before it if they stay empty
+  std::list<ResultFolder> run_folders_;  ///< inside folder_, so removed before it if they are empty
   std::vector<StudyRunResult> results_;
   StudyOutcome outcome_;
   double increments_{};
 };
 
-/// Runs and writes one study after the other. @return their outcomes, fewer if it was interrupted
+/// Runs and writes the studies in sequence. @return their outcomes, fewer if it was interrupted
 std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Session& session,
                                       const InterruptionGuard& guard, PlotStatus& plotted) {
   using std::chrono::steady_clock;
@@ -174,8 +174,8 @@ std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Ses
 }
 
 ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) {
-  const InterruptionGuard guard;            // before there is anything to clean up
-  const MadeFolder folder(options.folder);  // before those inside it, so removed after them
+  const InterruptionGuard guard;            // before anything needs cleanup
+  const MadeFolder folder(options.folder);  // before the folders inside it, so removed after them
   std::list<StudyWriter> writers;
   for (Study& study : wanted_studies(options)) {
     const std::filesystem::path path = std::filesystem::path(options.folder) / study.name;

@@ -25,13 +25,13 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
-/// A rank sends at least that often: the longest time that what it has may be in transit.
+/// Maximum time between messages of a rank, and so the delay of its results.
 constexpr auto letter_interval = 200ms;
 /// Interval between two checks for messages.
 constexpr auto polling_interval = 20ms;
 
-// Messages are lines, and runs: each is a line with its number and the size of its bytes, and they. All ranks are
-// machines of one kind.
+// Messages consist of lines and runs: each run is a line with its number and the size of its bytes, followed by the
+// bytes. All ranks have the same kind of machine.
 std::string take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   BUMPFOIL_ASSERT(end != std::string_view::npos);
@@ -57,7 +57,7 @@ std::vector<SharedRun> runs_of(std::string_view text) {
   return runs;
 }
 
-/// The runs that a rank was handed, and what those gave that it has done.
+/// The runs received by a rank, and the results of completed ones.
 class HandedRuns : public RunQueue {
  public:
   std::optional<std::size_t> next() override {
@@ -84,7 +84,7 @@ class HandedRuns : public RunQueue {
     changed_.notify_all();
   }
 
-  /// One that next() has named.
+  /// A run that next() has returned.
   [[nodiscard]] SharedRun begun(std::size_t number) {
     const std::lock_guard lock(mutex_);
     const auto run =
@@ -99,7 +99,7 @@ class HandedRuns : public RunQueue {
     return given_.size();
   }
 
-  /// Threads that wait for runs.
+  /// Number of threads waiting for runs.
   [[nodiscard]] std::size_t idle() const {
     const std::lock_guard lock(mutex_);
     return idle_;
@@ -124,7 +124,7 @@ class HandedRuns : public RunQueue {
   bool closed_{};
 };
 
-/// Talks to the first rank: requests runs and sends what they gave.
+/// Communicates with the first rank: requests runs and sends results.
 class Helper {
  public:
   Helper(const Ranks& ranks, HandedRuns& runs) : ranks_(ranks), runs_(runs) {}
@@ -145,8 +145,8 @@ class Helper {
  private:
   void ask(Clock::time_point now) {
     const std::vector<SharedRun> done = runs_.take_done();
-    // Twice what is done between two messages, so that threads do not wait for the reply. Of runs that take long there
-    // is no stock: others may be free for them.
+    // Twice the number completed between two messages, so that threads do not wait for the reply. Long runs are not
+    // stocked: other ranks may be free for them.
     const double rate = static_cast<double>(done.size()) / std::chrono::duration<double>(now - last_letter_).count();
     stock_ = static_cast<std::size_t>(rate * 2.0 * std::chrono::duration<double>(letter_interval).count());
     const std::size_t wanted = std::max(stock_, runs_.idle());
@@ -157,12 +157,12 @@ class Helper {
 
   const Ranks& ranks_;
   HandedRuns& runs_;
-  std::size_t stock_{};  ///< runs to keep besides those under way
+  std::size_t stock_{};  ///< number of runs in reserve
   bool asked_{};
   Clock::time_point last_letter_{Clock::now()};
 };
 
-/// Does runs until the first rank has enough.
+/// Executes runs until the first rank needs no more.
 void help_with(const Ranks& ranks, std::string_view text, const std::vector<SharedCommand>& commands) {
   const std::string command = take_line(text);
   const auto threads = static_cast<unsigned>(std::stoul(take_line(text)));
@@ -241,11 +241,11 @@ std::string RankHelpers::shares_text(std::size_t all, const char* what) const {
 }
 
 void help(const Ranks& ranks, const std::vector<SharedCommand>& commands) {
-  const InterruptionGuard guard;  // signals reach all ranks: the first one decides
+  const InterruptionGuard guard;  // signals reach all ranks; the first one decides
   for (;;) {
     const Letter letter = wait_for_letter(ranks);
     if (letter.subject == Subject::end) return;
-    if (letter.subject != Subject::order) continue;  // a reply to a request from before this rank failed
+    if (letter.subject != Subject::order) continue;  // reply to a request before this rank failed
     try {
       help_with(ranks, letter.text, commands);
     } catch (const std::exception& error) {

@@ -12,24 +12,24 @@
 
 namespace bumpfoil {
 
-// Runs that several ranks share. The first rank reads the case, distributes the runs and writes; the others only run.
-// Each requests as many as keep its threads busy for a while, and sends what those gave that it has done: faster ranks
-// get more.
+// Distribution of runs over several ranks. The first rank reads the case, distributes the runs and writes; the others
+// only run. Each requests enough runs to keep its threads busy for a while, and sends the results of completed ones:
+// faster ranks get more.
 
-/// A run by its number, and what it needs, or what it gave, as bytes.
+/// A run by its number, with its input or its result as bytes.
 struct SharedRun {
   std::size_t number{};
   std::string bytes{};
 };
 
-/// Runs of a range that need nothing but their numbers.
+/// Runs of a range whose only input is their number.
 std::vector<SharedRun> runs_in(const RunRange& range);
 
-/// Tasks of the other ranks.
+/// Work for the other ranks.
 struct SharedWork {
-  std::string command;              ///< whose runs they are
-  std::optional<unsigned> threads;  ///< of each rank; if not given, each uses as many as it may
-  std::string order;                ///< what all runs have in common, for the command
+  std::string command;              ///< command of the runs
+  std::optional<unsigned> threads;  ///< per rank; by default, each uses its maximum
+  std::string order;                ///< input common to all runs, for the command
 };
 
 /// The first rank's side.
@@ -37,19 +37,19 @@ class RankHelpers {
  public:
   /// Asks all other ranks to help.
   RankHelpers(const Ranks& ranks, const SharedWork& work);
-  /// Ends their help at once.
+  /// Ends their help immediately.
   ~RankHelpers();
   RankHelpers(const RankHelpers&) = delete;
   RankHelpers& operator=(const RankHelpers&) = delete;
 
-  /// Takes what came back, and hands runs to ranks that request them.
-  /// @param hand_out  gives so many runs at most   @param take  takes what one gave
-  /// @throws Error (input) if one cannot help: it must be the same program on the same kind of machine
+  /// Collects results, and sends runs to ranks that request them.
+  /// @param hand_out  returns at most the given number of runs   @param take  receives the result of one
+  /// @throws Error (input) if a rank cannot help: it must be the same program on the same kind of machine
   void share(const std::function<std::vector<SharedRun>(std::size_t)>& hand_out,
              const std::function<void(SharedRun)>& take);
 
-  /// How evenly runs were distributed, for the terminal; nothing where there is one rank.
-  /// @param all  of all ranks   @param what  they are
+  /// Distribution of the runs over ranks, for the terminal; nothing for one rank.
+  /// @param all  total over ranks   @param what  name of the runs
   [[nodiscard]] std::string shares_text(std::size_t all, const char* what) const;
 
  private:
@@ -58,10 +58,10 @@ class RankHelpers {
   std::vector<std::size_t> runs_;
 };
 
-/// Does a run: what it gives, or nothing where `progress` stopped it. For several threads at once.
+/// Executes a run: its result, or nothing if `progress` stopped it. Thread-safe.
 using RunOfOrder = std::function<std::optional<std::string>(const SharedRun& run, const ProgressCallback& progress)>;
 
-/// A command whose runs other ranks do.
+/// A command whose runs other ranks can execute.
 struct SharedCommand {
   std::string name;
   RunOfOrder (*made_ready)(const std::string& order);
@@ -71,10 +71,10 @@ struct SharedCommand {
 void help(const Ranks& ranks, const std::vector<SharedCommand>& commands);
 
 /// The case of an identity.
-/// @throws Error (input) if another program, or one on another kind of machine, has made it
+/// @throws Error (input) if another program, or one on another kind of machine, created it
 Case case_of_same_program(const std::string& identity);
 
-/// Releases the other ranks at the end, however it comes; for the first one.
+/// Releases the other ranks at the end in any case; for the first rank.
 class Dismissal {
  public:
   explicit Dismissal(const Ranks& ranks) : ranks_(ranks) {}

@@ -42,18 +42,18 @@ struct SweepOptions {
   bool force{};
 };
 
-/// Common to all points of a sweep.
+/// Input common to all points of a sweep.
 std::string order_of(const Sweep& sweep) {
   return fmt::format("{} {}", sweep.with_loops ? 1 : 0, sweep.experiment->name);
 }
 
 ExitCode run_sweep(const SweepOptions& options, const Session& session) {
-  // Read once: the case written with the results is the one that they came from.
+  // Read once: the case stored with the results is exactly their input.
   const std::string case_text = read_case_text(options.case_path);
   const Sweep sweep = parse_sweep(
       case_text, options.case_path,
       {.command = options.command, .over = options.over, .overrides = options.overrides, .limits = options.limits});
-  const InterruptionGuard guard;  // before there is anything to clean up
+  const InterruptionGuard guard;  // before anything needs cleanup
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, sweep_file_names(sweep));
 
   std::vector<SweepPoint> points(sweep.cases.size());
@@ -61,7 +61,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   {
     ProgressBar bar(!session.quiet, 0.0, session.ranks.size() > 1);
     RunFlow flow(0, points.size(), points.size());
-    std::vector<std::atomic<double>> parts(points.size());  // that are done
+    std::vector<std::atomic<double>> parts(points.size());  // completed fractions
     const auto keep = [&](std::size_t i, SweepPoint point) {
       points[i] = std::move(point);
       parts[i] = 1.0;

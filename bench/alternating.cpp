@@ -12,7 +12,7 @@ namespace {
 
 using Places = std::vector<Eigen::Index>;
 
-/// Top foil and bump foil under given loads. Contacts see the bump foil and the columns over its crests; the rest of
+/// Top foil and bump foil under given loads. Contacts act on the bump foil and the columns over its crests; the rest of
 /// the top foil is eliminated.
 class PressedFoils {
  public:
@@ -20,13 +20,13 @@ class PressedFoils {
 
   [[nodiscard]] const ContactProblem& problem() const { return problem_; }
 
-  /// Loads (N) on the columns behind the weld, as contacts see them.
+  /// Loads (N) on the columns after the weld, condensed to the contacts.
   [[nodiscard]] Vector condensed(const Vector& loads) const {
     const Vector all = padded(loads);
     return all(kept_) - coupling_.transpose() * hidden_lu_.solve(all(hidden_));
   }
 
-  /// Displacements (m) of the columns under these loads, with those of what contacts see.
+  /// Displacements (m) of the columns under these loads, from those at the contacts.
   [[nodiscard]] Vector displacements(const Vector& loads, const Vector& seen) const {
     Vector x = padded(loads);
     x(hidden_) = hidden_lu_.solve(x(hidden_) - coupling_ * seen).eval();
@@ -42,15 +42,15 @@ class PressedFoils {
   }
   [[nodiscard]] Matrix whole_matrix(const FilmBearing& bearing);
 
-  Eigen::Index columns_;  ///< behind the weld
+  Eigen::Index columns_;  ///< after the weld
   Eigen::Index size_{};   ///< of displacements and moments of the top foil by columns, and the bump foil
-  Places kept_, hidden_;  ///< among them
-  Matrix coupling_;       ///< of the hidden to the kept
+  Places kept_, hidden_;  ///< indices among them
+  Matrix coupling_;       ///< of hidden to kept unknowns
   Eigen::PartialPivLU<Matrix> hidden_lu_;
   ContactProblem problem_;
 };
 
-/// Of displacements u and moments M: D M are loads, D' u - T M = 0. Moments in units that make them lengths.
+/// For displacements u and moments M: D M are loads, D' u - T M = 0. Moments are scaled to lengths.
 void add_top_foil(const FilmBearing& bearing, Eigen::Index columns, Matrix& K) {
   const TopFoilMoments& form = bearing.pads.front().foil.top_foil;
   const double unit = bearing.pads.front().foil.stiffness * bearing.pads.front().foil.pitch;  // N
@@ -92,8 +92,8 @@ PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.f
   }
 }
 
-/// Sorts the unknowns, too. Behind the top foil come the blocks of the bump foil as they are; what means nothing in
-/// them is neither kept nor hidden, and stays zero.
+/// Also sorts the unknowns. The blocks of the bump foil follow the top foil unchanged; their unused unknowns are
+/// neither kept nor hidden, and stay zero.
 Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
   const BumpDofs& dofs = bearing.dofs();
   const Matrix foil = bearing.problem.K.dense();
@@ -116,7 +116,7 @@ Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
   return K;
 }
 
-/// Outward loads on the columns behind the weld, N.
+/// Outward loads on the columns after the weld, N.
 Vector loads_of(const FilmBearing& bearing, const Matrix& pressure) {
   const FilmMesh& mesh = bearing.pads.front().foil.mesh;
   Vector loads(mesh.columns);

@@ -4,22 +4,22 @@
 
 namespace bumpfoil {
 
-/// How a film and foils that are solved in turn got on.
+/// Result of solving film and foils alternately.
 struct AlternatingReport {
   enum class End { converged, no_room, no_film, no_contact, spent } end{End::spent};
-  int iterations{};  ///< films solved, and foils as often
-  double change{};   ///< of H by the last
+  int iterations{};  ///< number of film solves, and of foil solves
+  double change{};   ///< of H in the last iteration
 };
 
 struct AlternatingOptions {
-  double relaxation{1.0};  ///< part of the way to the foils' answer that H goes
-  double tolerance{1e-6};  ///< change of H at rest
-  int most{2000};          ///< iterations
+  double relaxation{1.0};  ///< fraction of the change of H to the foils' response
+  double tolerance{1e-6};  ///< change of H at convergence
+  int most{2000};          ///< maximum iterations
 };
 
-/// What others do: the film over a wall that stands still, then the foils under the pressure that this makes, and so
-/// on. Film, foils, mesh and contacts are those of FilmStepper, frictionless or with friction referring to
-/// unstressed foils; where this comes to rest, it does so in a state of that.
+/// The common staggered scheme: solves the film over a fixed wall, then the foils under its pressure, and repeats.
+/// Film, foils, mesh and contacts are those of FilmStepper, frictionless or with friction from unstressed foils; if it
+/// converges, the result is a state of FilmStepper.
 /// @param position  of the journal, m
 /// @param speed     rad/s
 /// @param state     first guess; receives the last iterate

@@ -19,7 +19,7 @@ Case reference_push() {
   return input;
 }
 
-/// One increment of the default solver, taken in turn from all of the reference cycle, results not recorded.
+/// One increment of the default solver, averaged over the reference cycle, results not recorded.
 void increment(benchmark::State& bench) {
   const Case input = reference_push();
   const Foils foils = *make_bearing_foils(input);
@@ -46,10 +46,10 @@ void increment(benchmark::State& bench) {
   bench.counters["linear_solves"] =
       benchmark::Counter(static_cast<double>(linear_solves), benchmark::Counter::kAvgIterations);
 }
-// Multiples of the 201 increments of a cycle, so that each run takes the same mixture.
+// Multiples of the 201 increments of a cycle, so that each run has the same mix.
 BENCHMARK(increment)->Unit(benchmark::kMicrosecond)->Iterations(benchmark::IterationCount{201} * 20);
 
-/// A whole cycle as users run it, set-up excluded: increments, records, derived quantities.
+/// A complete cycle without set-up: increments, records, derived quantities.
 void run_cycle(benchmark::State& bench, Case input, SolverName solver) {
   input.solver.name = solver;
   SolveCost cost;
@@ -69,7 +69,7 @@ void reference_cycle(benchmark::State& bench, SolverName solver) {
 BENCHMARK_CAPTURE(reference_cycle, newton, SolverName::newton)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reference_cycle, events, SolverName::events)->UseManualTime()->Unit(benchmark::kMillisecond);
 
-/// The same cycle for its quantities alone, as an ensemble takes it: foils and runner are made once.
+/// The same cycle for its quantities only, as in an ensemble: foils and runner are made once.
 void cycle_quantities(benchmark::State& bench, SolverName solver) {
   Case input = reference_push();
   input.solver.name = solver;
@@ -83,7 +83,7 @@ void cycle_quantities(benchmark::State& bench, SolverName solver) {
 BENCHMARK_CAPTURE(cycle_quantities, newton, SolverName::newton)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(cycle_quantities, events, SolverName::events)->Unit(benchmark::kMillisecond);
 
-/// What every sample of an ensemble with other foils adds.
+/// The additional cost per sample of an ensemble with different foils.
 void make_foils_and_runner(benchmark::State& bench) {
   const Case input = reference_push();
   for (auto _ : bench) {
@@ -104,7 +104,7 @@ void each_number_of_steps(benchmark::internal::Benchmark* bench) {
 BENCHMARK_CAPTURE(cycle_of_steps, newton, SolverName::newton)->Apply(each_number_of_steps);
 BENCHMARK_CAPTURE(cycle_of_steps, events, SolverName::events)->Apply(each_number_of_steps);
 
-/// 20 steps per branch: the number of events grows with the bumps, and so does the cost of each.
+/// 20 steps per branch: both the number of events and the cost of each grow with the number of bumps.
 void cycle_of_bumps(benchmark::State& bench, SolverName solver) {
   Case input = with_bumps(reference_push(), static_cast<int>(bench.range(0)));
   input.cycle.steps = 20;
@@ -117,7 +117,7 @@ void each_number_of_bumps(benchmark::internal::Benchmark* bench) {
 BENCHMARK_CAPTURE(cycle_of_bumps, newton, SolverName::newton)->Apply(each_number_of_bumps);
 BENCHMARK_CAPTURE(cycle_of_bumps, events, SolverName::events)->Apply(each_number_of_bumps);
 
-/// Far more bumps than were ever built: seconds each, so one cycle per repetition.
+/// Many more bumps than in any real bearing: seconds each, so one cycle per repetition.
 void many_bumps(benchmark::internal::Benchmark* bench) {
   bench->Arg(1000)->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
 }

@@ -29,7 +29,7 @@ FilmBearing frictionless_bearing(const benchmark::State& bench) {
   return bearing_with_friction(0.0, bench);
 }
 
-/// The journal pushed to +X by a part of the clearance, from a cold start.
+/// The journal displaced towards +X by a fraction of the clearance, started from ambient pressure.
 BearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench,
                         double omega = speed) {
   BearingState state;
@@ -57,7 +57,7 @@ void linearise_film(benchmark::State& bench) {
 }
 BENCHMARK(linearise_film)->Apply(meshes);
 
-/// The same with the top foil, everything between the crests eliminated.
+/// The same with the top foil, and everything between the crests eliminated.
 void condense_film(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   const BearingState state = cold_state(bearing, 0.5, bench);
@@ -93,8 +93,8 @@ void warm_step_with_friction(benchmark::State& bench) {
 }
 BENCHMARK(warm_step_with_friction)->Apply(meshes);
 
-/// A step in time, a hundredth of a revolution, of a journal whose load goes round: 5 N around 50 N, gas entering at
-/// the weld, after a quarter of a revolution.
+/// A step in time, a hundredth of a revolution, of a journal under a rotating load: 5 N around 50 N, gas inlet at the
+/// weld, after a quarter of a revolution.
 void step_in_time(const FilmBearing& bearing, benchmark::State& bench) {
   constexpr int steps_per_revolution = 100;
   FilmStepper stepper(bearing);
@@ -126,8 +126,8 @@ void time_step_with_friction(benchmark::State& bench) {
 }
 BENCHMARK(time_step_with_friction)->Apply(meshes);
 
-/// The step of a path on 6 x 16 with film and foils in turn, the foils' answer relaxed to a part of range(0)
-/// thousandths, from the state at range(1) hundredths of the clearance to one that is range(2) thousandths further.
+/// The step of a path on 6 x 16 with film and foils solved alternately. The foils' response is relaxed by range(0)
+/// thousandths; the step starts at range(1) hundredths of the clearance and advances by range(2) thousandths.
 void film_and_foils_in_turn(benchmark::State& bench) {
   Case input = reference_case();
   input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
@@ -157,7 +157,7 @@ void film_and_foils_in_turn(benchmark::State& bench) {
   }
 }
 BENCHMARK(film_and_foils_in_turn)
-    ->Args({1000, 50, 0})  // a state: nothing to do
+    ->Args({1000, 50, 0})  // already a solution: nothing to do
     ->Args({1000, 10, 1})
     ->Args({100, 10, 1})
     ->Args({10, 10, 1})
@@ -178,7 +178,7 @@ void cold_start(benchmark::State& bench) {
 }
 BENCHMARK(cold_start)->Apply(meshes);
 
-/// The same by load: 50 N, from the state under 45 N.
+/// The same under a load: 50 N, from the state under 45 N.
 void equilibrium_from_a_neighbour(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   BearingState start = cold_state(bearing, 0.6, bench);
@@ -196,7 +196,7 @@ void equilibrium_from_a_neighbour(benchmark::State& bench) {
 }
 BENCHMARK(equilibrium_from_a_neighbour)->Apply(meshes);
 
-/// Stiffness and damping at 20 frequencies, a tenth of that of the rotation to twice it.
+/// Stiffness and damping at 20 frequencies, from 0.1 to 2 times the rotation frequency.
 void impedances(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   const BearingState state = cold_state(bearing, 0.6, bench);
@@ -209,7 +209,7 @@ void impedances(benchmark::State& bench) {
 }
 BENCHMARK(impedances)->Apply(meshes);
 
-/// 50 speeds from 45,000 to 5,000 rpm under 50 N, without the way to the first.
+/// 50 speeds from 45,000 to 5,000 rpm under 50 N, excluding the start.
 void coasting_down(benchmark::State& bench) {
   constexpr int speeds = 50;
   const FilmBearing bearing = frictionless_bearing(bench);
@@ -232,8 +232,8 @@ void coasting_down(benchmark::State& bench) {
 }
 BENCHMARK(coasting_down)->Apply(meshes);
 
-/// All of an analysis but its files: 60 equal speeds from rest to 45,000 rpm under 50 N on rough surfaces, on all
-/// cores.
+/// A complete analysis without files: 60 equidistant speeds from rest to 45,000 rpm under 50 N on rough surfaces, on
+/// all cores.
 void run_up(benchmark::State& bench) {
   constexpr int speeds = 60;
   Case input = reference_case();

@@ -14,7 +14,7 @@ Foils long_bearing(int bumps) {
   return *make_bearing_foils(with_bumps(reference_case(), bumps));
 }
 
-/// Bumps 1, 2, 3 of every four carry: two stick, one slips.
+/// Bumps 1, 2, 3 of every four carry load: two stick, one slips.
 std::vector<ContactMode> mixed_modes(const Foils& foils) {
   std::vector<ContactMode> mode;
   for (int bump = 0; bump < foils.bumps(); ++bump) {
@@ -44,7 +44,7 @@ void factor_and_solve(benchmark::State& bench) {
   const Vector previous_x = state.x;
   std::vector<ContactMode> mode = mixed_modes(foils);
   for (auto _ : bench) {
-    // Another mode in the first block: nothing of the last factorisation can be kept.
+    // A mode change in the first block: no part of the last factorisation can be reused.
     mode.front() = mode.front() == ContactMode::open ? ContactMode::stick : ContactMode::open;
     if (!system->set_modes(mode)) bench.SkipWithError("singular");
     system->solve(loading, previous_x, state);
@@ -60,7 +60,7 @@ BENCHMARK(factor_and_solve)
     ->Unit(benchmark::kMicrosecond)
     ->Complexity(benchmark::oN);
 
-/// One solve with factors that are there.
+/// One solve with existing factors.
 void solve(benchmark::State& bench) {
   const Foils foils = long_bearing(static_cast<int>(bench.range(0)));
   const std::unique_ptr<ModeSystem> system = make_mode_system(foils.problem);

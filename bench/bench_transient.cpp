@@ -15,7 +15,7 @@
 #include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/motion/rotor_equilibria.hpp"
 
-/// What others do in place of a march of second order with film and foils: how long it takes, and what it says of the
+/// The common alternative to a second-order march with film and foils: its computing time, and its prediction of the
 /// whirl of examples/rotor.toml (6 x 8; onset near 13,100 rpm) after a kick.
 namespace bumpfoil {
 namespace {
@@ -23,7 +23,7 @@ namespace {
 constexpr int steps_per_turn = 100;
 constexpr int turns_of_march = 60;
 
-/// The example in equilibrium at a speed, rpm.
+/// The example in equilibrium at a speed in rpm.
 struct Example {
   explicit Example(double rpm)
       : speed(rpm * std::numbers::pi / 30.0),
@@ -45,7 +45,7 @@ struct Example {
   Status status{};
 };
 
-/// Half the peak-to-peak displacement of the journal along X and Y in the first turns behind the kick, and in the last.
+/// Half the peak-to-peak displacement of the journal along X and Y in the first turns after the kick, and in the last.
 struct Decay {
   void see(int step, const Eigen::Vector2d& place) {
     const int turn_number = step / steps_per_turn;
@@ -99,7 +99,7 @@ void march(benchmark::State& bench, TimeScheme scheme) {
   decay.report(bench);
 }
 
-/// Eight coefficients at the frequency of rotation, contacts stuck, in place of film and foils.
+/// Eight coefficients at the rotation frequency with full stick, instead of film and foils.
 void march_by_coefficients(benchmark::State& bench) {
   Example example(static_cast<double>(bench.range(0)));
   if (example.status != Status::converged) bench.SkipWithError("no equilibrium");

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// What the script below calls the kind of a value.
+/// The kind of a value, as named in the script below.
 std::string kind_of(const OptionValue& value) {
   if (!value.words.empty()) return fmt::format("words {}", fmt::join(value.words, " "));
   if (value.name == "DIR") return "folders";
@@ -21,7 +21,7 @@ std::string kind_of(const OptionValue& value) {
   return "none";
 }
 
-/// The branches of "case COMMAND in" that list its options, and the kinds of their values and of its arguments.
+/// The branches of "case COMMAND in" with its options, the kinds of their values, and its arguments.
 struct Branches {
   std::string options;
   std::string values;
@@ -88,7 +88,7 @@ std::string bash_completion(CLI::App& program) {
   std::vector<std::string> names;
   names.reserve(commands.size());
   for (const CLI::App* command : commands) names.push_back(command->get_name());
-  // What may stand before any command may stand behind it, too.
+  // Options allowed before any command are also allowed after it.
   const std::string of_all = " --quiet";
   Branches branches;
   describe(program, "", branches);

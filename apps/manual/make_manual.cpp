@@ -1,4 +1,4 @@
-// Writes what is made from the description of the command line: bumpfoil.1 for man, and completions for bash.
+// Generates files from the description of the command line: bumpfoil.1 for man, and completions for bash.
 // Usage: make_manual FOLDER
 
 #include <exception>

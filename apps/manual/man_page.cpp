@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Text as roff prints it: as it is.
+/// Escapes a text for roff.
 std::string roff(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -41,18 +41,18 @@ std::string roff(std::string_view text) {
   return out;
 }
 
-/// A line of text, which roff must not take for a request.
+/// A line of text that roff does not mistake for a request.
 std::string line(std::string_view text) {
   const std::string out = roff(text);
   return (out.starts_with('.') ? "\\&" : "") + out + '\n';
 }
 
-/// A description, which helps leave without a full stop.
+/// A description with a full stop, which helps omit.
 std::string sentence(const std::string& text) {
   return line(text.ends_with('.') ? text : text + '.');
 }
 
-/// What is indented is an example, the rest are paragraphs.
+/// Indented lines are examples, the others paragraphs.
 std::string footer(std::string_view text) {
   std::string out;
   bool in_example = false;

@@ -6,7 +6,7 @@ namespace bumpfoil {
 
 OptionValue value_of(CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return {};
-  // The rule of an option, if it has one, precedes the nameless one that its value is not empty.
+  // The rule of an option, if any, precedes the unnamed check against an empty value.
   OptionValue value{.name = option.get_type_name(), .rule = option.get_validator(0)->get_description()};
   if (!value.rule.empty()) value.name.resize(value.name.rfind(':' + value.rule));
   if (option.get_positional()) value.name = option.get_name(true);

@@ -19,14 +19,14 @@
 #endif
 
 /// Times solvers on the same problems and prints JSON: the reference bearing (friction 0.1, +X, 100 steps per branch,
-/// set-up excluded) with the solvers of the program, with `newton` on one dense block, with Siconos; and a strip of ten
-/// bumps, to stand beside finite elements. Times are processor times of one thread.
+/// without set-up) with the solvers of the program, with `newton` on one dense block, with Siconos; and a strip of ten
+/// bumps, for comparison with finite elements. Times are processor times of one thread.
 namespace bumpfoil {
 namespace {
 
 using Loadings = std::vector<ContactLoading>;
 
-/// Median of so many runs, s.
+/// Median over a number of runs, s.
 double processor_time(int runs, const std::function<void()>& work) {
   std::vector<double> times;
   for (int run = 0; run < runs; ++run) {
@@ -48,7 +48,7 @@ Loadings loadings_of(const Foils& foils, double amplitude, int steps) {
   return loadings;
 }
 
-/// The same problem as one block: nothing of its structure is used.
+/// The same problem as one block, without its structure.
 ContactProblem as_one_block(const ContactProblem& problem) {
   ContactProblem dense;
   dense.K = BlockTridiagonal(1, static_cast<int>(problem.K.rows()));
@@ -68,7 +68,7 @@ std::string row(const std::string& name, double seconds, const std::string& more
   return fmt::format(R"({{"name": "{}", "seconds": {:.6g}{}}})", name, seconds, more);
 }
 
-/// One pass along the loadings; the last state of each increment goes into `states` if it is given.
+/// One pass along the loadings; `states`, if given, receives the last state of each increment.
 std::string time_solver(const std::string& name, const SolverSettings& settings, const ContactProblem& problem,
                         const Loadings& loadings, int runs) {
   const auto solver = make_path_follower(problem, settings, make_mode_system(problem));
@@ -83,7 +83,7 @@ std::string time_solver(const std::string& name, const SolverSettings& settings,
     const SolveReport assembled = solver->assemble(loadings.front(), unstressed, state);
     failures += assembled.converged() ? 0 : 1;
     total += assembled.cost;
-    // There and back: two straight paths.
+    // Forward and back: two straight paths.
     const std::size_t steps = (loadings.size() - 1) / 2;
     for (std::size_t k = 1; k < loadings.size(); ++k) {
       const std::size_t leg = (k - 1) / steps;
@@ -105,7 +105,7 @@ std::string time_solver(const std::string& name, const SolverSettings& settings,
 /// Sweeps of the iterative methods for one increment; more would take minutes.
 constexpr SiconosOptions siconos_options{.max_iterations = 1000};
 
-/// Every increment from the exact state before it, so that one failure does not spoil the others.
+/// Every increment starts from the exact previous state, so that a failure does not affect later ones.
 std::string time_siconos(SiconosMethod method, const ContactProblem& problem, const Loadings& loadings) {
   SiconosContacts siconos(problem);
   NewtonSolver exact(problem);

@@ -8,10 +8,10 @@
 namespace bumpfoil {
 namespace {
 
-/// Equal intervals in which both eigenvalues are followed: none crosses the real axis twice in one, in all bearings
-/// met.
+/// Number of equal intervals in which both eigenvalues are tracked: in all bearings tested, neither crosses the real
+/// axis twice in one.
 constexpr int crossing_intervals = 100;
-/// Width of a bracket, over the highest frequency, that a crossing is known to.
+/// Width of the final bracket of a crossing, relative to the highest frequency.
 constexpr double crossing_resolution = 1e-11;
 constexpr int most_halvings = 60;
 
@@ -24,7 +24,7 @@ Pair eigenvalues_of(const Eigen::Matrix2cd& Z) {
   return {mean + root, mean - root};
 }
 
-/// Those at `nu` in the order of the nearest ones before.
+/// Eigenvalues at `nu`, ordered as the nearest previous ones.
 Pair follow_pair(Pair now, const Pair& before) {
   const double kept = std::abs(now[0] - before[0]) + std::abs(now[1] - before[1]);
   const double crossed = std::abs(now[1] - before[0]) + std::abs(now[0] - before[1]);
@@ -53,7 +53,7 @@ std::vector<CriticalMass> critical_masses(const std::function<Eigen::Matrix2cd(d
       Point b = there;
       const auto imaginary = [branch](const Point& point) { return point.lambda.at(branch).imag(); };
       if (imaginary(a) * imaginary(b) > 0.0 || imaginary(b) == 0.0) continue;
-      // Regula falsi, and halving where it lags: both ends stay on their sides of the crossing.
+      // Regula falsi, with bisection if it stalls; the ends stay on either side of the crossing.
       for (int k = 0; k < most_halvings && b.frequency - a.frequency > crossing_resolution * highest; ++k) {
         const double secant = a.frequency - imaginary(a) * (b.frequency - a.frequency) / (imaginary(b) - imaginary(a));
         const double middle = k % 2 == 0 ? secant : 0.5 * (a.frequency + b.frequency);

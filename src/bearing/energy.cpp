@@ -18,8 +18,7 @@ double friction_work(const ContactProblem& problem, const ContactState& begin, c
 }
 
 FrictionDissipation::FrictionDissipation(const ContactProblem& problem) {
-  // In the order of their ranks in their blocks, so that the sums of like contacts along the foil come one after the
-  // other.
+  // Ordered by rank within their blocks, so that the sums of corresponding contacts along the foil are contiguous.
   std::vector<std::vector<CoulombContact>> ranks;
   int block = -1;
   std::size_t rank = 0;

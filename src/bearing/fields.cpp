@@ -10,12 +10,12 @@
 namespace bumpfoil {
 namespace {
 
-/// A contact is reported open where its load is below this part of the largest, or a rounding: where nothing is loaded,
-/// the largest is one itself.
+/// Loads below this fraction of the largest, or below round-off, are reported as open: without load, the largest is
+/// itself round-off.
 constexpr double open_load = 1e-9;
 
-/// Contacts of one interface: those from `first` on of every block, `count` of each, from block `first_block` on. Each
-/// is one over the width, or `points` of them side by side.
+/// Contacts of one interface: `count` per block from index `first` on, from block `first_block` on. Each is single over
+/// the width, or stands for `points` contacts side by side.
 struct InterfacePlace {
   int first_block{};
   int first{};
@@ -25,7 +25,7 @@ struct InterfacePlace {
   [[nodiscard]] Eigen::Index columns(const Foils& foils) const {
     return Eigen::Index{foils.structure.K.blocks() - first_block} * count;
   }
-  /// Each of its contacts. @param visit  (column, the first of its points)
+  /// Visits each of its contacts. @param visit  (column, first of its points)
   template <typename Visit>
   void each(const Foils& foils, const Visit& visit) const {
     if (count == 0) return;
@@ -57,18 +57,18 @@ InterfacePlace place_of(const Foils& foils, Interface interface) {
       .first_block = 0, .first = foils.first_foot(), .count = foils.feet_per_block(), .points = foils.foot_contacts()};
 }
 
-/// Loads up to this are none, N.
+/// Loads up to this count as zero, N.
 double open_threshold(const Foils& foils, const ContactState& state) {
   return std::max(open_load * state.normal_force.maxCoeff(), foils.roundings.force);
 }
 
-/// Mode of contact `c` as it is reported: contacts without load are open, frictionless ones slip where they move.
+/// Reported mode of contact `c`: contacts without load are open, frictionless ones slip if they move.
 ContactMode reported_mode(const Foils& foils, Eigen::Index c, const BearingState& state, double threshold) {
   const auto number = static_cast<std::size_t>(c);
   if (state.contacts.normal_force[c] <= threshold) return ContactMode::open;
   const ContactSite& site = foils.problem.sites[number];
   if (site.tangential < 0 || site.friction_coefficient > 0.0) return state.contacts.mode[number];
-  if (foils.under_film) return ContactMode::stick;  // many moves may make one increment: their slip has no direction
+  if (foils.under_film) return ContactMode::stick;  // it may contain several motions: no slip direction
   const Eigen::Index at = Eigen::Index{site.block} * foils.problem.K.block_size() + site.tangential;
   const double slip = state.contacts.x[at] - state.slip_origin[at];
   return slip > displacement_resolution    ? ContactMode::slip_forward
@@ -79,14 +79,14 @@ ContactMode reported_mode(const Foils& foils, Eigen::Index c, const BearingState
 void record_interface(const Foils& foils, const BearingState& state, Interface interface, Eigen::Index increment,
                       InterfaceFields& fields) {
   const double threshold = open_threshold(foils, state.contacts);
-  // Rows by themselves: their places are looked up once.
+  // One row at a time, to resolve its address once.
   auto gap = fields.gap.row(increment);
   auto normal_force = fields.normal_force.row(increment);
   auto friction_force = fields.friction_force.row(increment);
   auto mode = fields.mode.row(increment);
   const InterfacePlace place = place_of(foils, interface);
   place.each(foils, [&](Eigen::Index i, Eigen::Index first) {
-    // Over the width: the least gap, all forces, and the mode of a point that touches.
+    // Over the width: the minimum gap, the sum of forces, and the mode of a point in contact.
     mode[i] = ContactMode::open;
     gap[i] = std::numeric_limits<double>::infinity();
     normal_force[i] = friction_force[i] = 0.0;
@@ -123,8 +123,8 @@ void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, 
   }
 }
 
-/// Parts of displacements on the crest lines that P_k has at zeta = 1. Points of strips are not those of a rule for the
-/// whole width: of them the best fit is meant, which there is for k = 1.
+/// Displacements on the crest lines of a mode that is P_k at zeta = 1. Points of strips are not a quadrature rule of
+/// the whole width: they use the best fit, available for k = 1.
 Vector parts_of_mode(const Foils& foils, int k) {
   const std::vector<FoilLine>& lines = foils.crest_lines();
   Vector parts(std::ssize(lines));
@@ -139,7 +139,7 @@ Vector parts_of_mode(const Foils& foils, int k) {
 
 void record_modes(const Foils& foils, const Vector& x, Eigen::Index increment, FoilFields& fields) {
   const BumpDofs& dofs = foils.structure.dofs;
-  // Unknowns of a block, bump or foot after bump or foot, by P_k over the width at zeta = 1.
+  // Writes unknowns of successive bumps or feet, by P_k over the width at zeta = 1.
   const auto put = [&](FieldMatrix& field, int k, int first_block, const std::vector<int>& unknowns) {
     if (field.cols() == 0) return;
     const auto count = std::ssize(unknowns);
@@ -268,12 +268,12 @@ FoilFields make_fields(const Foils& foils, int increments) {
   fields.journal_top.resize(increments, foils.top_bump() > 0 ? bumps : 0);
   fields.top_bump.resize(increments, bumps);
   fields.bump_sleeve.resize(increments, feet);
-  // All of a bump foil varies linearly, or nothing does.
+  // Either the whole bump foil varies linearly, or none of it.
   const bool has_slope = foils.foot_contacts() > 1 && foils.crest_lines().front().zeta < 0.0;
   for (FieldMatrix* field : {&fields.crest_u_slope, &fields.crest_v_slope}) {
     field->resize(increments, has_slope ? bumps : 0);
   }
-  const bool has_pressed_top = foils.has_top_foil() && !foils.under_film;  // films have their own shape of it
+  const bool has_pressed_top = foils.has_top_foil() && !foils.under_film;  // films have a top foil shape of their own
   fields.top_slope.resize(increments, has_pressed_top && has_slope ? bumps : 0);
   for (FieldMatrix* field : {&fields.foot_u_slope, &fields.foot_v_slope}) {
     field->resize(increments, has_slope ? feet : 0);
@@ -301,7 +301,7 @@ Vector bump_compression(const FoilStructure& structure, const Vector& x) {
   for (Eigen::Index i = 0; i < compression.size(); ++i) {
     const Eigen::Index block = structure.first_bump + i;
     const auto foot = [&](Eigen::Index of_block, int v) { return x[of_block * size + v]; };
-    // A block that has one foot shares the other with the block before, if its foil has one.
+    // A block with one foot shares the other with the previous block, if that belongs to its foil.
     const bool shares = dofs.feet() == 1;
     const bool welded =
         shares && std::find(structure.pads.begin(), structure.pads.end(), block) != structure.pads.end();

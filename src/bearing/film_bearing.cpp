@@ -18,13 +18,13 @@
 namespace bumpfoil {
 namespace {
 
-/// Below this speed of the surface, m/s, rubbing asperities creep.
+/// Minimum surface speed in asperity friction, m/s: regularises slower rubbing as creep.
 constexpr double creep_speed = 1e-3;
 
-/// c of a bearing whose clearance or interference is less, m.
+/// Lower bound of the thickness scale c, for small clearances or interference, m.
 constexpr double least_scale = 10e-6;
 
-/// The mean of all pitches, m: their own where they are equal, to the last bit.
+/// Mean pitch, m: bit-identical to the pitches if they are equal.
 double mean_pitch(const std::vector<BumpShape>& bumps) {
   const double first = bumps.front().pitch;
   double beyond = 0.0;
@@ -174,7 +174,7 @@ void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& al
 
 namespace {
 
-/// Puts one more pad behind those there are.
+/// Appends one more pad.
 void append(const PlacedPad& placed, const FilmResolution& resolution, const std::vector<int>& stations,
             FilmBearing& bearing) {
   const PadDesign& alone = placed.alone;
@@ -213,14 +213,14 @@ double room_of(const FilmBearing& bearing) {
   return room + widening;
 }
 
-/// Unknowns of a block.
+/// Number of unknowns of a block.
 int block_size_of(const FilmBearing& bearing) {
   const FilmPad& pad = bearing.pads.front();
   return std::max(bearing.behind_pressures(), unknowns_on_lines(bearing)) + unknowns_of_sheet(bearing, pad.foil.lines) +
          pad.stations * 2 * static_cast<int>(pad.foil.stretching.rows());
 }
 
-/// Fixes the unused unknowns at the free ends, but not the displacement there.
+/// Fixes the unused unknowns at the free ends, but not the displacements there.
 void hold_free_ends(const FilmBearing& bearing, BlockTridiagonal& K) {
   const double stiffness = stiffest_of_bump_foils(bearing.structure);
   for (const FilmPad& pad : bearing.pads) {
@@ -274,7 +274,7 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
 FilmBearing formed_by(const FilmBearing& bearing, double part) {
   FilmBearing other = bearing;
   for (FilmPad& pad : other.pads) pad.foil.forming *= part;
-  // Contacts under which foils are assembled stay the same, and so does all else that is proportional.
+  // The contact modes of the assembly stay the same, so the response is proportional.
   for (PadAssembly& pad : other.assembly) {
     pad.hold_down *= part;
     pad.load *= part;
@@ -324,7 +324,7 @@ void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& cont
 
 namespace {
 
-/// Force against a pressure at all nodes where it exceeds `outside`.
+/// Force of the excess over a pressure of `outside`, at nodes where it is positive.
 JournalVector pad_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure, double outside) {
   const FilmMesh& mesh = pad.foil.mesh;
   const Matrix excess = pressure(Eigen::all, pad.columns()).array() - outside;
@@ -336,7 +336,7 @@ JournalVector pad_force(const FilmBearing& bearing, const FilmPad& pad, const Ma
   JournalVector force(bearing.motions());
   force.head<2>() = sum(of_rows);
   if (bearing.tilts()) {
-    for (int j = 0; j <= mesh.rows; ++j) of_rows[j] *= pad.zeta(j);  // the lever
+    for (int j = 0; j <= mesh.rows; ++j) of_rows[j] *= pad.zeta(j);  // lever arm
     force.tail<2>() = sum(of_rows);
   }
   return mesh.copies() * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
@@ -417,7 +417,7 @@ Vector bump_loads(const FilmBearing& bearing, const BearingState& state) {
 
 namespace {
 
-/// Integral of (P - 1) dU/dtheta over the whole width, U how far the wall stands back from a circle.
+/// Integral of (P - 1) dU/dtheta over the whole width; U is the outward deviation of the wall from a circle.
 double pressing_slope(const FilmMesh& mesh, const Matrix& pressure, const Matrix& wall) {
   double sum = 0.0;
   for (int k = 0; k < mesh.columns; ++k) {
@@ -430,13 +430,13 @@ double pressing_slope(const FilmMesh& mesh, const Matrix& pressure, const Matrix
   return sum;
 }
 
-/// In (-pi, pi].
+/// Angle wrapped to (-pi, pi].
 double wrapped(double angle) {
   return angle - 2.0 * std::numbers::pi * std::ceil(angle / (2.0 * std::numbers::pi) - 0.5);
 }
 
-/// Load on film and asperities, and friction of the asperities.
-/// @return the part of the film
+/// Forces of film and asperities on the bearing, and asperity friction.
+/// @return the film force
 JournalVector find_forces(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const Matrix pressures = asperity_pressures(bearing, state.film.thickness);
   const double friction = sliding_friction(bearing, state.speed);
@@ -464,7 +464,7 @@ JournalVector find_forces(const FilmBearing& bearing, const BearingState& state,
 void find_drag(const FilmBearing& bearing, const BearingState& state, const JournalVector& of_film,
                FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
-  // What the sleeve is wider, too.
+  // Includes the increase of the sleeve radius.
   Matrix wall = state.film.thickness - bearing.undeformed_thickness(bearing.journal_of(state), state.opening);
   wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
   const double couette = scales.couette_torque(state.speed * scales.radius);
@@ -496,7 +496,7 @@ void find_drag(const FilmBearing& bearing, const BearingState& state, const Jour
   outcome.power = outcome.torque * state.speed;
   outcome.couette_dissipation = outcome.couette_torque * state.speed;
   outcome.dissipation = outcome.couette_dissipation + pressure_dissipation + outcome.asperity_torque * state.speed;
-  // Asperities press towards the centre of the journal and rub at its surface: they have no part in the rest.
+  // Asperity contact acts normal to the journal surface with friction along it: it does not contribute to the rest.
   const JournalVector journal = bearing.journal_of(state);
   double lever = 0.0;
   for (Eigen::Index i = 0; i < journal.size(); i += 2) {

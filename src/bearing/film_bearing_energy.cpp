@@ -17,7 +17,7 @@ double bending_energy(const FilmBearing& bearing, const FoilFilm& foil, const Ma
   return energy;
 }
 
-/// Half of what the membrane of a top foil bears, times the displacements that it does so against, J.
+/// Half the membrane load of a top foil times its displacement, J.
 double membrane_energy(const FilmBearing& bearing, const FoilFilm& foil, const FoilFilmState& part) {
   const Matrix stretching = foil.stretching * part.lift;
   double twice = 0.0;
@@ -28,7 +28,7 @@ double membrane_energy(const FilmBearing& bearing, const FoilFilm& foil, const F
   return 0.5 * foil.stiffness * bearing.scales.thickness * bearing.scales.thickness * twice;
 }
 
-/// Of the asperities of a pad, J.
+/// Energy of the asperities of a pad, J.
 double asperity_energy(const FilmPad& pad, const Matrix& thickness) {
   const FoilFilm& foil = pad.foil;
   if (!foil.asperities) return 0.0;
@@ -38,7 +38,7 @@ double asperity_energy(const FilmPad& pad, const Matrix& thickness) {
     const auto H = thickness.col(pad.first_column + k);
     double of_place = 0.0;
     for (int j = 0; j <= mesh.rows; ++j) {
-      if (j == 0 || H[j] != H[j - 1]) of_place = foil.asperities->energy(H[j]);  // one for all rows of the same H
+      if (j == 0 || H[j] != H[j - 1]) of_place = foil.asperities->energy(H[j]);  // once for rows of equal H
       energy += mesh.column_weight(k) * mesh.row_weight(j) * of_place;
     }
   }

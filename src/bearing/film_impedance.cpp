@@ -9,15 +9,15 @@
 namespace bumpfoil {
 namespace {
 
-/// Residual that is left in the equation of what is stored, as part of its right-hand side: that is far larger than
-/// what slow motions store.
+/// Accepted residual of the storage equation relative to its right-hand side, which is far larger than the storage of
+/// slow motion.
 constexpr double tolerance = 1e-12;
-/// Directions of a space that is given up: 23 serve 20 frequencies up to twice that of the rotation, on 6 x 16.
+/// Maximum dimension of the space: 23 suffice for 20 frequencies up to twice that of rotation, on 6 x 16.
 constexpr int most_directions = 300;
-/// The shift, as part of the largest rate: directions are fewest from 0.15 to 0.3, and a fifth more at 1.
+/// The shift relative to the largest rate: dimensions are fewest from 0.15 to 0.3, and 20 % more at 1.
 constexpr double shift_in_rates = 0.3;
 
-/// The last of coordinates() while H grows, in 2 m operations each.
+/// The last entry of coordinates() while H grows, in 2 m operations each.
 class LastCoordinate {
  public:
   LastCoordinate(double start, std::complex<double> excess) : excess_(excess), right_(start) {}
@@ -29,7 +29,7 @@ class LastCoordinate {
   }
 
  private:
-  /// Of a row from the one below, or the other way round.
+  /// Elimination of a row by the one below, or vice versa.
   struct Elimination {
     std::complex<double> factor;
     bool swaps{};
@@ -57,8 +57,8 @@ class LastCoordinate {
   std::vector<Elimination> eliminated_;
 };
 
-/// Coordinates of what is stored, in the Krylov basis of C, in which C V = V H + next v_next e_last^T. H has one
-/// diagonal below its main one: elimination, with the larger of two rows as pivot, takes m^2 operations.
+/// Coordinates of the storage rates in the Krylov basis of C, in which C V = V H + next v_next e_last^T. H is upper
+/// Hessenberg: elimination with pivoting between two rows takes m^2 operations.
 /// @param start  norm of the right-hand side, which is the first direction
 Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, double start, std::complex<double> excess) {
   const Eigen::Index m = H.cols();
@@ -94,13 +94,13 @@ class Reduction {
 
   [[nodiscard]] bool can_grow() const { return space_.can_grow(); }
   [[nodiscard]] auto direction() const { return space_.direction(); }
-  /// @param answer  to direction()
+  /// @param answer  response to direction()
   void add(FilmAnswer answer) {
     space_.add(std::move(answer.content));
     forces_.conservativeResize(Eigen::NoChange, space_.size());
     forces_.col(space_.size() - 1) = answer.force;
   }
-  /// Whether the residual is small at every s asked for.
+  /// Whether the residual is small at all requested s.
   [[nodiscard]] bool solves() {
     return std::all_of(last_.begin(), last_.end(), [&](LastCoordinate& of_one) {
       return std::abs(of_one.excess() * of_one.of(space_.hessenberg())) * space_.next() <= tolerance * start_;
@@ -133,7 +133,7 @@ JournalMatrixC FilmImpedance::at(std::complex<double> rate) const {
 }
 
 FilmImpedance linear_impedance(const JournalMatrix& stiffness, const JournalMatrix& damping, double unit) {
-  // One direction that stores nothing: F = moved + e forces.
+  // A single direction without storage: F = moved + e forces.
   FilmImpedance impedance{.shift = 1.0, .squeeze_time = 1.0 / unit, .along = {}};
   for (Eigen::Index motion = 0; motion < stiffness.cols(); ++motion) {
     const JournalVector forces = unit * damping.col(motion);

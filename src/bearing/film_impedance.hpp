@@ -11,7 +11,7 @@
 
 namespace bumpfoil {
 
-/// Rates s (1/s) less the shift, a real part of the largest of their sizes: both in units of 1 / T0.
+/// Rates s (1/s) minus the shift, a real fraction of their largest magnitude: both in units of 1 / T0.
 struct ShiftedRates {
   ShiftedRates(const std::vector<std::complex<double>>& rates, double squeeze_time);
 
@@ -19,12 +19,12 @@ struct ShiftedRates {
   std::vector<std::complex<double>> excess;
 };
 
-/// Residuals of a film whose volumes store something at these rates. @param rates  at the nodes of unknown pressure
+/// Residuals of a film due to storage rates in its volumes. @param rates  at the nodes of unknown pressure
 Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& rates);
 
 /// Response of a linearised film to motion of the journal, or to storage in its volumes.
 struct FilmAnswer {
-  Vector content;       ///< change of P H at the nodes whose pressure is unknown
+  Vector content;       ///< change of P H at the nodes of unknown pressure
   JournalVector force;  ///< change of the force on the journal
 };
 

@@ -12,30 +12,30 @@
 namespace bumpfoil {
 namespace {
 
-/// Longest change of the clearance in one step, in units of c, and weight of the remaining change among the residuals,
-/// per c. Both dimensionless, with the values of a journal at a given position, see journal_law.cpp.
+/// Largest change of the clearance in one step, in units of c, and residual weight of the remaining change, per c. Both
+/// dimensionless and equal to those of a journal at a given position, see journal_law.cpp.
 constexpr double longest_opening = 0.00625;
 constexpr double weight_of_opening = 30.0;
 
-/// Rounds of mode changes in the contact problem of a step, before paths and interior points, which cost 10 to 30
-/// factorisations.
+/// Rounds of mode changes in the contact problem of a step, before fallback to path following and interior point, which
+/// cost 10 to 30 factorisations.
 constexpr int rounds_of_modes = 6;
 
-/// Poles with the journal held are looked for from a shift of so many speeds of rotation, which lies right of them, and
-/// up to imaginary parts of so many. Film poles faster than that are damped by several speeds.
+/// Search for poles with the journal held: the shift, to the right of all poles, and the largest imaginary part, both
+/// in units of the rotation speed. Faster film poles are damped at several times the speed.
 constexpr double shift_in_speeds = 2.0;
 constexpr double frequency_in_speeds = 3.0;
-/// What stands for slower speeds there, in units of 1 / T0: a journal at rest has a shift, too.
+/// Lower bound of the speed there, in units of 1 / T0, so that a journal at rest also has a shift.
 constexpr double least_rate = 1e-2;
-/// Residual of the equations of all unknowns that a pole is believed with, as part of what its motion stores.
+/// Largest accepted residual of all equations for a pole, relative to the storage of its motion.
 constexpr double largest_residual = 1e-8;
 
-/// Square of the norm of the residuals of a film per area of a cell.
+/// Square of the norm of the residuals of a film per cell area.
 double film_square(const FilmMesh& mesh, const Matrix& residual) {
   return mesh.unknown(residual).squaredNorm() / (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
 }
 
-/// Residuals of a foil that is in balance.
+/// Sets the residuals of a foil in equilibrium.
 void set_zero(const FoilFilm& foil, FoilFilmResidual& residual) {
   residual.balance.setZero(foil.lines.count(), foil.mesh.nodes());
   residual.compatibility.setZero(foil.lines.count(), foil.mesh.nodes());
@@ -84,7 +84,7 @@ void FilmNewton::for_each_place(const FilmPad& pad, int support, Visitor&& visit
   for (int i = 0; i < of_membrane; ++i) visit(bearing_.first_of_membrane(station) + i, n + 2 * lines + i);
 }
 
-/// Forces that the bump foils take at their displacements, N; what is held in the last blocks takes none.
+/// Restoring forces of the bump foils at their displacements, N; fixed unknowns of the last blocks contribute none.
 Vector& FilmNewton::find_bump_forces(const ContactState& state) {
   const Eigen::Index size = bump_K_.block_size();
   bump_forces_ = bump_K_.multiply(state.x);
@@ -94,7 +94,7 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
   return bump_forces_;
 }
 
-/// Moves the forces at the top foil over the crests, N, to the balances of its columns.
+/// Transfers the crest forces on the top foil, N, to the balances of its columns.
 void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balance) const {
   const double unit = pad.foil.stiffness * bearing_.scales.thickness;
   for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
@@ -107,8 +107,8 @@ void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balanc
   }
 }
 
-/// Residuals of film and foil without contact forces; the norm is that of all residuals, with them: the film per area
-/// of a cell, forces by EI' c / p^3, compatibility by c / p, the opening by c / weight_of_opening.
+/// Residuals of film and foil without contact forces. The norm includes them; its units are: film per cell area, forces
+/// EI' c / p^3, compatibility c / p, opening c / weight_of_opening.
 double FilmNewton::find_residual() {
   const BearingState& state = trial_;
   const ContactState& contact = state.contacts;
@@ -136,13 +136,13 @@ double FilmNewton::find_residual() {
   return square + opening * opening;
 }
 
-/// The condensed films and the bump foils in one matrix. Unknowns are in m, rows in N.
+/// Combines the condensed films and the bump foils in one matrix. Unknowns in m, rows in N.
 void FilmNewton::assemble() {
   K_ = bump_K_;
   for (const Part& part : parts_) {
     const double scale = part.pad.foil.stiffness;
     const int blocks = part.system.blocks();
-    // Column by column, as they are stored.
+    // Column by column, in storage order.
     const auto add = [&](Matrix& to, int row_block, int column_block, const Matrix& film) {
       for_each_place(part.pad, column_block, [&](int place, int film_place) {
         double* column = to.col(place).data();
@@ -162,7 +162,7 @@ void FilmNewton::assemble() {
   }
 }
 
-/// How many residuals are taken to zero together.
+/// Sets the number of residuals that are solved for together.
 void FilmNewton::set_sides(std::size_t count) {
   for (Part& part : parts_) {
     part.residuals.resize(count);
@@ -190,7 +190,7 @@ void FilmNewton::load_condensed(std::size_t side) {
   }
 }
 
-/// Changes of the blocks, as the contact problem found them, and of what lies in between.
+/// Changes of the blocks from the contact problem, and of the columns in between.
 void FilmNewton::expand(std::span<Step> changes) {
   const FoilFilm& foil = bearing_.pads.front().foil;
   for (Step& change : changes) {
@@ -220,8 +220,8 @@ void FilmNewton::expand(std::span<Step> changes) {
   }
 }
 
-/// Changes of all unknowns that take the residuals of the films and foils to zero, one for each: where the system was
-/// linearised last, with the modes that were set last.
+/// Changes of all unknowns that cancel the given residuals of films and foils, one set for each: at the last
+/// linearisation, in the modes set last.
 void FilmNewton::answer(std::span<Step> changes) {
   condense();
   loading_.initial_gap.setZero();
@@ -234,14 +234,14 @@ void FilmNewton::answer(std::span<Step> changes) {
   expand(changes);
 }
 
-/// Change of the force on the journal with pressure and asperities, where the system was linearised last.
+/// Change of the force on the journal due to pressure and asperities, at the last linearisation.
 JournalVector FilmNewton::force_of(const FoilFilmState& change) const {
   JournalVector force = film_force(bearing_, bearing_.field(1.0) + change.pressure);
   if (bearing_.surroundings.asperities) force += asperity_force_of(change);
   return force;
 }
 
-/// The part of asperities.
+/// Contribution of asperities.
 JournalVector FilmNewton::asperity_force_of(const FoilFilmState& change) const {
   Matrix pressures(change.thickness.rows(), bearing_.columns());
   for (const Part& part : parts_) {
@@ -251,8 +251,8 @@ JournalVector FilmNewton::asperity_force_of(const FoilFilmState& change) const {
   return asperity_force(bearing_, pressures, friction_);
 }
 
-/// Rates of all unknowns to each `rigid`, a rate of H with foils that do not give way, 1/m: where the system was
-/// linearised last, with the modes that were set last.
+/// Rates of all unknowns for each `rigid`, a rate of H with rigid foils, 1/m: at the last linearisation, in the modes
+/// set last.
 void FilmNewton::find_rates(std::span<const Matrix> rigid, std::span<Step> rates) {
   set_sides(rigid.size());
   for (Part& part : parts_) {
@@ -282,7 +282,7 @@ JournalMatrix FilmNewton::find_rates() {
   return K_film_;
 }
 
-/// @return whether no film is singular
+/// @return whether all films are regular
 bool FilmNewton::linearise_films(const FilmEquations& equations, const BearingState& state) {
   friction_ = sliding_friction(bearing_, state.speed);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -293,8 +293,8 @@ bool FilmNewton::linearise_films(const FilmEquations& equations, const BearingSt
   return true;
 }
 
-/// Linearises about a state, with contacts in its modes, or with all closed ones stuck.
-/// @return whether that leaves a regular system
+/// Linearises about a state, with contacts in its modes, or with all closed ones sticking.
+/// @return whether the system is regular
 bool FilmNewton::linearise(const FilmEquations& equations, const BearingState& state, bool stuck) {
   if (!linearise_films(equations, state)) return false;
   assemble();
@@ -316,9 +316,9 @@ std::optional<SlowMotion> FilmNewton::slow_motion(const BearingState& state, boo
   return motion;
 }
 
-/// Linearises about a state where every rate of storage answers to P H as in a step of implicit Euler, at a rate s =
-/// shift / T0, with contacts in its modes, or with all closed ones stuck.
-/// @return whether that leaves a regular system
+/// Linearises about a state with storage proportional to P H as in a step of implicit Euler, at a rate s = shift / T0,
+/// with contacts in its modes, or with all closed ones sticking.
+/// @return whether the system is regular
 bool FilmNewton::linearise_at(double shift, const BearingState& state, bool stuck) {
   FilmEquations equations = film_equations(bearing_, state.speed);
   squeeze(bearing_, shift, film_content(state.film), equations);
@@ -331,7 +331,7 @@ Eigen::Index FilmNewton::unknown_pressures() const {
   return unknown;
 }
 
-/// Change of P H at the nodes whose pressure is unknown, pad after pad.
+/// Change of P H at the nodes of unknown pressure, pad after pad.
 Vector FilmNewton::content_of(const FoilFilmState& change, const FilmState& state) const {
   const Matrix content = change.pressure.cwiseProduct(state.thickness) + state.pressure.cwiseProduct(change.thickness);
   Vector inside(unknown_pressures());
@@ -345,13 +345,12 @@ Vector FilmNewton::content_of(const FoilFilmState& change, const FilmState& stat
   return inside;
 }
 
-/// Change of the balances of a foil with the pressures of asperities where H changes and the system was linearised
-/// last.
+/// Change of the foil balances with asperity pressures for a change of H, at the last linearisation.
 Matrix FilmNewton::asperity_change(const Part& part, const Matrix& thickness) {
   return asperity_balance(part.pad.foil, part.system.asperity_slopes().cwiseProduct(thickness));
 }
 
-/// Makes rates at which the volumes of the nodes store something residuals of the films.
+/// Adds storage rates of the node volumes to the film residuals.
 void FilmNewton::store(std::span<const Vector> rates) {
   set_sides(rates.size());
   Eigen::Index first = 0;
@@ -395,7 +394,7 @@ std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
   return found;
 }
 
-/// Square of the norm of what closed contacts open and sticking ones slip, in units of c.
+/// Square of the norm of the opening of closed contacts and the slip of sticking ones, in units of c.
 double FilmNewton::contact_square(const ContactState& change) const {
   double square = 0.0;
   for_each_contact(bearing_.problem, [&](const CoulombContact& contact) {
@@ -410,9 +409,9 @@ double FilmNewton::contact_square(const ContactState& change) const {
   return square / (bearing_.scales.thickness * bearing_.scales.thickness);
 }
 
-/// Square of the norm of the residuals of all linearised equations where all unknowns change, in the units of
-/// find_residual(): where the system was linearised last. What the volumes store more than at the shift is in the
-/// residuals of the films already, see store().
+/// Square of the norm of the residuals of all linearised equations for a change of all unknowns, in the units of
+/// find_residual(), at the last linearisation. Storage in excess of that at the shift is already in the film residuals,
+/// see store().
 double FilmNewton::equation_square(const Step& change) {
   Vector& forces = find_bump_forces(change.contact);
   forces -= contact_forces(bearing_.problem, change.contact.normal_force, change.contact.friction_force);
@@ -452,7 +451,7 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   const std::optional<FilmPole> pole = rightmost_pole(stored, unknown_pressures(), frequency_in_speeds * unit);
   if (!pole) return std::nullopt;
 
-  // The motion itself, and what it leaves of the equations of all unknowns.
+  // The motion, and its residuals in all equations.
   std::array<Step, 2> motion;  // real and imaginary part
   Eigen::MatrixX2d content(unknown_pressures(), 2);
   store(std::array<Vector, 2>{pole->stored.real(), pole->stored.imag()});
@@ -488,12 +487,12 @@ bool FilmNewton::find_step(bool keeps_factors, FilmReport& report) {
   return true;
 }
 
-/// The step at the position of the iterate with exact contacts: the unknowns of the contact problem are the steps
+/// The step at the journal position of the iterate with exact contacts: unknowns of the contact problem are the steps
 /// of the blocks.
 bool FilmNewton::find_step_at_rest(FilmReport& report) {
   const BearingState& state = iterate_;
   const Vector& x = state.contacts.x;
-  // Contact forces are unknowns of the step, and no part of its right-hand side.
+  // Contact forces are unknowns of the step, so they are not on its right-hand side.
   loading_.load = -find_bump_forces(state.contacts);
   condense();
   load_condensed(0);
@@ -524,8 +523,7 @@ void FilmNewton::move_journal(const JournalVector& displacement) {
     add_to_step(displacement[i], rates_[static_cast<std::size_t>(i)]);
 }
 
-/// Lets the foils stand farther out or in with the step, by as much as the clearance is to open or close, in the same
-/// way.
+/// Moves the foils radially by the change of the clearance, limited to the longest opening of one step.
 void FilmNewton::move_foils() {
   if (opening_ == iterate_.opening) return;
   const double longest = longest_opening * bearing_.scales.thickness;
@@ -535,7 +533,7 @@ void FilmNewton::move_foils() {
   add_to_step(step_.opening, opening_rate_);
 }
 
-/// Adds what all unknowns change by on a way (m) of the journal or the foils, at their rates per m.
+/// Adds the change of all unknowns for a displacement `way` (m) of the journal or the foils, from their rates per m.
 void FilmNewton::add_to_step(double way, const Step& rate) {
   step_.film.pressure += way * rate.film.pressure;
   step_.film.thickness += way * rate.film.thickness;

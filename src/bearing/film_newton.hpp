@@ -14,82 +14,82 @@
 
 namespace bumpfoil {
 
-/// The part of a bearing in Newton's method for films, foils, contacts and journals in one system, see
-/// joint_newton.hpp: its own equations, linearised about an iterate. Keeps its storage between solves.
+/// Contribution of one bearing to Newton's method for films, foils, contacts and journals in one system, see
+/// joint_newton.hpp: its own equations, linearised about an iterate. Storage is reused between solves.
 class FilmNewton {
  public:
   FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options);
 
-  /// Begins a solve: the first trial is the guess.
-  /// @param from   state at the start, whose slip_origin friction refers to
-  /// @param guess  of the state at the end: position, film and contacts count
-  /// @return whether it leaves room for a film
+  /// Starts a solve: the first trial is the guess.
+  /// @param from   state at the start, whose slip_origin is the reference of friction
+  /// @param guess  of the state at the end: its position, film and contacts are used
+  /// @return whether the film thickness is positive
   [[nodiscard]] bool set_out(const JointMove& to, const BearingState& from, const BearingState& guess);
   /// Square of the norm of the residuals of film and foils at the trial.
   double find_residual();
-  /// The force on the journal at the trial, N: once its residuals are found.
+  /// The force on the journal at the trial, N: valid after find_residual().
   [[nodiscard]] const JournalVector& force() const { return force_; }
   void keep_trial() { std::swap(iterate_, trial_); }
-  /// Sets the trial aside, or tries again what was set aside.
+  /// Stores the trial, or restores the stored one.
   void swap_instead() { std::swap(instead_, trial_); }
-  /// Linearises about the iterate and finds Newton's step with the journal at rest, and with as much of the change of
-  /// the clearance as one step allows.
-  /// @param keeps_factors  linearised as for the step before
+  /// Linearises about the iterate and computes Newton's step with the journal at rest, including the change of
+  /// clearance, as far as one step allows.
+  /// @param keeps_factors  reuses the linearisation of the previous step
   [[nodiscard]] bool find_step(bool keeps_factors, FilmReport& report);
-  /// The force on the journal at the end of the step, by the linearised equations, N.
+  /// The force on the journal at the end of the step, from the linearised equations, N.
   [[nodiscard]] JournalVector stepped_force() const;
-  /// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
-  /// were set last: found once for the same factors. @return those of the force on the journal, N/m
+  /// Rates of all unknowns per displacement of the journal at the last linearisation, in the modes set last: computed
+  /// once per factorisation. @return rates of the force on the journal, N/m
   JournalMatrix find_rates();
-  /// Lets the journal move with the step (m): the linearised equations stay solved, in the modes that the step has
-  /// without it.
+  /// Adds a displacement of the journal (m) to the step: the linearised equations stay satisfied, in the modes of the
+  /// step without it.
   void move_journal(const JournalVector& displacement);
-  /// The step leads along the tangent: remembers where.
+  /// Stores the end of this step, which leads along the tangent.
   void note_prediction() { take_step(1.0, iterate_, predicted_); }
-  /// Largest part of the step that leaves enough of P and H.
+  /// Largest fraction of the step that keeps P and H positive with a margin.
   [[nodiscard]] double longest_part() const { return longest_step(options_, iterate_.film, step_.film); }
-  /// Largest change of P, U, and place of the journal or opening over c in the step.
+  /// Largest change of P, U, and journal position or opening over c in the step.
   [[nodiscard]] double largest_change() const;
   void try_step(double part) { take_step(part, iterate_, trial_); }
   [[nodiscard]] bool touches() const { return trial_.film.thickness.minCoeff() < options_.thickness_floor; }
-  /// The trial is the state. Adds how far it lies from where the tangent led.
+  /// Accepts the trial as the state. Adds its distance from the tangent prediction.
   /// @param state  at the start; receives the one at the end
   void finish(const JournalVector& journal, BearingState& state, FilmReport& report);
 
   [[nodiscard]] const FilmBearing& bearing() const { return bearing_; }
   [[nodiscard]] const FilmSolverOptions& options() const { return options_; }
 
-  /// With contacts in the modes of `state`, or with all closed ones stuck.
-  /// @return nothing if the modes leave a singular system
+  /// With contacts in the modes of `state`, or with all closed ones sticking.
+  /// @return nothing if the system is singular in these modes
   [[nodiscard]] std::optional<SlowMotion> slow_motion(const BearingState& state, bool stuck);
 
   /// The same for motions e^{s t}, at rates s (1/s).
-  /// @return nothing if the modes leave a singular system
+  /// @return nothing if the system is singular in these modes
   [[nodiscard]] std::optional<FilmImpedance> impedance(const BearingState& state,
                                                        const std::vector<std::complex<double>>& rates, bool stuck);
 
-  /// @return nothing if the modes leave a singular system, or the pole is not found
+  /// @return nothing if the system is singular in these modes, or no pole is found
   [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck);
 
-  /// Largest difference of P, U and place of the journal over c.
+  /// Largest difference of P, U and journal position over c.
   [[nodiscard]] double distance(const BearingState& a, const BearingState& b) const;
 
  private:
   /// Change of all unknowns.
   struct Step {
     FoilFilmState film;
-    ContactState contact;  ///< x as its change, the rest as it is at the end of the step
+    ContactState contact;  ///< x as its change, the rest as at the end of the step
     JournalVector displacement;
     double opening{};
   };
-  /// What is kept for a pad.
+  /// Storage per pad.
   struct Part {
     explicit Part(const FilmPad& of_pad);
 
     const FilmPad& pad;
     FoilFilmSystem system;
-    FoilFilmState state;                      ///< where the residuals are, or the system was linearised
-    std::vector<FoilFilmResidual> residuals;  ///< that are taken to zero together; the first is the trial's
+    FoilFilmState state;                      ///< of the residuals, or of the last linearisation
+    std::vector<FoilFilmResidual> residuals;  ///< solved for together; the first is the trial's
     Matrix support_steps;
     std::vector<FoilFilmState> changes;
   };
@@ -118,8 +118,8 @@ class FilmNewton {
   void move_foils();
   void add_to_step(double way, const Step& rate);
   void take_step(double fraction, const BearingState& from, BearingState& to) const;
-  /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns that the film has over a
-  /// support of a pad or, behind the last one, at the free end.
+  /// Calls visit(index in the contact block, row of the film's block) for the film's unknowns over a support of a pad
+  /// or, after the last one, at the free end.
   template <typename Visitor>
   void for_each_place(const FilmPad& pad, int support, Visitor&& visit) const;
 
@@ -127,7 +127,7 @@ class FilmNewton {
   const FilmBearing& bearing_{*shared_};
   FilmSolverOptions options_;
   std::deque<Part> parts_;             ///< one per pad
-  std::shared_ptr<ModeSystem> modes_;  ///< shared with `contacts_`, which leaves it as the step has it
+  std::shared_ptr<ModeSystem> modes_;  ///< shared with `contacts_`, which leaves it in the modes of the step
   NewtonSolver contacts_;
   BlockTridiagonal K_, bump_K_;
   ContactLoading loading_;
@@ -135,17 +135,17 @@ class FilmNewton {
   Vector bump_forces_;
   Step step_;
   std::vector<Step> rates_;  ///< per displacement of the journal in each of its motions, m
-  JournalMatrix K_film_;     ///< of the rates, see find_rates()
-  int factors_of_rates_{};   ///< ModeSystem::factorisations() when they were found
+  JournalMatrix K_film_;     ///< rates of the force, see find_rates()
+  int factors_of_rates_{};   ///< ModeSystem::factorisations() at their computation
   Step opening_rate_;        ///< per opening of the clearance, m
   BearingState iterate_, trial_;
-  BearingState instead_;  ///< of a full step that may be taken back
+  BearingState instead_;  ///< of a full step that may be undone
   FilmEquations equations_;
-  double opening_{};  ///< that the clearance is to have, m
+  double opening_{};  ///< target of the clearance, m
   LastStep taken_;
   JournalVector force_;
-  double friction_{};       ///< of asperities where the system was linearised last
-  BearingState predicted_;  ///< where the tangent leads from the first guess
+  double friction_{};       ///< of asperities at the last linearisation
+  BearingState predicted_;  ///< end of the tangent from the first guess
 };
 
 }  // namespace bumpfoil

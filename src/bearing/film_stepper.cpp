@@ -8,7 +8,7 @@
 namespace bumpfoil {
 namespace {
 
-/// NewtonAim::most_vain_steps on the way to states: those that are found take two at most in all bearings met.
+/// NewtonAim::most_vain_steps for steps in time: successful ones need two at most in all bearings tested.
 constexpr int most_vain_steps_in_time = 4;
 
 }  // namespace
@@ -72,8 +72,8 @@ FilmReport FilmStepper::solve_together(const std::vector<FilmStepper*>& steppers
                                        const std::vector<BearingState>& guesses, Eigen::VectorXd& y,
                                        std::vector<BearingState>& states) {
   std::vector<FilmNewton*> films;
-  // In time a step of Newton's method begins so close that the error falls with the square of its length: of the last
-  // one, a full one shorter than this, next to nothing is left.
+  // A step in time starts so close to its solution that convergence is quadratic: after a full step shorter than this,
+  // the remaining error is negligible.
   double tolerance = FilmBearingOptions().marching_tolerance;
   int max_iterations = FilmSolverOptions().max_iterations;
   for (std::size_t i = 0; i < steppers.size(); ++i) {

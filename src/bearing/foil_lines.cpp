@@ -9,8 +9,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Springs against what higher modes do not displace, over the stiffest of the bump foils: what a sheet that is held is
-/// against shear and stretch in its own surface counts as rigid.
+/// Stiffness of springs against higher modes that displace nothing, over the stiffest of the bump foils: a sheet that
+/// is held is treated as rigid in shear and stretch in its own surface.
 constexpr double rigidity_of_sheet = 1e2;
 
 bool is_of_top_foil(const BumpDofs& dofs, int place) {
@@ -18,7 +18,7 @@ bool is_of_top_foil(const BumpDofs& dofs, int place) {
 }
 
 /// Adds a block of K of one mode to that of the lines.
-/// @param alike  of the mode on two lines: the part of the block that joins them
+/// @param alike  product of the mode's values on two lines, which multiplies the block that couples them
 template <typename Alike>
 void add_block(const Foils& foils, const Matrix& block, const Alike& alike, Matrix& sum) {
   const BumpDofs& dofs = foils.structure.dofs;
@@ -36,13 +36,13 @@ void add_block(const Foils& foils, const Matrix& block, const Alike& alike, Matr
   }
 }
 
-/// Adds the sheets of the bump foils, which join their slices in the modes that stretch them.
+/// Adds the sheets of the bump foils, which couple their slices in the modes that stretch them.
 void add_sheets(const Foils& foils, const WidthLines& width, BlockTridiagonal& K) {
   const BumpDofs& dofs = foils.structure.dofs;
   const Matrix to_modes = width.to_stretching_modes();
   const Eigen::Index of_slices = to_modes.rows() * dofs.size;
   const Eigen::Index of_sheet = to_modes.rows() * sheet_nodes(dofs);
-  // From the unknowns of a block to those that a sheet knows.
+  // Maps the unknowns of a block to those of a sheet.
   Matrix known = Matrix::Zero(of_slices + of_sheet, K.block_size());
   known.block(of_slices, unknowns_on_lines(foils), of_sheet, of_sheet).setIdentity();
   for (Eigen::Index mode = 0; mode < to_modes.rows(); ++mode) {
@@ -152,7 +152,7 @@ void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagona
 
 void put_contacts_on_lines(std::span<const Foils> strips, double elsewhere, Foils& on_lines) {
   const Foils& foils = strips.front();
-  // Of each contact in a block of the others: the first of those in one of the strip's.
+  // Source of each contact in a block of the others: the first of those in a block of the strip.
   struct Source {
     int contact, strip;
   };

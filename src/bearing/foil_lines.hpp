@@ -8,33 +8,34 @@
 
 namespace bumpfoil {
 
-/// The lines over the width with the places of their unknowns in a block: of the first in the places of the foils'
-/// unknowns, of the others from `further` on. Top foil and crest have unknowns of their own on every line; the rest of
-/// the bump foil where a mode slides and lifts its feet, too: one that is linear over the width, and those of a higher
-/// order if the sheet gives way.
+/// The lines over the width with the indices of their unknowns in a block: those of the first line are the foils' own,
+/// those of the others start at `further`. Top foil and crest have unknowns on every line. The rest of the bump foil
+/// has them, too, if a mode slides and lifts its feet: the linear mode, and those of higher order if the sheet is
+/// flexible.
 std::vector<FoilLine> foil_lines_of(const WidthLines& lines, SheetModel sheet, const BumpDofs& dofs, int further);
 
-/// Places of a block up to the last one of any line or point.
+/// Number of unknowns of a block up to the last one of any line or point.
 int unknowns_on_lines(const Foils& foils);
 
-/// Those of the stress functions of a sheet, which stand behind.
+/// Number of stress-function unknowns of a sheet, which follow them.
 int unknowns_of_sheet(const Foils& foils, const WidthLines& width);
 
 /// The largest entry of K of the bump foils alone, N/m.
 double stiffest_of_bump_foils(const FoilStructure& structure);
 
-/// Adds the bump foils on these lines to K. Modes that are uniform or linear over the width displace all of a bump
-/// foil, and each of its slices is the bump foil there. So do modes of a higher order if the sheet gives way, which
-/// joins the slices; if not, the crest has springs against them, and nothing slides or lifts.
+/// Adds the bump foils on these lines to K. Modes that are uniform or linear over the width displace the whole bump
+/// foil, and each of its slices responds like the bump foil there. The same holds for modes of higher order if the
+/// sheet is flexible, which couples the slices; if not, springs on the crest resist these modes, and nothing slides or
+/// lifts.
 void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagonal& K);
 
-/// The contacts of foils that are uniform over the width on the lines and points of others, which have their K already:
-/// sites and gaps without the journal.
-/// @param strips     foils that are as each strip all over the width; one if there is none
-/// @param elsewhere  gaps of blocks that `strips` have none of, m
+/// Places the contacts of foils that are uniform over the width on the lines and points of other foils, which already
+/// have their K: sites and gaps without the journal.
+/// @param strips     one set of foils per strip, each uniform over the width; one set without strips
+/// @param elsewhere  gaps of blocks that `strips` do not have, m
 void put_contacts_on_lines(std::span<const Foils> strips, double elsewhere, Foils& on_lines);
 
-/// Foils on pads that are worked out already, uniform over the width. How they lie without a journal is not looked for.
+/// Foils on placed pads, uniform over the width. Their equilibrium without a journal is not computed.
 Foils make_uniform_foils(std::vector<PlacedPad> pads);
 
 }  // namespace bumpfoil

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-/// (1 - fraction) begin + fraction end, where each may be empty: zero.
+/// (1 - fraction) begin + fraction end; an empty vector counts as zero.
 Vector between(const Vector& begin, const Vector& end, double fraction) {
   if (begin.size() == 0) return end.size() == 0 ? Vector() : Vector(fraction * end);
   if (end.size() == 0) return (1.0 - fraction) * begin;

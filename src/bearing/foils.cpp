@@ -14,7 +14,7 @@
 namespace bumpfoil {
 namespace {
 
-/// @param input  its gaps and friction, of the bumps of `design`
+/// @param input  gaps and friction of the bumps of `design`
 Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
   Foils foils;
   foils.structure = make_foil_structure(design);
@@ -43,14 +43,14 @@ Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
   }
   foils.problem.sites = in_every_block(pattern, foils.problem.K.blocks());
 
-  // All gaps of a block before bump 1 stay zero: its foot rests on the base, and the rest of it stays in place.
+  // All gaps of a block before bump 1 stay zero: its foot rests on the base, and the rest of the block is fixed.
   foils.assembled_gap.setZero(foils.problem.contacts());
   const Vector offsets = crest_offsets(pad.bump_foil);
   const Eigen::Index stride = foils.contacts_per_block();
   for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
     const Eigen::Index first = (foils.structure.first_bump + bump) * stride;
     const auto i = static_cast<std::size_t>(bump);
-    foils.assembled_gap[first + foils.top_bump()] = 0.0 - offsets[bump];  // zero has no sign
+    foils.assembled_gap[first + foils.top_bump()] = 0.0 - offsets[bump];  // avoids negative zero
     if (!pad.bump_foil.sleeve_gaps.empty()) {
       foils.assembled_gap.segment(first + foils.first_foot(), dofs.feet()).setConstant(pad.bump_foil.sleeve_gaps[i]);
     }
@@ -58,11 +58,11 @@ Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
   return foils;
 }
 
-/// Adds to the gaps of foils what journal and sleeve differ from circles. The foils lie in the sleeve without stress
-/// and follow it: the gap between journal and top foil over a crest grows by what the sleeve is wider there and the
-/// journal thinner, and that between a foot and the sleeve by what the sleeve is wider at the foot than at the crest of
-/// its bump, so that from the journal to the sleeve under a foot all gaps together grow by what the sleeve is wider
-/// there.
+/// Adds the deviations of journal and sleeve from circles to the gaps. The foils lie stress-free in the sleeve and
+/// follow it. The gap between journal and top foil over a crest grows by the increase of the sleeve radius and the
+/// decrease of the journal radius there. The gap between a foot and the sleeve grows by the increase of the sleeve
+/// radius from the crest of its bump to the foot. All gaps from the journal to the sleeve under a foot thus grow
+/// together by the increase of the sleeve radius there.
 void add_profiles(const PlacedPad& pad, Foils& foils) {
   const Vector crest_phi = pad.polar(pad.crests);
   const Vector under_crests = sleeve_deviations(pad.alone, pad.crests);
@@ -86,7 +86,7 @@ Foils make_pad_foils(const PlacedPad& pad) {
   return foils;
 }
 
-/// Puts the foils of one more pad behind those there are.
+/// Appends the foils of one more pad.
 void append(const Foils& pad, Foils& foils) {
   for (ContactSite site : pad.problem.sites) {
     site.block += foils.structure.K.blocks();
@@ -114,7 +114,7 @@ void append(const Foils& pad, Foils& foils) {
 int Foils::block(int of_structure) const {
   if (!under_film) return of_structure;
   const auto behind = std::upper_bound(structure.pads.begin(), structure.pads.end(), of_structure);
-  return of_structure + static_cast<int>(behind - structure.pads.begin()) - 1;  // the free ends of the pads before
+  return of_structure + static_cast<int>(behind - structure.pads.begin()) - 1;  // free ends of the previous pads
 }
 
 std::size_t Foils::unstaggered_lines() const {
@@ -139,7 +139,7 @@ Vector Foils::foil_unknowns(const Vector& x, std::optional<int> strip) const {
       const std::size_t count = of_top_foil ? unstaggered_lines() : given.size();
       for (std::size_t s = 0; s < count; ++s) {
         double part = i == structure.dofs.top_moment ? 1.0 : given[s].weight;
-        if (strip && !of_top_foil) part = given[s].strip == *strip ? 0.5 : 0.0;  // the rule has two points
+        if (strip && !of_top_foil) part = given[s].strip == *strip ? 0.5 : 0.0;  // the rule has two points per strip
         own[i] += part * all[place(given, static_cast<Eigen::Index>(s), i)];
       }
     }
@@ -221,7 +221,7 @@ Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
 
 namespace {
 
-/// Force of the journal on the staggered strips of some bumps that follow each other.
+/// Force of the journal on the staggered strips of successive bumps.
 Eigen::Vector2d force_on_strips(const Foils& foils, const Vector& normal_force, const PadBlocks& bumps) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int line = 0; line < foils.journal_contacts(); ++line) {
@@ -260,7 +260,7 @@ double work_of_moment(const Foils& foils, const Vector& x) {
 ElasticResponse elastic_response(const Foils& foils, const Vector& x) {
   if (foils.lines.empty()) return elastic_response(foils.structure, x);
   const Vector balance = foils.problem.K.multiply(x);
-  const double load_energy = x.dot(foils.forming) - work_of_moment(foils, x);  // the moment is among the loads
+  const double load_energy = x.dot(foils.forming) - work_of_moment(foils, x);  // the loads include the moment
   return {.forces = balance - foils.forming,
           .energy = 0.5 * x.dot(balance) - load_energy + foils.structure.forming_energy};
 }

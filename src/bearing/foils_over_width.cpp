@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Against a tilt that nothing else resists, over the stiffest of the bump foils: too soft to be felt.
+/// Spring against otherwise unresisted tilt, over the stiffest of the bump foils: negligibly soft.
 constexpr double spring_of_journal = 1e-10;
 
 /// Half the axial length, m.
@@ -21,7 +21,7 @@ double half_width_of(const Foils& foils) {
   return 0.5 * foils.placed.front().alone.bearing.axial_length;
 }
 
-/// Of each station of the top foil.
+/// Number of membrane unknowns per station of the top foil.
 int unknowns_of_membrane(const WidthLines& width) {
   return 2 * static_cast<int>(width.stretching_orders().size());
 }
@@ -36,7 +36,7 @@ void add_top_foil(int pad, const WidthLines& width, const std::vector<int>& stat
   std::vector<int> places;
   places.reserve(static_cast<std::size_t>(top.block_size()));
   const int of_membrane = unknowns_of_membrane(width);
-  int membrane = K.block_size() - of_membrane * static_cast<int>(stations.size());  // the last of the block
+  int membrane = K.block_size() - of_membrane * static_cast<int>(stations.size());  // the last unknowns of the block
   for (std::size_t station = 0; station < stations.size(); ++station) {
     const Eigen::Index first = static_cast<Eigen::Index>(station) * width.count();
     for (const int unknown : {foils.structure.dofs.top_u, foils.structure.dofs.top_moment}) {
@@ -62,7 +62,7 @@ void add_top_foils(const WidthLines& width, const std::vector<int>& stations, Fo
   for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(pad, width, stations, foils);
 }
 
-/// FoilStructure::forming of top foils that are split, one under each point, as stiff as its part of the width.
+/// FoilStructure::forming of split top foils, one slice per point, with the stiffness of its part of the width.
 Vector forming_of_slices(const Foils& foils) {
   const BumpDofs& dofs = foils.structure.dofs;
   const Eigen::Index blocks = foils.structure.K.blocks();
@@ -79,18 +79,18 @@ Vector forming_of_slices(const Foils& foils) {
   return forming;
 }
 
-/// Of a block, for a journal that tilts under a moment.
+/// Number of unknowns of a block for a journal that tilts under a moment.
 int unknowns_of_journal(const Foils& foils, const JournalOverWidth& journal) {
   return journal.moment ? 4 + 2 * foils.journal_contacts() : 0;
 }
 
-/// Lets the journal tilt under its moment. Its tilt is an unknown of every block, tied to that of the next, and so is
-/// how far outward it stands on each line, tied to its tilt; ties have a force each. Contacts of the journal press
-/// that.
-/// @param first  of its unknowns in each block
+/// Lets the journal tilt under its moment. Its tilt is an unknown of every block, tied to that of the next; so is its
+/// outward displacement on each line, tied to the tilt. Each tie has a force. Contacts of the journal act on these
+/// displacements.
+/// @param first  index of its unknowns in each block
 void free_tilt(int first, Foils& foils) {
   BlockTridiagonal& K = foils.problem.K;
-  const double tie = stiffest_of_bump_foils(foils.structure);  // brings its rows to the size of the others
+  const double tie = stiffest_of_bump_foils(foils.structure);  // scales its rows to the others
   foils.journal_tilt = first;
   for (int b = 0; b < K.blocks(); ++b) {
     const bool last = b + 1 == K.blocks();
@@ -99,7 +99,7 @@ void free_tilt(int first, Foils& foils) {
       const int force = first + 2 + axis;
       if (last) {
         K.add(b, tilt, b, tilt, spring_of_journal * tie);
-        K.add(b, force, b, force, tie);  // none
+        K.add(b, force, b, force, tie);  // no force
       } else {
         K.add(b, tilt, b, force, tie);
         K.add(b, force, b + 1, tilt, -tie);
@@ -122,8 +122,7 @@ void free_tilt(int first, Foils& foils) {
   foils.forming.segment<2>(end + first) += *foils.over_width.moment / half_width_of(foils);
 }
 
-/// Adds to the gaps of the journal on each line how much farther it stands there than in the mid-plane where its tilt
-/// is given.
+/// Adds the offset of the journal on each line from its mid-plane position to its gaps, for a given tilt.
 void add_distances(Foils& foils) {
   for (int s = 0; s < foils.journal_contacts(); ++s) {
     const double zeta = foils.lines[static_cast<std::size_t>(s)].zeta;
@@ -132,8 +131,8 @@ void add_distances(Foils& foils) {
   }
 }
 
-/// Puts the journal to foils that are on lines or strips.
-/// @param first  place in a block of unknowns_of_journal()
+/// Adds the journal to foils that are on lines or strips.
+/// @param first  index in a block of unknowns_of_journal()
 void put_journal(const JournalOverWidth& journal, int first, Foils& foils) {
   foils.over_width = journal;
   add_distances(foils);

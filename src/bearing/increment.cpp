@@ -7,7 +7,7 @@ namespace {
 
 constexpr double absent_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Quantities that are known of every increment.
+/// Quantities that every increment has.
 Increment place(const Step& step, const Eigen::Vector2d& direction) {
   const Eigen::Vector2d& position = step.state.position;
   Increment increment;
@@ -50,7 +50,7 @@ Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vec
 void judge(const Foils& foils, const BearingState& state, Increment& increment) {
   const ElasticResponse elastic = elastic_response(foils, state.contacts.x);
   increment.elastic_energy = cleared(elastic.energy, foils.roundings.energy);
-  // The forming is among the loads.
+  // The loads include forming.
   increment.residuals = contact_residuals(foils.problem, elastic.forces + foils.forming, state.loading,
                                           state.slip_origin, state.contacts);
 }

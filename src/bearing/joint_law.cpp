@@ -32,7 +32,7 @@ bool JointLaw::holds_place() const {
 double JointLaw::displacement(const Eigen::VectorXd& step) const {
   double largest = 0.0;
   for (const Journal& journal : journals) {
-    const Eigen::VectorXd moved = journal.motion * step;  // GCC warns of the norm of a product
+    const Eigen::VectorXd moved = journal.motion * step;  // avoids a GCC warning about the norm of a product
     largest = std::max(largest, moved.norm());
   }
   return largest;

@@ -7,23 +7,23 @@
 namespace bumpfoil {
 namespace {
 
-/// Halvings of a Newton step: at 1/256 of it the search for a smaller residual ends.
+/// Maximum halvings of a Newton step: the line search ends at 1/256 of it.
 constexpr int newton_max_halvings = 8;
-/// A step that is halved so often or more makes next to no progress.
+/// A step halved at least this often makes almost no progress.
 constexpr int halvings_in_vain = 6;
-/// Fraction of a step that is taken where no halving reduces the residual.
+/// Fraction of a step taken if no halving reduces the residual.
 constexpr double newton_forced_fraction = 0.25;
-/// A full step that makes the residuals larger stands if the next one is shorter than this part of it. Pressures of
-/// gas and asperities grow steeply where the film is thin, and so do the residuals on the way to a state with them:
-/// steps that never let them grow are many and short.
+/// A full step that increases the residuals is accepted if the next step is shorter than this fraction of it. Pressures
+/// of gas and asperities grow steeply in thin films, and so do the residuals on the way to such a state: steps that
+/// never let them grow are many and short.
 constexpr double leap_shortening = 0.5;
-/// Full steps smaller than this that no part of makes the residuals smaller are round-off, of contact forces above all.
+/// Smaller full steps that do not reduce the residuals at any length are round-off, mainly of contact forces.
 constexpr double round_off_step = 1e-7;
 
-/// Of two full steps in a row, Newton's method leaves an error of the square of their ratio times the second, and a
-/// step with the factors of the one before it their ratio times the second: where that is this part of the tolerance,
-/// the step that would show it is not computed. Where two steps with the factors at hand, each of which leaves the
-/// square of the last ratio, come as close, no new ones are computed.
+/// Estimated error, relative to the tolerance, at which no further step is computed. After two full steps, the error of
+/// Newton's method is the square of their ratio times the second; that of a step with reused factors is their ratio
+/// times the second. Factors are also reused if two such steps, each of which leaves the square of the last ratio, come
+/// as close.
 constexpr double part_of_tolerance = 1e-3;
 
 /// The films, and the unknowns of the law at the iterate and at the trial.
@@ -37,7 +37,7 @@ class JointNewton {
         y_instead_(y_),
         dy_(Eigen::VectorXd::Zero(y_.size())) {}
 
-  /// Norm of all residuals at the trial: those of the films in their units, those of the law in its own.
+  /// Norm of all residuals at the trial: films and law each in their own units.
   double residual_of_trial() {
     double square = 0.0;
     forces_.clear();
@@ -76,7 +76,7 @@ class JointNewton {
     y_.swap(y_trial_);
     for (FilmNewton* film : films_) film->keep_trial();
   }
-  /// Sets the trial aside, or tries again what was set aside.
+  /// Stores the trial, or restores the stored one.
   void swap_instead() {
     y_trial_.swap(y_instead_);
     for (FilmNewton* film : films_) film->swap_instead();
@@ -87,7 +87,7 @@ class JointNewton {
   [[nodiscard]] const Eigen::VectorXd& trial() const { return y_trial_; }
 
  private:
-  /// Lets the journals move with the step, by what their law lacks.
+  /// Adds the displacements of the journals to the step, from the residual of their law.
   void move_journals() {
     dy_.setZero();
     forces_.clear();
@@ -116,10 +116,10 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
   JointNewton newton(films, law, y);
   FilmReport report;
   report.residual = newton.residual_of_trial();
-  double leap = 0.0;  // largest change in a full step that made the residuals larger, if the last one did
+  double leap = 0.0;  // largest change in a full step that increased the residuals; 0 if the last step did not
   bool may_leap = true;
   int vain_steps = 0;
-  double last_full = 0.0;  // largest change in the last step, if that was a full one
+  double last_full = 0.0;  // largest change in the last step, if it was a full one
   bool keeps_factors = false;
   while (report.iterations < max_iterations) {
     ++report.iterations;
@@ -133,7 +133,7 @@ FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& 
       continue;
     }
     if (!is_regular) return report;
-    // All residuals but those of what changes are zero in the first one: it leads along the tangent.
+    // Residuals of the first step come only from what changes: it leads along the tangent.
     if (report.iterations == 1) newton.note_prediction();
     const double fraction = newton.longest_part();
     const double largest = newton.largest_change();

@@ -10,14 +10,14 @@ namespace bumpfoil {
 
 /// Target of a solve.
 struct NewtonAim {
-  double tolerance{};  ///< largest change of P, H and position over c in a full step of a state that has converged
-  /// Steps that it may take though no more than 1/64 of them makes the residuals smaller. It gives up at the next one.
+  double tolerance{};  ///< largest change of P, H and position over c in a full step at convergence
+  /// Number of steps allowed in which at most 1/64 reduces the residuals. Newton's method gives up at the next one.
   int most_vain_steps{std::numeric_limits<int>::max()};
 };
 
-/// Newton's method for the films, foils and contacts of any number of bearings and for what holds their journals, in
-/// one system: bearings meet in the rows of the law alone. All of them must have set out on the move.
-/// @param films  each of them once
+/// Newton's method for the films, foils and contacts of any number of bearings and the law of their journals, in one
+/// system: only the rows of the law couple the bearings. Call FilmNewton::set_out on all of them first.
+/// @param films  each bearing once
 /// @param y      first guess of the law's unknowns, from which the journals of the guesses are displaced; receives the
 ///               result if the status is converged
 FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& law, const NewtonAim& aim,

@@ -5,15 +5,15 @@
 namespace bumpfoil {
 namespace {
 
-/// Longest displacement of the journal in one step, in units of c. Where it is held, the state comes along on its
-/// branch in steps this short; on the way to its load the residual sees to that.
+/// Longest displacement of the journal in one step, in units of c. At a prescribed position, such short steps keep the
+/// state on its branch; under a load, the residual does.
 constexpr double longest_step_held = 0.00625;
 constexpr double longest_step_loaded = 0.15;
-/// What a journal that is not yet where it is held weighs among the residuals, per c. The film's residual grows with
-/// the square of a step, and Newton's method takes it away in the next one: with a lesser weight it would keep steps
-/// far below the longest.
+/// Residual weight of the distance of the journal from its prescribed position, per c. The film's residual grows with
+/// the square of a step, and Newton's method removes it in the next one: a smaller weight would keep steps far below
+/// the longest.
 constexpr double weight_of_distance = 30.0;
-/// Displacements to a position that round-off has left, in units of c.
+/// Distances to the prescribed position that are round-off, in units of c.
 constexpr double least_distance = 1e-14;
 
 }  // namespace

@@ -12,7 +12,7 @@ KrylovSpace::KrylovSpace(const Vector& start, Eigen::Index most)
 void KrylovSpace::add(Vector image) {
   BUMPFOIL_ASSERT(can_grow());
   const Eigen::Index m = ++size_;
-  // Twice: once leaves what roundings of the first time make.
+  // Orthogonalised twice: the second pass removes the round-off of the first.
   for (int pass = 0; pass < 2; ++pass) {
     const Vector parts = basis_.leftCols(m).transpose() * image;
     image.noalias() -= basis_.leftCols(m) * parts;

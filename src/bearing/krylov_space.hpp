@@ -10,15 +10,15 @@ namespace bumpfoil {
 ///     C V = V H + next v_next e_last^T
 class KrylovSpace {
  public:
-  /// @param start  first direction, of any length but zero
-  /// @param most   directions that there may be
+  /// @param start  first direction, nonzero
+  /// @param most   maximum number of directions
   KrylovSpace(const Vector& start, Eigen::Index most);
 
   /// Directions whose image is known: the columns of V, basis().
   [[nodiscard]] Eigen::Index size() const { return size_; }
-  /// Whether another one can be added: not where the space holds all that C makes of it.
+  /// Whether a direction can be added: false once the space is invariant under C.
   [[nodiscard]] bool can_grow() const { return size_ == 0 || (size_ < H_.cols() && next_ > 0.0); }
-  /// The direction whose image is to be added.
+  /// The direction whose image add() expects.
   [[nodiscard]] auto direction() const { return basis_.col(size_); }
   /// Adds the image of direction().
   void add(Vector image);

@@ -13,22 +13,22 @@
 namespace bumpfoil {
 namespace {
 
-/// Residual |C w - w / (s - shift)| of poles that have converged, as part of |w / (s - shift)|.
+/// Residual |C w - w / (s - shift)| of converged poles, relative to |w / (s - shift)|.
 constexpr double pole_tolerance = 1e-10;
-/// Directions between two looks at the Ritz values, and those of a space that is given up: 20 to 40 serve 6 x 8 and
-/// 12 x 16 at 1,000 to 200,000 rpm.
+/// Directions between computations of Ritz values, and the maximum dimension: 20 to 40 suffice on 6 x 8 and 12 x 16 at
+/// 1,000 to 200,000 rpm.
 constexpr Eigen::Index between_looks = 10;
 constexpr Eigen::Index most_pole_directions = 200;
-/// Eigenvalues of C below this part of the largest are roundings of none.
+/// Eigenvalues of C below this fraction of the largest are round-off.
 constexpr double eigenvalue_round_off = 1e-9;
 
-/// The same on all machines.
+/// Identical on all machines.
 Vector random_start(Eigen::Index size) {
   std::mt19937 draw(1);
   return Vector::NullaryExpr(size, [&] { return static_cast<double>(draw()) / std::mt19937::max() - 0.5; });
 }
 
-/// The rightmost of the poles around which all have converged, if these reach far enough.
+/// The rightmost pole of the region in which all poles have converged, if this region is large enough.
 std::optional<FilmPole> rightmost_known(const KrylovSpace& space, double frequency) {
   const Eigen::EigenSolver<Matrix> ritz(space.hessenberg());
   if (ritz.info() != Eigen::Success) return std::nullopt;

@@ -6,10 +6,10 @@
 
 namespace bumpfoil {
 
-/// Loop energies that differ by less, as part of the larger, are those of one loop.
+/// Loop energies that differ by less, relative to the larger, belong to the same loop.
 inline constexpr double settled_loop = 1e-6;
 
-/// Whether the last loop is that before it.
+/// Whether the last loop equals the previous one.
 inline bool is_settled(const std::vector<double>& loop_energies) {
   if (loop_energies.size() < 2) return false;
   const double last = loop_energies.back();

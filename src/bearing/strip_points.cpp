@@ -23,7 +23,7 @@ int station_of(const Foils& foils, int strip) {
 
 /// Adds the bump foil under a point to K, and its tie.
 /// @param strip  of the point
-/// @param tie    N/m: brings its rows to the size of the others
+/// @param tie    N/m: scales its rows to the others
 void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& strip, const WidthLines& width,
                double tie, BlockTridiagonal& K) {
   const BumpDofs& dofs = strip.dofs;
@@ -56,8 +56,8 @@ void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& s
   }
 }
 
-/// Adds top foil and bump foil of a strip under a point to K: as much of them as the point stands for. The moment of
-/// the top foil is that of this part.
+/// Adds the slice of top foil and bump foil that a point represents to K. The moment of the top foil is that of this
+/// slice.
 void add_slice(const FoilLine& point, const FoilStructure& strip, BlockTridiagonal& K) {
   Vector part = Vector::Constant(strip.dofs.size, std::sqrt(point.weight));
   part[strip.dofs.top_moment] = 1.0 / part[strip.dofs.top_moment];
@@ -70,8 +70,8 @@ void add_slice(const FoilLine& point, const FoilStructure& strip, BlockTridiagon
   }
 }
 
-/// The points of all strips, two of Gauss's rule on each, with unknowns of their own from `further` on; those of the
-/// first point are in the places of the foils', but for the top foil unless it is split.
+/// The points of all strips, two Gauss points on each, with unknowns from `further` on. Those of the first point are
+/// the foils' own, except for the top foil unless it is split.
 std::vector<FoilLine> points_of(const Foils& foils, int further) {
   const BumpDofs& dofs = foils.structure.dofs;
   const PadDesign& pad = foils.placed.front().alone;

@@ -6,7 +6,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A film over a wall, linearised where every rate of storage answers to P H at a real rate.
+/// A film over a wall, linearised with storage proportional to P H at a real rate.
 class LinearWallFilm {
  public:
   LinearWallFilm(const FilmBearing& bearing, const Foundation& foundation, const FilmState& film)
@@ -25,13 +25,13 @@ class LinearWallFilm {
     return system_.factor();
   }
 
-  /// The answer to a change of H by the journal alone.
+  /// The response to a change of H by the journal alone.
   FilmAnswer moved(const Matrix& rigid) {
     residual_ = stencil_product(mesh_, jacobian_.by_thickness, rigid);
     return answer(rigid);
   }
 
-  /// The answer to rates of storage at the nodes whose pressure is unknown.
+  /// The response to storage rates at the nodes of unknown pressure.
   FilmAnswer stored(const Vector& rates) {
     residual_ = storage_residual(mesh_, rates);
     return answer(mesh_.field(0.0));

@@ -12,7 +12,7 @@ namespace bumpfoil {
 
 /// Impedance of a film over a rigid bearing surface or an elastic foundation, to motions of the journal by q e^{s t}
 /// about a state, see FilmStepper::impedance(). The foundation has neither mass nor damping.
-/// @param rates  s, 1/s, at which it is made sure of
+/// @param rates  s, 1/s, at which accuracy is ensured
 /// @return nothing if the equations are singular
 std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Foundation& foundation,
                                             const BearingState& state, const std::vector<std::complex<double>>& rates);

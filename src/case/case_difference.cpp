@@ -16,7 +16,7 @@ std::string text_of(const ListedKey& listed) {
 }  // namespace
 
 std::vector<CaseDifference> case_differences(const Case& theirs, const Case& ours) {
-  // In the order of the case file; of lists of tables one may have more.
+  // In the order of the case file; lists of tables may differ in length.
   std::vector<CaseDifference> differences;
   std::map<std::string, std::size_t> places;
   for (const ListedKey& listed : list_keys(theirs)) {

@@ -10,10 +10,10 @@ namespace bumpfoil {
 /// A key that two cases give different values.
 struct CaseDifference {
   std::string key;
-  std::string theirs, ours;  ///< SI; "none" where there is none
+  std::string theirs, ours;  ///< SI; "none" if absent
 };
 
-/// All of them, in the order of the case file. Files that lists came from make no difference.
+/// All differences, in the order of the case file. The source file of a list is not compared.
 std::vector<CaseDifference> case_differences(const Case& theirs, const Case& ours);
 
 }  // namespace bumpfoil

@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// The case with the keys of the case file, in their order, SI numbers.
+/// The case in the structure and key order of the case file, with SI numbers.
 nlohmann::ordered_json case_json(const Case& input);
 
 /// Titles and units of all tables and keys by their paths: {"bearing.radius": {"title": "Radius", "unit": "m"}, ...}.

@@ -32,7 +32,7 @@ void describe_profile(CaseVisitor& keys, const Key& waviness, const Key& deviati
 }
 
 void describe(CaseVisitor& keys, Bearing& bearing) {
-  // A strip alone has no radius, and nothing is between it and the plate.
+  // A strip has no radius of its own, and no clearance to the plate.
   std::optional<double> radius;
   std::optional<double> clearance;
   if (!bearing.is_flat()) {
@@ -100,7 +100,7 @@ void describe(CaseVisitor& keys, TrussOverrides& truss) {
              &truss.theta_d);
 }
 
-/// @param of_strip  whose pitches and heights are those of all strips
+/// @param of_strip  its pitches and heights apply to all strips
 void describe(CaseVisitor& keys, BumpSection& section, bool of_strip) {
   keys.value({"from", required, "From bump", "first bump; bumps count from 1 at the weld", "1"}, &section.from);
   keys.value({"to", required, "To bump", "last bump", "5"}, &section.to);
@@ -173,10 +173,10 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.file({"height_errors_file", optional, "File of height errors",
              "or a CSV file beside this one; columns bump and height_error_um or height_mm", "\"heights.csv\""},
             "height_errors", [&foil](const std::string& path) {
-              if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported as such
+              if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported elsewhere
               const auto count = static_cast<std::size_t>(foil.bumps);
               const auto has_all = [count](const PerBump& one) { return !one.is_list() || one.values.size() == count; };
-              // Where a list of dimensions is wrong, the file is read for its own faults.
+              // If a list of dimensions is invalid, the file is still read for its own errors.
               const bool known =
                   has_all(foil.pitch) && has_all(foil.length) && has_all(foil.height) && has_all(foil.thickness);
               std::vector<double> heights(count);
@@ -287,7 +287,7 @@ void describe(CaseVisitor& keys, SolverSettings& solver) {
              &uzawa.tau_f);
 }
 
-/// How a deviation is distributed whose keys are shown with these examples.
+/// A distribution of a deviation, with the examples of its keys.
 struct Deviation {
   std::optional<Dimension> dimension;
   std::string_view sigma, lower, upper, values;
@@ -394,7 +394,7 @@ void describe(CaseVisitor& keys, Case& input) {
   keys.value({"title", defaulted, "Title"}, &input.title);
   table(keys, {"bearing", required, "Bearing"}, input.bearing);
   table(keys, {"bump_foil", required, "Bump foil"}, input.bump_foil);
-  // The Le Lez (2007) model has none.
+  // The Le Lez (2007) model has no top foil.
   const Presence top_foil = input.bump_foil.model == BumpFoilModel::former ? optional : required;
   table(keys, {"top_foil", top_foil, "Top foil"}, input.top_foil);
   list_of_tables(

@@ -18,25 +18,25 @@ namespace bumpfoil {
 
 enum class Presence {
   required,
-  optional,   ///< without it there is none
-  defaulted,  ///< without it there is the default
-  inherited,  ///< a table that says what differs from another of the same keys, which has the rest
+  optional,   ///< absent if not given
+  defaulted,  ///< has a default
+  inherited,  ///< a table of differences from another with the same keys
 };
 
 /// Description of a key of the case file, or of a table.
 struct Key {
-  std::string_view name;  ///< in its table
+  std::string_view name;  ///< within its table
   Presence presence{Presence::required};
   std::string_view title;                ///< label in reports
-  std::string_view text{};               ///< what it means, for comments
-  std::string_view example{};            ///< as `init` shows it; none: what the reference case holds
-  std::optional<Dimension> dimension{};  ///< of a text with a unit, or a number in SI
-  std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
+  std::string_view text{};               ///< meaning, for comments
+  std::string_view example{};            ///< value shown by `init`; empty: that of the reference case
+  std::optional<Dimension> dimension{};  ///< of a text with a unit, or of a number in SI
+  std::string_view otherwise{};          ///< "table.key" that provides the value if this one is not given
   bool instead{};                        ///< alternative to the previous key: only one may be given
   bool left_open{};              ///< the reader may choose a better value than the default, so templates leave it out
   std::string_view spared_by{};  ///< table that makes a required key optional
-  std::string_view stand_in{};   ///< key of its table that may be given instead
-  bool any_dimension{};          ///< not known: that of another key, which its table names wrongly or not at all
+  std::string_view stand_in{};   ///< key of its table that may replace it
+  bool any_dimension{};          ///< unknown: that of another key, which the table names wrongly or not at all
 };
 
 /// Storage of the value of a key. An absent number or an empty list means no value.
@@ -77,48 +77,49 @@ class CaseVisitor {
     value = *chosen;
   }
 
-  /// A number that is given once for all of several keys, or for each by its own.
+  /// A number given once for several keys, or individually for each.
   virtual void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) = 0;
 
-  /// A length by itself or by its double, such as a radius or a diameter.
+  /// A length or its double, such as a radius or a diameter.
   virtual void once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) = 0;
 
-  /// A displacement or a load, each by its own key.
+  /// A displacement or a load, each with its own key.
   virtual void one_of(const Key& displacement, const Key& load, Target& target) = 0;
 
-  /// A displacement or a load by one key: the unit decides, and `plain` for a plain number.
+  /// A displacement or a load under one key, distinguished by unit; a number without a unit is of kind `plain`.
   virtual void either(const Key& key, Control plain, std::optional<Target>& target) = 0;
 
   /// The same with a component along X and one along Y.
   virtual void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) = 0;
 
-  /// Any number of such places, all displacements or all loads: a list of lists. @return whether there is one
+  /// Any number of such targets, all displacements or all loads: a list of lists. @return whether it is given
   virtual bool places(const Key& key, PathPoints& points) = 0;
 
   /// A file, named relative to the case file, instead of the list or table `other`. `read` may throw Error.
-  /// @return whether there is one
+  /// @return whether it is given
   virtual bool file(const Key& key, std::string_view other,
                     const std::function<void(const std::string& path)>& read) = 0;
 
-  /// Any number of tables of one kind, each under its own [[name]]. `describe` visits the keys of the i-th, from 0; the
-  /// case holds `count` yet.
+  /// Any number of tables of one kind, each under its own [[name]]. `describe` visits the keys of the i-th, from 0;
+  /// `count` is the present number in the case.
   virtual void tables(const Key& key, std::size_t count,
                       const std::function<void(CaseVisitor&, std::size_t i)>& describe) = 0;
 
-  /// Whether it brings tables of this key that replace those that there are.
+  /// Whether the visitor supplies tables of this key that replace the present ones.
   [[nodiscard]] virtual bool replaces(const Key& key) const = 0;
 
-  /// A table whose keys `describe` visits; `given`: it holds anything yet.
+  /// A table whose keys `describe` visits; `given`: whether it has any content yet.
   virtual void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) = 0;
 };
 
-/// A table that is given if anything in it is not as by default. @param describe_members  (visitor, members) -> void
+/// A table that is given if any of its members differs from the default. @param describe_members  (visitor, members) ->
+/// void
 template <typename Table, typename Describe>
 void defaulted_table(CaseVisitor& keys, const Key& key, Table& members, const Describe& describe_members) {
   keys.table(key, members != Table{}, [&](CaseVisitor& visitor) { describe_members(visitor, members); });
 }
 
-/// A table that a case may have.
+/// An optional table of the case.
 template <typename Table, typename Describe>
 void optional_table(CaseVisitor& keys, const Key& key, std::optional<Table>& members,
                     const Describe& describe_members) {
@@ -151,7 +152,7 @@ void list_of_tables(CaseVisitor& keys, const Key& key, std::vector<Member>& memb
   });
 }
 
-/// A table in which something says what it has otherwise than all. @param describe_members  (visitor, members) -> void
+/// A table of differences from the general values. @param describe_members  (visitor, members) -> void
 template <typename Table, typename Describe>
 void own_table(CaseVisitor& keys, const Key& key, const Table& common, std::optional<Table>& own,
                const Describe& describe_members) {
@@ -162,7 +163,7 @@ void own_table(CaseVisitor& keys, const Key& key, const Table& common, std::opti
   });
 }
 
-/// Tables of the bearing, its foils and their friction that a bearing of a rotor has otherwise than the case.
+/// Tables of the bearing, its foils and their friction in which a bearing of a rotor differs from the case.
 void describe_own_design(CaseVisitor& keys, const BearingDesign& common, RotorBearing& own);
 
 /// All keys of the case file: those of the bearing and of ensembles, and those that experiments describe.

@@ -31,13 +31,13 @@ const CaseTable* table_of(std::string_view experiment) {
   return found == case_tables().end() ? nullptr : &*found;
 }
 
-/// Other tables that a command runs or requests, see CaseTable.
+/// Another table that a command runs or requests, see CaseTable.
 std::string_view requested_part(const std::string& command, const Case& input) {
   const CaseTable* const own = table_of(command);
   return own != nullptr && own->requested_part ? own->requested_part(input) : "";
 }
 
-/// Commands whose tables the case has.
+/// Commands whose tables the case contains.
 std::vector<std::string> commands_of_tables(const Case& input) {
   std::vector<std::string> commands;
   for (const CaseTable& table : case_tables()) {
@@ -77,7 +77,7 @@ std::vector<Fault> truss_faults(const Case& input) {
   return {};
 }
 
-/// Whether the author of a case chose a model, or gave constants of a truss.
+/// Whether the case chooses a model, or gives constants of a truss.
 bool chooses_truss(const toml::table& document) {
   using View = toml::node_view<const toml::node>;
   const auto chosen_in = [](const View& bearing) {
@@ -96,7 +96,7 @@ bool chooses_truss(const toml::table& document) {
                                              [&](const toml::node& one) { return chosen_in_any(View(one)["pad"]); }));
 }
 
-/// Replaces a truss that was not requested. @param fault of the truss
+/// Replaces a truss that was not requested by the frame. @param fault of the truss
 void take_frame(Case& input, const Fault& fault) {
   const auto take_for = [](std::vector<Pad>& pads) {
     for (Pad& pad : pads) {
@@ -115,7 +115,7 @@ void take_frame(Case& input, const Fault& fault) {
                   fault.key, fault.what));
 }
 
-/// Adds what the checks of the commands find, or of all that have a table, where none is named.
+/// Adds errors from the checks of the named command, or of all commands with a table if none is named.
 void run_checks(const CaseRequest& request, const Case& input, ReadingLog& log) {
   if (!request.check) return;
   Case settings_alone;
@@ -125,8 +125,8 @@ void run_checks(const CaseRequest& request, const Case& input, ReadingLog& log) 
   for (const std::string& command : named ? request.commands : commands_of_tables(input)) {
     const CaseTable* const own = table_of(command);
     const std::string table(own == nullptr ? command : own->needs);
-    if (log.blames(table + ".command")) continue;  // what it runs is not known
-    // What the command runs can be built though its own table has errors, which are listed with those of the check.
+    if (log.blames(table + ".command")) continue;  // unknown command to run
+    // The command to run can be built despite errors in its own table, which are listed with those of its checks.
     const bool can_be_built = named && log.is_sound_but_for(table);
     for (const Fault& fault : request.check(command, can_be_built ? input : settings_alone)) log.later_fault(fault);
   }
@@ -146,7 +146,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   const auto& requested = request.commands;
   for (const CaseTable& table : case_tables()) {
     if (!table.given || !document.contains(table.needs)) continue;
-    // Tables that say nothing would pass for none.
+    // Empty tables would count as absent.
     if (!table.given(input)) {
       log.later_fault({"", 0, std::string(table.needs), "", "requests nothing", "give its keys, or remove it"});
     }
@@ -174,7 +174,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     if (input.montecarlo->limits) commands.emplace_back("limits");
     if (!input.solver.name) input.solver.name = ensemble_solver(input);
   }
-  // Loops by equal increments would differ from exact ones by more than rigs do.
+  // Loops by equal increments would differ from exact ones by more than rig accuracy.
   const bool fits = std::find(commands.begin(), commands.end(), "fit") != commands.end();
   if (fits && !input.solver.name && input.bump_foil.geometry == Geometry::linear) {
     input.solver.name = SolverName::events;
@@ -182,10 +182,10 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   for (const std::string& command : commands) {
     const CaseTable* const own = table_of(command);
     const std::string table(own == nullptr ? command : own->needs);
-    // A table that is missing for an ensemble is reported for the command of the ensemble.
+    // A table missing for an ensemble is reported for the command of the ensemble.
     const bool told = command == "limits" || (runs_ensemble && command == name_of(EnsembleCommand::equilibrium));
     if (told || document.contains(table)) continue;
-    // Adding what pads exclude would not help.
+    // Adding a table that pads exclude would not help.
     if (input.pads.empty() || own == nullptr || !own->flat) {
       log.fault(table, "this table is missing",
                 fmt::format("add [{}], which this command needs; `bumpfoil init` shows its keys", table));

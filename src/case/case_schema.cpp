@@ -22,14 +22,14 @@ namespace {
 
 using Schema = nlohmann::ordered_json;
 
-/// Of those that case files may hold.
+/// Numbers that case files may contain.
 constexpr std::string_view number_pattern = R"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)";
 
-/// A product, quotient or power of units, whatever its dimension: patterns cannot tell that.
+/// A product, quotient or power of units of any dimension: patterns cannot check the dimension.
 constexpr std::string_view composed_unit =
     "(?:1/|\\()*[A-Za-z\u00b0\u00b5\u03bc]+ *(?:[-/*.^()0-9\u00b7\u207b\u00b9\u00b2\u00b3]| [A-Za-z(]).*";
 
-/// Words of lists that blanks set off.
+/// Words of a list separated by blanks.
 std::vector<std::string> spellings_in(std::string_view list) {
   std::vector<std::string> words;
   while (!list.empty()) {
@@ -40,15 +40,14 @@ std::vector<std::string> spellings_in(std::string_view list) {
   return words;
 }
 
-/// Whether a number with this unit is one of these dimensions.
+/// Whether the unit has one of these dimensions.
 bool measures_one_of(std::string_view unit, const std::vector<Dimension>& dimensions) {
   return std::any_of(dimensions.begin(), dimensions.end(), [unit](Dimension dimension) {
     return std::holds_alternative<double>(parse_quantity(fmt::format("1 {}", unit), dimension));
   });
 }
 
-/// A text of a number with a unit of one of these dimensions, or one of some words. Names of units are in small
-/// letters.
+/// Pattern of a number with a unit of one of these dimensions, or one of some words. Names of units are in lower case.
 std::string quantity_pattern(const std::vector<Dimension>& dimensions, std::string_view words) {
   std::vector<std::string> units;
   std::string inverse;  // "1/min"
@@ -69,7 +68,7 @@ std::string quantity_pattern(const std::vector<Dimension>& dimensions, std::stri
   return fmt::format("^[ \\t]*(?:{}{}[ \\t]*(?:{}{}{}))[ \\t]*$", words, number_pattern, named, inverse, composed_unit);
 }
 
-/// The schema of keys in addition to their description: ranges, defaults and examples. By paths without counts.
+/// Schema properties of keys beyond their description: ranges, defaults and examples. Paths have no list indices.
 class KeyFacts {
  public:
   KeyFacts() : listed_(list_keys(reference_case())), unset_(list_keys({})) {
@@ -80,7 +79,7 @@ class KeyFacts {
     }
   }
 
-  /// Bounds of numbers, `times` those of the key.
+  /// Bounds of a number, `times` those of the key.
   void bound(Schema& number, const std::string& path, double times = 1.0) const {
     const auto range = ranges_.find(path);
     if (range == ranges_.end()) return;
@@ -102,13 +101,13 @@ class KeyFacts {
   }
 
  private:
-  /// Null of what is no JSON, as it shows only the form of a list.
+  /// Null if invalid JSON: such an example only shows the form of a list.
   static Schema read(const std::string& text) {
     Schema value = Schema::parse(text, nullptr, false);
     return value.is_discarded() ? Schema() : value;
   }
 
-  /// Every key has the value of its example; what contradicts another is left out.
+  /// A case with every key at its example, without contradictions.
   [[nodiscard]] Case case_of_all_keys() const {
     std::string text;
     for (const ListedKey& listed : listed_) {
@@ -134,7 +133,7 @@ class KeyFacts {
 /// Describes a table and those inside it.
 class SchemaWriter final : public CaseVisitor {
  public:
-  /// @param path  of the table, with a dot behind it; empty: the root
+  /// @param path  of the table, with a trailing dot; empty: the root
   explicit SchemaWriter(const KeyFacts& facts, std::string path = {}, bool inherits = false)
       : facts_(facts), path_(std::move(path)), inherits_(inherits) {}
 
@@ -197,7 +196,7 @@ class SchemaWriter final : public CaseVisitor {
     return false;
   }
 
-  /// One alone may be written as other tables are.
+  /// A single table may also be written as a plain table.
   void tables(const Key& key, std::size_t /*count*/,
               const std::function<void(CaseVisitor&, std::size_t)>& describe) override {
     SchemaWriter inner(facts_, path_of(key) + '.');
@@ -211,7 +210,7 @@ class SchemaWriter final : public CaseVisitor {
 
   [[nodiscard]] bool replaces(const Key& /*key*/) const override { return true; }
 
-  /// The keys of an inherited table are those of another.
+  /// An inherited table has the keys of another.
   void table(const Key& key, bool /*given*/, const std::function<void(CaseVisitor&)>& describe) override {
     const bool inherits = key.presence == Presence::inherited;
     SchemaWriter inner(facts_, inherits ? std::string(key.name) + '.' : path_of(key) + '.', inherits);
@@ -228,7 +227,7 @@ class SchemaWriter final : public CaseVisitor {
 
   static Schema target() { return text_or_number({Dimension::length, Dimension::force}); }
 
-  /// One number. @param words  pattern of texts that may stand for it, each with a bar behind it
+  /// Schema of a number. @param words  pattern of alternative texts, each followed by a bar
   [[nodiscard]] Schema number(const Key& key, std::string_view words = {}) const {
     Schema one{{"type", "number"}};
     if (key.dimension) {
@@ -248,11 +247,11 @@ class SchemaWriter final : public CaseVisitor {
     return {{"type", "array"}, {"items", std::move(entry)}, {"minItems", 2}, {"maxItems", 2}};
   }
 
-  /// Values in a list or, as `from`, `to` and others, in a table.
+  /// A list of values or a range table with `from`, `to` and others.
   static Schema list_or_range(const Schema& entry) {
     Schema out = list_of(entry);
     Schema end = entry;
-    end.erase("minimum");  // the reader checks the values that it makes
+    end.erase("minimum");  // the reader checks the generated values
     end.erase("maximum");
     out["type"] = {"array", "object"};
     out["properties"] = {{"from", end}, {"to", end}, {"points", {{"type", "integer"}}}, {"step", end}};
@@ -289,7 +288,7 @@ class SchemaWriter final : public CaseVisitor {
     return number(key, fmt::format("{}|", name_of(FormedTo::seated)));
   }
 
-  /// @param alone  required where its description says so; the reader checks pairs of which one is
+  /// @param alone  required if its description says so; the reader checks pairs of alternative keys
   void add(const Key& key, const Schema& value, bool alone = true) {
     Schema described{{"title", key.title}};
     if (!key.text.empty()) described["description"] = key.text;
@@ -314,7 +313,7 @@ std::string case_schema() {
   const KeyFacts facts;
   SchemaWriter root(facts);
   Case input = reference_case();
-  // These require the fewest tables and keys.
+  // These choices require the fewest tables and keys.
   input.bump_foil.model = BumpFoilModel::former;
   input.bearing = {};
   describe(root, input);

@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Column where comments start, and the maximum length of a line.
+/// Column of comments, and the maximum line length.
 constexpr std::size_t comment_column = 32;
 constexpr std::size_t widest_line = 120;
 
@@ -28,7 +28,7 @@ std::string comment_on(const ListedKey& listed, const Preset& preset) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// A line with a comment, which is wrapped between words; every line starts with `prefix`.
+/// A line with a comment, wrapped between words; every line starts with `prefix`.
 std::string commented(std::string_view prefix, const std::string& code, std::string_view comment) {
   std::string out = fmt::format("{}{}", prefix, code);
   std::size_t column = std::max(code.size() + 2, comment_column);
@@ -51,7 +51,7 @@ constexpr std::string_view template_head =
 
 )";
 
-/// The value of a key that the case file does not give.
+/// The value of a key that the case does not give.
 std::string fallback_of(const ListedKey& reference, const ListedKey& unset) {
   const Key& key = reference.key;
   if (reference.instead) return "–";
@@ -110,7 +110,7 @@ std::string case_template(std::string_view name) {
       out += '\n' + commented(live_table ? "" : "# ", table_header(listed.path), listed.key.text);
       continue;
     }
-    // In a table that is commented out, alternatives that contradict the rest stay commented out twice.
+    // In a commented-out table, contradicting alternatives are commented out twice.
     const bool out_of_table = live_table ? !listed.live : listed.instead;
     out += commented(live_table ? "" : "# ",
                      fmt::format("{}{} = {}", out_of_table ? "# " : "", listed.key.name,

@@ -37,7 +37,7 @@ Json case_json(const Case& input) {
     if (!listed.is_table()) {
       json[pointer_to(listed.path)] = listed.value;
     } else if (listed.is_of_list()) {
-      json[pointer_to(listed.path)] = Json::object();  // counts, even where it says nothing
+      json[pointer_to(listed.path)] = Json::object();  // given, even if empty
     }
   }
   return json;

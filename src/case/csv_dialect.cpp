@@ -27,7 +27,7 @@ std::string replaced(std::string_view text, std::string_view old, std::string_vi
   return out.append(text);
 }
 
-/// Micro as "u", whether it is written as the sign or as the letter, in UTF-8 or Latin-1.
+/// Replaces micro by "u", whether encoded as sign or letter, in UTF-8 or Latin-1.
 std::string without_micro(std::string_view column) {
   std::string text = replaced(replaced(column, "\xc2\xb5", "u"), "\xce\xbc", "u");
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -37,7 +37,7 @@ std::string without_micro(std::string_view column) {
   return text;
 }
 
-/// Rest of a column name after the quantity; absent if it does not start with the quantity.
+/// Rest of a column name after the quantity; absent if it does not start with it.
 std::optional<std::string> behind_quantity(std::string_view column, std::string_view quantity) {
   const std::string text = without_micro(column);
   const auto is_filling = [](char c) { return brackets_and_spaces.find(c) != std::string_view::npos; };
@@ -60,7 +60,7 @@ std::vector<std::string> CsvDialect::cells(std::string_view line, std::size_t co
   std::vector<std::string> cells;
   std::string cell;
   bool quoted = false;  // inside quotes
-  bool whole = false;   // a cell that was in quotes, up to its separator
+  bool whole = false;   // the cell was quoted: kept untrimmed
   const auto end_cell = [&] {
     cells.emplace_back(whole ? cell : trimmed(cell));
     cell.clear();
@@ -130,7 +130,7 @@ bool is_column(std::string_view column, std::string_view name) {
 std::optional<ColumnUnit> unit_of_column(std::string_view column, std::string_view quantity, Dimension dimension) {
   const auto unit = behind_quantity(column, quantity);
   if (!unit || unit->empty()) return std::nullopt;
-  // Some write all in capitals, some "in mm"; results of this program write "N_m_per_rad".
+  // Some files use capitals, or "in mm"; results of this program use "N_m_per_rad".
   const std::string spelt = replaced(replaced(*unit, "_per_", "/"), "_", " ");
   for (const std::string& name :
        {*unit, lower(*unit), spelt, unit->starts_with("in ") ? unit->substr(3) : std::string()}) {

@@ -9,14 +9,14 @@
 
 namespace bumpfoil {
 
-/// Without spaces at its ends.
+/// Removes spaces at both ends.
 inline std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// In small letters; of ASCII alone, whatever the locale.
+/// Lower case of ASCII letters only, independent of the locale.
 inline char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -25,7 +25,7 @@ inline std::string lower(std::string text) {
   return text;
 }
 
-/// A text that is a number and nothing else.
+/// The value of a text that is entirely a number.
 template <typename Number>
 std::optional<Number> parse(std::string_view text) {
   Number number{};
@@ -34,14 +34,14 @@ std::optional<Number> parse(std::string_view text) {
   return number;
 }
 
-/// The two columns of a line, trimmed; absent where it has not two.
+/// The two columns of a line, trimmed; absent unless there are exactly two.
 inline std::optional<std::pair<std::string_view, std::string_view>> two_columns(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos || text.find(',', comma + 1) != std::string_view::npos) return std::nullopt;
   return std::pair{trimmed(text.substr(0, comma)), trimmed(text.substr(comma + 1))};
 }
 
-/// Calls visit(number of the line from 1, trimmed text) for every line, however lines end.
+/// Calls visit(line number from 1, trimmed text) for every line, with any line ending.
 template <typename Visit>
 void for_each_line(std::string_view text, const Visit& visit) {
   for (std::size_t line = 1; !text.empty(); ++line) {

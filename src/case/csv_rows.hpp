@@ -22,23 +22,23 @@ class CsvRows {
   [[nodiscard]] std::size_t columns() const { return columns_; }
   [[nodiscard]] const CsvDialect& dialect() const { return dialect_; }
 
-  /// The cells of a line, one for every column; none if their number is wrong, which is an error.
+  /// The cells of a line, one per column; none and an error if their number is wrong.
   std::vector<std::string> read(std::size_t line, std::string_view text);
 
   void fault(std::size_t line, std::string_view text, std::string what, std::string advice);
 
-  /// Of the file as a whole.
+  /// Adds an error of the whole file.
   void fault(std::string what, std::string advice);
 
   [[nodiscard]] bool faulty() const { return !faults_.empty(); }
 
-  /// @throws Error (input) if there was a fault
+  /// @throws Error (input) if there are errors
   void throw_if_faulty();
 
  private:
-  /// Lines whose number of cells differs from the header, reported with the first of them.
+  /// Lines whose number of cells differs from the header, reported once at the first.
   struct OddLines {
-    std::size_t fault{};  ///< its number among the faults
+    std::size_t fault{};  ///< index of this error
     std::size_t count{};
   };
 

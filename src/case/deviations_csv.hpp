@@ -5,8 +5,8 @@
 
 namespace bumpfoil {
 
-/// Reads measured deviations from a CSV file with the header `deviation` and a number in SI in each line.
-/// @throws Error (input) with every fault of the file; Error (file) if it cannot be read
+/// Reads measured deviations from a CSV file with the header `deviation` and one SI number per line.
+/// @throws Error (input) with every error of the file; Error (file) if it cannot be read
 std::vector<double> read_deviations(const std::string& path);
 
 }  // namespace bumpfoil

@@ -25,7 +25,7 @@ constexpr std::string_view name_advice = "name one height_error_um, or height_mm
 struct HeightColumn {
   std::size_t index{};
   ColumnUnit unit{};
-  bool absolute{};  ///< heights over the sleeve, not errors
+  bool absolute{};  ///< heights above the sleeve, not errors
 };
 
 std::optional<HeightColumn> height_column(std::string_view name, std::size_t index) {
@@ -36,7 +36,7 @@ std::optional<HeightColumn> height_column(std::string_view name, std::size_t ind
   return std::nullopt;
 }
 
-/// Units that heights are written in, with their names in full.
+/// Common units of heights, with their full names.
 struct UsualUnit {
   std::string_view symbol, name;
   double size{};  ///< m
@@ -45,11 +45,10 @@ struct UsualUnit {
 constexpr std::array usual_units{UsualUnit{"um", "micrometres", 1e-6}, UsualUnit{"mm", "millimetres", 1e-3},
                                  UsualUnit{"m", "metres", 1.0}, UsualUnit{"nm", "nanometres", 1e-9}};
 
-/// No foil is made so well that all of its errors are smaller, m: micrometres appear as nanometres if the unit is a
-/// thousand times too small.
+/// Manufacturing errors are not all smaller, m: micrometres read as nanometres indicate a wrong unit.
 constexpr double smallest_error = 1e-7;
 
-/// "3, 7 to 12 and 14" of the lines that were not given.
+/// "3, 7 to 12 and 14": bumps without a line.
 std::string missing_bumps(const std::vector<std::size_t>& lines) {
   std::vector<std::string> runs;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -77,7 +76,7 @@ class HeightErrorsReader {
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
     if (!rows_.has_header()) return read_header(line, text);
-    if (!column_) return;  // without it nothing is known of the rest
+    if (!column_) return;  // without the column, the rest cannot be read
     const std::vector<std::string> cells = rows_.read(line, text);
     if (cells.empty()) return;
     const std::optional<std::size_t> index = bump_of(line, text, cells);
@@ -92,7 +91,7 @@ class HeightErrorsReader {
     given_[*index] = *value;
   }
 
-  /// @throws Error (input) if there was a fault or a bump is missing.
+  /// @throws Error (input) if there are errors or a bump is missing.
   std::vector<double> finish() {
     if (!rows_.has_header()) {
       rows_.fault("is empty",
@@ -135,7 +134,7 @@ class HeightErrorsReader {
                    : "leave one");
   }
 
-  /// Errors of the bumps if the column were in this unit; zero of those that were not given.
+  /// Errors of the bumps if the column were in this unit; zero for bumps not given.
   [[nodiscard]] std::vector<double> errors_in(double unit) const {
     std::vector<double> errors(given_.size());
     for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -144,7 +143,7 @@ class HeightErrorsReader {
     return errors;
   }
 
-  /// The bump is flat, or twice as high.
+  /// Whether the bump would be flat, or twice as high.
   [[nodiscard]] bool is_beyond(std::size_t bump, double error) const {
     return rises_[bump] > 0.0 && std::abs(error) >= rises_[bump];
   }
@@ -155,11 +154,11 @@ class HeightErrorsReader {
       if (is_beyond(i, errors[i])) return false;
       largest = std::max(largest, std::abs(errors[i]));
     }
-    // For whole heights the nominal one indicates the unit.
+    // Absolute heights in a wrong unit are already beyond the bump.
     return column_->absolute || largest == 0.0 || largest >= smallest_error;
   }
 
-  /// The usual unit in which the values are plausible, if they are not in theirs.
+  /// The common unit that makes the values plausible, if theirs does not.
   [[nodiscard]] std::string confusion() const {
     std::string own = column_->unit.name;
     for (const UsualUnit& unit : usual_units) {
@@ -173,7 +172,7 @@ class HeightErrorsReader {
     return fmt::format("is the column in {}?", own);
   }
 
-  /// Implausible values, reported once with the first line.
+  /// Reports implausible values once, at the first line.
   void judge(const std::vector<double>& errors) {
     if (are_plausible(errors)) return;
     std::vector<std::size_t> beyond;
@@ -194,7 +193,7 @@ class HeightErrorsReader {
         2 * beyond.size() < errors.size() ? "correct it: most others are plausible" : confusion());
   }
 
-  /// Bump of the line, from 0.
+  /// Bump index of the line, from 0.
   std::optional<std::size_t> bump_of(std::size_t line, std::string_view text, const std::vector<std::string>& cells) {
     if (!bump_index_) {
       if (next_ < given_.size()) return next_++;
@@ -220,12 +219,12 @@ class HeightErrorsReader {
   const std::vector<double>& heights_;        ///< m
   const std::vector<double>& rises_;          ///< m
   std::vector<double> given_;                 ///< of each bump, in the unit of the column
-  std::vector<std::size_t> lines_;            ///< where each bump was given; 0 if it was not
+  std::vector<std::size_t> lines_;            ///< line of each bump; 0 if not given
   std::map<std::size_t, std::string> texts_;  ///< of these lines
   CsvNumbers numbers_;
   std::optional<std::size_t> bump_index_;
   std::optional<HeightColumn> column_;
-  std::size_t next_{};  ///< bump of the next line where these have no numbers
+  std::size_t next_{};  ///< bump of the next line in files without bump numbers
 };
 
 }  // namespace

@@ -63,13 +63,13 @@ Json json_of(const T* value) {
   return *value;
 }
 
-/// A target that is not of the kind of a plain number there carries its unit.
+/// A target whose kind differs from that of a plain number carries its unit.
 Json json_of(double target, Control control, Control plain) {
   if (control == plain) return target;
   return fmt::format("{:.17g} {}", target, control == Control::load ? "N" : "m");
 }
 
-/// Numbers in SI as texts with a unit, which is `one` in SI.
+/// SI numbers as texts with a unit, which is `one` in SI.
 std::string in_unit(const Json& value, std::string_view unit, double one) {
   if (value.is_number()) return fmt::format("\"{:.12g} {}\"", value.get<double>() / one, unit);
   if (!value.is_array()) return toml_of(value);
@@ -146,13 +146,13 @@ class KeyLister final : public CaseVisitor {
   bool file(const Key& key, std::string_view /*other*/,
             const std::function<void(const std::string&)>& /*read*/) override {
     add(key, "name of a file", {}, true);
-    return false;  // what it holds is listed in its place
+    return false;  // its content is listed instead
   }
 
   void tables(const Key& key, std::size_t count,
               const std::function<void(CaseVisitor&, std::size_t)>& describe) override {
     if (inherits_ && count == 0) add(key, "list of tables", Json::array());
-    // Where there are none, one shows what they hold.
+    // An empty list lists one table, to show its keys.
     for (std::size_t i = 0; i < std::max(count, std::size_t{1}); ++i) {
       std::vector<ListedKey>& list = path_.empty() ? list_ : tables_;
       KeyLister inner(list);
@@ -185,7 +185,7 @@ class KeyLister final : public CaseVisitor {
   [[nodiscard]] std::string path_of(const Key& key) const { return path_ + std::string(key.name); }
 
   ListedKey& add(const Key& key, std::string kind, Json value, bool instead = false) {
-    // What is not given is that of the other table, so that a list without entries is to be given, too.
+    // Missing values are inherited, so an empty list must be written explicitly.
     if (inherits_ && value.is_null() && kind.starts_with("list of")) value = Json::array();
     const bool there = !value.is_null();
     instead = instead || key.instead;
@@ -194,11 +194,11 @@ class KeyLister final : public CaseVisitor {
   }
 
   std::vector<ListedKey>& list_;
-  std::vector<ListedKey> tables_{};  ///< of lists: in a case file they follow all other keys of the table they are in
+  std::vector<ListedKey> tables_{};  ///< tables of lists: in a case file they follow all other keys of their table
   std::string path_{};
   bool held_{true};
   bool live_{true};
-  bool inherits_{};  ///< what is not given is that of another table
+  bool inherits_{};  ///< missing values are inherited from another table
 };
 
 }  // namespace
@@ -229,7 +229,7 @@ const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view p
     return without_counts(one.path) == name;
   });
   if (like != keys.end()) return &*like;
-  // A table that says what differs from another has its keys: "pad[2].bump_foil.height" is like "bump_foil.height".
+  // A table of differences has the keys of its original: "pad[2].bump_foil.height" is like "bump_foil.height".
   for (const ListedKey& one : keys) {
     const std::string begin = without_counts(one.path) + '.';
     if (one.key.presence != Presence::inherited || !without_counts(path).starts_with(begin)) continue;
@@ -266,7 +266,7 @@ std::string table_header(std::string_view table) {
 }
 
 std::string toml_of(const Json& value) {
-  // JSON texts are TOML texts, too, as the delete character is escaped.
+  // JSON texts are also TOML texts, as the delete character is escaped.
   if (!value.is_object()) return dump_json(value, -1);
   std::string members;
   for (const auto& [key, member] : value.items()) {
@@ -288,7 +288,7 @@ std::string default_of(const ListedKey& reference, const ListedKey& unset) {
 std::string authored_value(const ListedKey& listed) {
   const std::string_view example = listed.key.example;
   if (!listed.key.dimension || example.empty()) return toml_of(listed.value);
-  // "mm" of "4.572 mm", "N" of ["5 N", "10 N"]. Directions have names and no unit.
+  // "mm" of "4.572 mm", "N" of ["5 N", "10 N"]. Names of directions have no unit.
   const std::size_t space = std::min(example.find(' '), example.size() - 1);
   const std::string_view unit = example.substr(space + 1, example.find('"', space + 1) - space - 1);
   if (unit.empty()) return example_of(listed);

@@ -11,9 +11,9 @@
 namespace bumpfoil {
 namespace {
 
-/// More would not help.
+/// More suggestions would not help.
 constexpr std::size_t most_suggested = 5;
-/// Shorter names are one or two edits from any other.
+/// Shorter names are within one or two edits of too many others.
 constexpr std::size_t shortest_slip = 5;
 
 /// "bump", "foil" and "height" of "bump_foil.height".
@@ -34,7 +34,7 @@ std::string name_in(const std::string& path) {
   return path.substr(path.rfind('.') + 1);
 }
 
-/// Whether these words are among those of the path, in their order, and the last of both is the same.
+/// Whether the path contains these words in order, and both end with the same word.
 bool ends_with_words(const std::string& path, const std::vector<std::string>& words) {
   const std::vector<std::string> all = words_of(path);
   if (all.back() != words.back()) return false;
@@ -54,7 +54,7 @@ std::ptrdiff_t count_words(const std::string& path) {
   return std::ssize(words_of(path));
 }
 
-/// Of the paths that match those of the least measure.
+/// Of the matching paths, those with the smallest measure.
 template <typename Matches, typename Measure>
 std::vector<std::string> least(const std::vector<std::string>& paths, const Matches& matches, const Measure& measure) {
   std::vector<std::string> found;
@@ -85,7 +85,7 @@ std::string first_key_of(const std::string& table) {
 
 std::vector<std::string> keys_with_words(std::string_view name, const std::vector<std::string>& paths) {
   const std::vector<std::string> words = words_of(name);
-  // A whole name comes before one that has more words.
+  // An exact name precedes one with more words.
   std::vector<std::string> found = least(
       paths, [&](const std::string& path) { return words_of(name_in(path)) == words; }, depth_of);
   if (!found.empty()) return found;

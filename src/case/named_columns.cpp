@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Columns named in messages.
+/// Maximum number of columns listed in messages.
 constexpr std::size_t most_named = 12;
 
 std::optional<ColumnUnit> unit_in(std::string_view column, std::string_view name,
@@ -20,7 +20,7 @@ std::optional<ColumnUnit> unit_in(std::string_view column, std::string_view name
   return is_column(column, name) ? std::optional(ColumnUnit{"", 1.0}) : std::nullopt;
 }
 
-/// The columns that may be the one that is wanted: of the first name that any has.
+/// Candidate columns: those with the first known name that occurs.
 std::vector<NamedColumn> by_known_names(const std::vector<std::string>& columns, const WantedColumn& wanted) {
   std::vector<NamedColumn> found;
   for (const std::string_view name : wanted.names) {
@@ -32,7 +32,7 @@ std::vector<NamedColumn> by_known_names(const std::vector<std::string>& columns,
   return found;
 }
 
-/// Those of a name that is given, with the unit of the file or with one that is given behind the name.
+/// Columns with a given name, with the unit of the file or one given after the name.
 std::vector<NamedColumn> by_given_name(const std::vector<std::string>& columns, const std::string& given,
                                        const std::optional<Dimension>& dimension) {
   const std::string name = given.substr(0, given.find_last_of("([_ \t"));
@@ -49,7 +49,7 @@ std::vector<NamedColumn> by_given_name(const std::vector<std::string>& columns, 
   return found;
 }
 
-/// Whether a column has a usual name, with no unit behind it or with one of another dimension.
+/// Whether a column has a known name, but no unit or one of another dimension.
 bool lacks_unit(const std::string& column, const WantedColumn& wanted) {
   if (!wanted.dimension) return false;
   return std::any_of(wanted.names.begin(), wanted.names.end(), [&column](std::string_view name) {
@@ -120,7 +120,7 @@ void parse_column_names(std::string_view text, std::span<const std::pair<std::st
       value = key->second;
       *value = part.substr(key->first.size() + 1);
     } else if (value) {
-      *value += fmt::format(",{}", part);  // the name of a column has a comma
+      *value += fmt::format(",{}", part);  // a column name with a comma
     } else {
       throw Error(ErrorKind::input,
                   {{"", 0, std::string(option), std::string(text), "does not start with the kind of column",

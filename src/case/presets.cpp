@@ -92,7 +92,7 @@ constexpr std::string_view three_pads_head =
 #
 )";
 
-/// Not from a paper: the reference bearing cut into three.
+/// Not from a paper: the reference bearing divided into three pads.
 Preset three_pads() {
   Preset preset{.name = "gen3-three-pad",
                 .head = three_pads_head,
@@ -141,7 +141,7 @@ constexpr std::string_view three_strips_head =
 #
 )";
 
-/// Not from a paper: the reference bearing with its bump foil in three strips.
+/// Not from a paper: the reference bearing with its bump foil split into three strips.
 Preset three_strips() {
   Preset preset{.name = "gen2-three-strips",
                 .head = three_strips_head,
@@ -187,7 +187,7 @@ constexpr std::string_view running_head =
 #
 )";
 
-/// The reference bearing on its film.
+/// The reference bearing in operation.
 Preset running() {
   Preset preset{.name = "running",
                 .head = running_head,

@@ -8,16 +8,16 @@
 
 namespace bumpfoil {
 
-/// A bearing to start a case file from.
+/// A bearing as the start of a case file.
 struct Preset {
   std::string_view name;
-  std::string_view head;  ///< lines of comment that its file begins with: what it is, and where it comes from
+  std::string_view head;  ///< comment at the top of its file: what it is, and its source
   Case input;
-  /// Remarks on some keys in addition to their meaning: that they are assumed, or why they have this value. By path.
+  /// Remarks on some keys beyond their meaning, by path: that values are assumed, or why they were chosen.
   std::vector<std::pair<std::string_view, std::string_view>> remarks;
 };
 
-/// All of them; the first is reference_case().
+/// All presets; the first is reference_case().
 const std::vector<Preset>& presets();
 
 }  // namespace bumpfoil

@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Angles agree to this part of a step: instruments round them.
+/// Accepted deviation of angles, relative to a step: instruments round them.
 constexpr double angle_rounding = 0.05;
 
 /// Takes the lines one by one.
@@ -26,7 +26,7 @@ class ProfileReader {
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
     if (!rows_.has_header()) return read_header(line, text);
-    if (!deviation_) return;  // without it nothing is known of the rest
+    if (!deviation_) return;  // without the column, the rest cannot be read
     const std::vector<std::string> cells = rows_.read(line, text);
     if (cells.empty()) return;
     const auto no_number = [&](const char* quantity) {
@@ -42,7 +42,7 @@ class ProfileReader {
     angles_.push_back({*angle, line, std::string(text)});
   }
 
-  /// @throws Error (input) if there was a fault.
+  /// @throws Error (input) if there are errors.
   std::vector<double> finish() {
     if (!rows_.faulty() && deviations_.empty()) {
       rows_.fault("contains no deviations", "write angle_deg,deviation_um and a line for each of equal angles");

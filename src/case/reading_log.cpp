@@ -20,7 +20,7 @@ std::string holder_of(const std::string& key) {
   return end == std::string::npos ? std::string() : key.substr(0, end);
 }
 
-/// The value as written, as far as it fits in a message; empty for lists and tables.
+/// The value as written, truncated for messages; empty for lists and tables.
 std::string written(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
@@ -36,7 +36,7 @@ std::string written(const toml::node& node) {
 
 void ReadingLog::met(const std::string& key, const toml::node& node) {
   const toml::source_region& source = node.source();
-  const bool implied = source.begin.line == 0;  // a table that an override made
+  const bool implied = source.begin.line == 0;  // a table created by an override
   const bool overridden = implied || is_override(node);
   Origin origin{overridden ? std::string(command_line) : file_, overridden ? 0 : source.begin.line, written(node)};
   origin.implied = implied;
@@ -51,7 +51,7 @@ const Origin* ReadingLog::place_of(const std::string& key) const {
 }
 
 void ReadingLog::fault(const std::string& key, std::string what, std::string advice) {
-  if (!faulty_.insert(key).second) return;  // already reported, where the value was read for another key
+  if (!faulty_.insert(key).second) return;  // already reported when read for another key
   const Origin* place = place_of(key);
   const auto exact = origins_.find(key);
   add({place != nullptr ? place->file : file_, place != nullptr ? place->line : 0, key,
@@ -69,7 +69,7 @@ void ReadingLog::later_fault(const Fault& fault) {
   }
   judged_.insert(placed.key);
   const Origin* place = place_of(placed.key);
-  if (place != nullptr && place->implied) place = nullptr;  // missing in the file, whatever else was overridden
+  if (place != nullptr && place->implied) place = nullptr;  // missing in the file, regardless of overrides
   placed.file = place != nullptr ? place->file : file_;
   placed.line = place != nullptr ? place->line : 0;
   const auto exact = origins_.find(placed.key);

@@ -13,58 +13,57 @@
 
 namespace bumpfoil {
 
-/// Where a key was found, and its value, for messages.
+/// Position of a key, and its value, for messages.
 struct Origin {
   std::string file;
   std::size_t line{};
   std::string written;
-  std::string_view unit_hint{};  ///< of a plain number that may be meant in another unit than that of SI
-  bool implied{};                ///< a table that an override made for its key
+  std::string_view unit_hint{};  ///< of a plain number that may be meant in another unit than SI
+  bool implied{};                ///< a table created by an override of its key
 };
 
-/// State while a case file is read: its errors, and the positions of its keys.
+/// State of reading a case file: its errors, and the positions of its keys.
 class ReadingLog {
  public:
   explicit ReadingLog(std::string file) : file_(std::move(file)) {}
 
-  /// Records where a key is and its value.
+  /// Records position and value of a key.
   void met(const std::string& key, const toml::node& node);
 
-  /// Remembers of a key that was met that its number may be meant in another unit: what its faults are to say of that,
-  /// where {} stands for the number. The text must stay.
+  /// Records for a known key that its number may be meant in another unit: the hint for its errors, with {} for the
+  /// number. The text must outlive the log.
   void met_unlikely(const std::string& key, std::string_view hint) { origins_[key].unit_hint = hint; }
 
-  /// An error of a key, at the place of the key or of the table that lacks it. Only the first one of a key counts.
+  /// Adds an error of a key, at the position of the key or of the table that lacks it. Only the first per key is kept.
   void fault(const std::string& key, std::string what, std::string advice);
 
-  /// An error of this key was reported under another one.
+  /// Marks an error of this key as already reported under another one.
   void told(const std::string& key) { faulty_.insert(key); }
 
-  /// The value of `key` was taken from `other`, where its faults are to be reported, once.
+  /// Records that `key` took its value from `other`: its errors are reported there, once.
   void taken_from(const std::string& key, const std::string& other) { taken_from_[key] = other; }
 
-  /// A fault found after reading, dropped if its key, or what holds it, was at fault before.
+  /// Adds an error found after reading, unless its key, or a parent, already had one.
   void later_fault(const Fault& fault);
 
-  /// Whether nothing is wrong so far.
+  /// Whether there are no errors so far.
   [[nodiscard]] bool is_sound() const { return faults_.empty(); }
 
-  /// Whether all that is wrong so far lies in this table.
+  /// Whether all errors so far are in this table.
   [[nodiscard]] bool is_sound_but_for(const std::string& table) const;
 
-  /// Whether something is wrong with this key, or in it.
+  /// Whether there is an error in this key, or below it.
   [[nodiscard]] bool blames(const std::string& key) const;
 
-  /// A fault with its own place.
+  /// Adds an error with its own position.
   void add(Fault fault, ErrorKind kind = ErrorKind::input);
 
-  /// Whether further faults are only counted.
+  /// Whether further errors are only counted.
   [[nodiscard]] bool full() const;
 
   [[nodiscard]] const std::string& file() const { return file_; }
 
-  /// @throws Error listing all faults in the order of the lines, if there are any; of the kind `file` if each of them
-  /// was.
+  /// @throws Error listing all errors by line, if there are any; of kind `file` if all of them are.
   void throw_if_faulty();
 
  private:
@@ -75,9 +74,9 @@ class ReadingLog {
   std::size_t unlisted_{};
   bool input_fault_{};
   std::map<std::string, Origin> origins_;
-  std::set<std::string> faulty_;                   ///< keys that had a fault while they were read
-  std::set<std::string> judged_;                   ///< keys that had one later
-  std::map<std::string, std::string> taken_from_;  ///< keys whose value stands under another one
+  std::set<std::string> faulty_;                   ///< keys with an error during reading
+  std::set<std::string> judged_;                   ///< keys with a later error
+  std::map<std::string, std::string> taken_from_;  ///< keys whose value was taken from another
 };
 
 }  // namespace bumpfoil

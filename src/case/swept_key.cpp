@@ -32,7 +32,7 @@ struct SweptQuantity {
   std::string unit;  ///< empty for a plain number
 };
 
-/// The number that a text, which std::from_chars takes as a whole, says; absent if it has too many digits.
+/// The decimal value of a text that std::from_chars accepts entirely; absent if it has too many digits.
 std::optional<Decimal> decimal_of(std::string_view text) {
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
   Decimal decimal;
@@ -46,14 +46,14 @@ std::optional<Decimal> decimal_of(std::string_view text) {
     if (decimal.digits >= digits_limit) return std::nullopt;
   }
   if (decimal.digits == 0) return decimal;
-  // Of a number that is neither zero nor out of range it fits.
+  // A number that is neither zero nor out of range fits.
   if (end < text.size()) read_number(text.substr(end + 1), decimal.exponent);
   decimal.exponent -= decimals;
   if (text.starts_with('-')) decimal.digits = -decimal.digits;
   return decimal;
 }
 
-/// Digits of a decimal with a smaller exponent; absent if they are too many.
+/// Digits of a decimal at a smaller exponent; absent if they are too many.
 std::optional<std::int64_t> digits_at(const Decimal& decimal, int exponent) {
   const double size = std::abs(static_cast<double>(decimal.digits)) * std::pow(10.0, decimal.exponent - exponent);
   if (size >= static_cast<double>(digits_limit)) return std::nullopt;
@@ -72,7 +72,7 @@ std::string text_of(Decimal decimal) {
   std::string digits = std::to_string(std::abs(decimal.digits));
   const std::string sign = decimal.digits < 0 ? "-" : "";
   const int size = static_cast<int>(digits.size());
-  // With a power of ten for very large or small numbers.
+  // Scientific notation for very large or small numbers.
   if (decimal.exponent > most_digits || decimal.exponent < -2 * most_digits) {
     return fmt::format("{}{}e{}", sign, digits, decimal.exponent);
   }
@@ -171,7 +171,7 @@ class SweptKeyParser {
     if (span != 0 && (span < 0) != (step < 0)) {
       refuse("steps away from its end", fmt::format("give the step {}", text_of({-step, exponent})));
     }
-    // To the nearest whole number of steps; span and step have the same sign.
+    // Rounded to the nearest whole number of steps; span and step have the same sign.
     const std::int64_t steps = (span + step / 2) / step;
     if (std::abs(span - steps * step) > std::abs(step) / rounding) {
       const std::int64_t below = from + span / step * step;
@@ -186,7 +186,7 @@ class SweptKeyParser {
     return values;
   }
 
-  /// The number that a text begins with, as it is written there.
+  /// The leading number of a text, as written.
   [[nodiscard]] std::string_view number_in(std::string_view text) const {
     double number = 0.0;
     const auto [end, status] = read_number(text, number);

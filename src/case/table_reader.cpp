@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-/// ".height" of the table that an override of "foil.height" made; empty of others.
+/// ".height" for a table created by an override of "foil.height"; else empty.
 std::string key_set_in(const toml::node& node) {
   const toml::table* table = node.as_table();
   if (table == nullptr || node.source().begin.line > 0 || table->size() != 1) return {};
@@ -31,21 +31,21 @@ Key optional_key(Key key) {
   return key;
 }
 
-/// A key of a table that is given in place of a value of `key`.
+/// A key of a table that replaces a value of `key`.
 Key key_called(std::string_view name, Presence presence, Key key) {
   key.name = name;
   key.presence = presence;
   return key;
 }
 
-/// The first of two keys of which one is to be given, unless the second counts.
+/// The first of two alternative keys, required unless the second is given.
 Key first_key(Key first, const Key& second, bool second_counts) {
   first.stand_in = second.name;
   return second_counts ? optional_key(first) : first;
 }
 
-/// @param contradicted  a list or table that is given as well, if any
-/// @param other         key of what the file has in place of it
+/// @param contradicted  a list or table that is also given, if any
+/// @param other         key that the file replaces
 void read_file(ReadingLog& log, const std::string& path, const toml::node& node, std::string_view contradicted,
                const std::string& other, const std::function<void(const std::string&)>& read) {
   std::string name;
@@ -69,7 +69,7 @@ std::string TableReader::path_of(std::string_view name) const {
   return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
 }
 
-/// The value of the key and its path: its own, or that of the key whose value it takes. Null if there is none.
+/// The value of the key and its path: its own, or that of the key it defaults to. Null if absent.
 std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
   known_.emplace_back(key.name);
   const std::string path = path_of(key.name);
@@ -90,7 +90,7 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
   return {nullptr, path};
 }
 
-/// Equally spaced values from one to another, both of them included; none where something is wrong with them.
+/// Equally spaced values including both ends; none if the range is invalid.
 void TableReader::range(const Key& key, const toml::table& ends, const std::string& path, std::vector<double>& values) {
   std::optional<double> from;
   std::optional<double> to;
@@ -116,7 +116,7 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
   double spaces = counted ? points - 1.0 : span == 0.0 ? 0.0 : *step == 0.0 ? -1.0 : span / *step;
   const std::string last = path + (counted ? ".points" : ".step");
   if (!counted && std::abs(spaces - std::round(spaces)) <= step_rounding) spaces = std::round(spaces);
-  if (!(spaces >= 0.0)) {  // nor is what is not finite
+  if (!(spaces >= 0.0)) {  // also rejects NaN
     return refuse(last, counted ? "is not a valid number of values" : "does not lead to the last value",
                   counted ? "give a whole number from 2 on" : "give a step from the first value to the last");
   }
@@ -148,7 +148,7 @@ void TableReader::graded(const Key& key, const toml::table& ends, const std::str
 void TableReader::value(const Key& key, Value value) {
   const auto [node, path] = find(key);
   if (node == nullptr) return;
-  if (key.any_dimension && node->is_string()) return;  // what names the other key has the error
+  if (key.any_dimension && node->is_string()) return;  // the error belongs to the key that names it
   const auto* dimension = std::get_if<PerBump*>(&value);
   if (dimension != nullptr && node->is_table()) return graded(key, *node->as_table(), path, **dimension);
   const auto* list = std::get_if<std::vector<double>*>(&value);
@@ -224,7 +224,7 @@ void TableReader::once_or_each(const Key& once, std::initializer_list<std::pair<
   }
 }
 
-/// Of two keys of which one is to be given, and the first is missed where none is.
+/// Whether the second of two alternative keys is given; if neither is, the first is reported missing.
 bool TableReader::second_counts(const Key& first, const Key& second) {
   if (!has(first) || !has(second)) return has(second);
   const toml::node& node = *table_.get(first.name);
@@ -298,7 +298,7 @@ void TableReader::tables(const Key& key, std::size_t /*count*/,
     describe(reader, i);
     reader.finish();
   };
-  if (node->is_table()) return read(*node->as_table(), 0);  // one alone is written as other tables are
+  if (node->is_table()) return read(*node->as_table(), 0);  // a single table may also be written as a plain table
   const auto* list = node->as_array();
   if (list == nullptr || (!list->empty() && !list->is_homogeneous<toml::table>())) {
     return log_.fault(path, is_where(*node, "a list of tables"),
@@ -333,12 +333,12 @@ void TableReader::table(const Key& key, bool /*given*/, const std::function<void
   reader.finish();
 }
 
-/// Suggestions for an unknown key: a similar one here, or one of another table.
+/// Suggests for an unknown key a similar one here, or one of another table.
 std::string TableReader::advice_on_unknown(const std::string& name, const toml::node& node) const {
   const std::vector<std::string> paths = key_paths();
   std::vector<std::string> keys = keys_with_words(name + key_set_in(node), paths);
   const auto nearest = nearest_name(name, known_);
-  // Outside all tables its table is more likely missing.
+  // Outside all tables, a missing table header is more likely.
   if (nearest && (keys.empty() || !path_.empty())) return did_you_mean({*nearest});
   if (keys.empty()) keys = keys_near(name, paths);
   return keys.empty() ? fmt::format("known here: {}", fmt::join(known_, ", ")) : did_you_mean(keys);

@@ -10,11 +10,11 @@
 
 namespace bumpfoil {
 
-/// Reads the values of a table, and of those inside it, from a case file. Errors go into the log; the requested value
-/// is then unchanged.
+/// Reads the values of a table, and of those inside it, from a case file. Errors go to the log and leave the value
+/// unchanged.
 class TableReader final : public CaseVisitor {
  public:
-  /// Of the root. Log and document must outlive it.
+  /// Reader of the root table. Log and document must outlive it.
   TableReader(ReadingLog& log, const toml::table& root) : log_(log), root_(root), table_(root) {}
 
   void value(const Key& key, Value value) override;
@@ -52,7 +52,7 @@ class TableReader final : public CaseVisitor {
   const toml::table& root_;
   const toml::table& table_;
   std::string path_{};
-  bool inherits_{};  ///< what is not given has its value already
+  bool inherits_{};  ///< missing values are already set by inheritance
   std::vector<std::string> known_{};
 };
 

@@ -15,11 +15,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Keys with more parts than this are not in use, and tables nested a hundred thousand deep would exhaust the stack of
-/// the parser. (It limits the nesting of arrays and inline tables itself.)
+/// Maximum number of parts of a key: valid keys have fewer, and tables nested a hundred thousand deep would exhaust the
+/// parser's stack. (It limits the nesting of arrays and inline tables itself.)
 constexpr int most_key_parts = 16;
 
-/// Line of a key with too many parts, if there is one. Dots are counted outside strings and comments; numbers have one.
+/// Line of a key with too many parts, if any. Dots outside strings and comments are counted; numbers have one.
 std::optional<std::size_t> find_deep_key(std::string_view text) {
   std::size_t line = 1;
   int parts = 1;
@@ -95,7 +95,7 @@ bool is_bare_key(std::string_view key) {
 struct KeyPart {
   std::string text;
   std::string name;
-  std::size_t number{};  ///< of a table of a list, from 1; 0 where it is not counted
+  std::size_t number{};  ///< in a list of tables, from 1; 0 without a number
 };
 
 std::optional<KeyPart> read_part(std::string_view text) {
@@ -109,7 +109,7 @@ std::optional<KeyPart> read_part(std::string_view text) {
   return part;
 }
 
-/// The parts of a key; empty if one of them is no bare key, with or without a number, or there are too many.
+/// The parts of a key; empty if a part is not a bare key, with or without a number, or there are too many.
 std::vector<KeyPart> split_key(std::string_view key) {
   std::vector<KeyPart> parts;
   while (static_cast<int>(parts.size()) < most_key_parts) {
@@ -123,8 +123,8 @@ std::vector<KeyPart> split_key(std::string_view key) {
   return {};
 }
 
-/// The table that a part of a key names, made where there is none. A table that stands alone is the first of its list.
-/// @throws Error (input) if the part names none
+/// The table named by a part of a key, created if necessary. A plain table is the first of its list.
+/// @throws Error (input) if the part does not name a table
 toml::table& table_of(toml::table& outer, const KeyPart& part, const std::string& argument) {
   toml::node* child = outer.get(part.name);
   if (child == nullptr && part.number <= 1) child = &outer.insert(part.name, toml::table{}).first->second;
@@ -155,7 +155,7 @@ std::optional<toml::table> parse_single(const std::string& value) {
   return std::nullopt;
 }
 
-/// Whether the text is a number as a whole, but none that `Number` holds.
+/// Whether the entire text is a number, but out of range for `Number`.
 template <typename Number>
 bool is_beyond(std::string_view text) {
   Number number{};

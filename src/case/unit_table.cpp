@@ -75,7 +75,7 @@ struct Spelling {
   std::string_view to;
 };
 
-/// Signs beyond ASCII that stand for others: micro, mu, the dot of products, and exponents.
+/// Non-ASCII characters with plain equivalents: micro, mu, product dots, and exponents.
 constexpr auto plain_spellings = std::to_array<Spelling>({
     {"\u00b5", "u"},
     {"\u03bc", "u"},
@@ -94,7 +94,7 @@ std::string plainly_spelt(std::string text) {
   return text;
 }
 
-/// Whether a word is one of a list, which blanks set off.
+/// Whether a word is in a list separated by blanks.
 bool is_among(std::string_view list, std::string_view word) {
   while (!list.empty()) {
     const std::string_view first = list.substr(0, list.find(' '));
@@ -104,7 +104,7 @@ bool is_among(std::string_view list, std::string_view word) {
   return false;
 }
 
-/// @param small  the word in small letters
+/// @param small  the word in lower case
 const KnownUnit* find_unit(std::string_view word, std::string_view small) {
   const std::string_view one = small.ends_with('s') ? small.substr(0, small.size() - 1) : small;
   for (const KnownUnit& unit : known_units()) {
@@ -143,7 +143,7 @@ class UnitParser {
 
   std::optional<UnitMeaning> product() {
     skip_blanks();
-    // No other numbers stand in units.
+    // No other numbers are allowed in units.
     const bool inverse = rest_.starts_with("1/") && takes("1");
     std::optional<UnitMeaning> unit = inverse ? UnitMeaning{.scale = 1.0} : factor();
     for (bool apart = skip_blanks(); unit && !rest_.empty() && rest_.front() != ')'; apart = skip_blanks()) {
@@ -158,7 +158,7 @@ class UnitParser {
   }
 
  private:
-  /// A unit with its exponent, or a product in brackets.
+  /// A unit with its exponent, or a bracketed product.
   std::optional<UnitMeaning> factor() {
     if (takes("(")) {
       const std::optional<UnitMeaning> inner = product();

@@ -45,7 +45,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::damping, "a damping", "N s/m", "\"200 N s/m\""},
 };
 
-/// Longer texts are no quantities; the grammar of units recurses.
+/// Longer texts are rejected: the unit grammar recurses.
 constexpr std::size_t longest_quantity = 64;
 
 const DimensionText& text_of(Dimension dimension) {
@@ -65,13 +65,13 @@ bool counts_radians(const UnitMeaning& unit) {
 
 bool measures(const UnitMeaning& unit, Dimension dimension) {
   UnitPowers due = powers_of(dimension);
-  // A frequency counts radians or, by its name, turns.
+  // A frequency counts radians or, depending on its name, turns.
   if (dimension == Dimension::frequency && !counts_radians(unit)) due[radian] = 0;
   return unit.powers == due;
 }
 
-/// Numbers that are separated ("1 000 mm", "31,8 um") and broken exponents ("mm^1.5") get their own messages. Digits
-/// are exponents here: they follow a letter, a sign or another digit.
+/// Numbers with separators ("1 000 mm", "31,8 um") and fractional exponents ("mm^1.5") get their own messages. Other
+/// digits are exponents: they follow a letter, a sign or another digit.
 bool has_stray_digits(std::string_view unit) {
   for (std::size_t i = 0; i < unit.size(); ++i) {
     const bool digit = unit[i] >= '0' && unit[i] <= '9';
@@ -82,12 +82,12 @@ bool has_stray_digits(std::string_view unit) {
   return false;
 }
 
-/// Turns, or parts of them, by their name: a hertz is 1/s, and what is counted per minute are revolutions.
+/// Whether a unit's name implies turns or parts of them: a hertz is 1/s, and units per minute count revolutions.
 bool counts_turns(std::string_view unit) {
   return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.find("min") != std::string_view::npos;
 }
 
-/// Dividing by 1e6 gives the double nearest to the decimal fraction where multiplying by 1e-6 may miss it.
+/// Division by 1e6 yields the double nearest to the decimal fraction; multiplication by 1e-6 may not.
 double scaled(double number, double scale) {
   const double divisor = std::round(1.0 / scale);
   return divisor > 1.0 && std::abs(divisor * scale - 1.0) < 1e-14 ? number / divisor : number * scale;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array axis_names{NamedNumber{"+X", 0.0}, NamedNumber{"+Y", 0.5 * std::numbers::pi},
                                 NamedNumber{"-X", std::numbers::pi}, NamedNumber{"-Y", 1.5 * std::numbers::pi}};
 
-/// Of bearings and their parts, m.
+/// Plausible upper limit of lengths of bearings, m.
 constexpr double likely_length = 0.3;
 
 std::string_view kind_of(const toml::node& node) {
@@ -62,7 +62,7 @@ constexpr Dimension dimension_of(Control control) {
 }  // namespace
 
 std::string is_where(const toml::node& node, std::string_view due) {
-  // A value on the command line that is not TOML is a string, which its author need not know.
+  // A value on the command line that is not TOML is an implicit string: messages do not call it one.
   if (node.is_string() && is_override(node)) return fmt::format("is not {}", due);
   return fmt::format("is {}, expected {}", kind_of(node), due);
 }

@@ -14,13 +14,13 @@
 
 namespace bumpfoil {
 
-/// A word that stands for a number.
+/// A word for a number.
 using NamedNumber = std::pair<std::string_view, double>;
 
-/// Maximum number of texts of a list.
+/// Maximum number of texts in a list.
 inline constexpr int most_texts = 1000;
 
-/// Error of a node whose type is not the expected one, "a list".
+/// Error of a node whose type differs from the expected one, "a list".
 std::string is_where(const toml::node& node, std::string_view due);
 
 /// Reads the content of a key into its value; errors go into the log.
@@ -29,7 +29,7 @@ struct ValueReader {
   const std::string& path;
   const toml::node& node;
   std::optional<Dimension> dimension{};
-  std::string alternatives{};  ///< what else may be written
+  std::string alternatives{};  ///< alternatives to mention in messages
 
   void operator()(std::string* value) const;
   void operator()(bool* value) const;
@@ -39,13 +39,13 @@ struct ValueReader {
   void operator()(PerBump* value) const;
   void operator()(FormedRadius* value) const;
 
-  /// Entries that are faulty become zero.
+  /// Faulty entries become zero.
   void operator()(std::vector<double>* value) const;
 
-  /// Texts in a list, or one alone.
+  /// Texts in a list, or a single one.
   void operator()(std::vector<std::string>* value) const;
 
-  /// A list of angles, in which "+X", "+Y", "-X" and "-Y" stand for theirs.
+  /// A list of angles; "+X", "+Y", "-X" and "-Y" are accepted.
   void directions(std::vector<double>& angles) const;
 
  private:
@@ -53,21 +53,21 @@ struct ValueReader {
   void read_list(std::vector<double>& values, std::span<const NamedNumber> names) const;
 };
 
-/// The kind that the unit of a text implies; absent for a plain number, or a text that is neither.
+/// The kind implied by the unit of a text; absent for a plain number, or a text that is neither.
 std::optional<Control> control_of(const toml::node& node);
 
 /// A length or a force.
 void read_target(ReadingLog& log, const std::string& path, const toml::node& node, Control control, double& value);
 
-/// The two entries of a vector in the X-Y plane; null where it is none, which goes into the log.
+/// The two entries of a vector in the X-Y plane; null if invalid, with an error in the log.
 const toml::array* plane_vector(ReadingLog& log, const std::string& path, const toml::node& node,
                                 std::string_view example);
 
-/// A list of two, along X and Y; absent where it is none.
+/// A list of two entries, along X and Y; absent if invalid.
 std::optional<PlaneTarget> read_place(ReadingLog& log, const std::string& path, const toml::node& node, Control plain,
                                       std::string_view example);
 
-/// A list of such places, all positions or all loads.
+/// A list of such targets, all positions or all loads.
 void read_places(ReadingLog& log, const std::string& path, const toml::node& node, std::string_view example,
                  PathPoints& points);
 

@@ -13,17 +13,18 @@
 namespace bumpfoil {
 namespace {
 
-/// Exchanges that are carried out at once: enough for the matrix to be computed with rather than moved.
+/// Rank-one updates collected before they are applied together, so that the matrix update is limited by arithmetic, not
+/// by memory traffic.
 constexpr Eigen::Index most_pending = 8;
-/// With more coordinates the matrix is too large: its cost goes with their square, that of solves with their number.
+/// Maximum number of coordinates: the cost of the matrix grows with their square, that of linear solves only linearly.
 constexpr Eigen::Index most_coordinates = 200;
-/// Rows and columns come in multiples of this, so that they fill the widest vectors.
+/// Rows and columns are padded to multiples of this, to fill the widest vector registers.
 constexpr Eigen::Index padding = 8;
-/// Where more contacts change at once, as when foils are first touched, the matrix is built anew: exchanges that take
-/// it from a foil that hangs loose to one that is held lose digits.
+/// If more contacts change at once, as at first touch, the matrix is rebuilt: exchanges lose digits on the way from a
+/// loose foil to a held one.
 constexpr int most_changes = 32;
-/// Exchanges after which rates are compared with those of the linear system, and what they may differ by as part of the
-/// largest force and of the largest displacement.
+/// Number of exchanges between comparisons with the rates of the linear system, and the accepted difference relative to
+/// the largest force and to the largest displacement.
 constexpr int exchanges_between_looks = 128;
 constexpr double most_drifted = 1e-9;
 
@@ -31,7 +32,7 @@ Eigen::Index padded(Eigen::Index count) {
   return (count + padding - 1) / padding * padding;
 }
 
-/// target -= factor * numbers, `count` of them, which fill whole vectors.
+/// target -= factor * numbers for `count` entries, a whole number of vectors.
 template <int N>
 BUMPFOIL_ALWAYS_INLINE inline void subtract_multiple(double factor, const double* numbers, Eigen::Index count,
                                                      double* target) {
@@ -91,7 +92,7 @@ bool ContactTableau::find_rates() {
   if (!modes_->set_modes(mode_)) return false;
   modes_->solve(path_rate_, Vector::Zero(problem_.K.rows()), answer_);
   if (!answer_.x.allFinite()) return false;
-  Eigen::Vector2d drift(0.0, 0.0);  // of forces, of displacements
+  Eigen::Vector2d drift(0.0, 0.0);  // in forces and in displacements
   Eigen::Vector2d largest(0.0, 0.0);
   const auto take = [&](Eigen::Index i, double rate, bool is_force) {
     const int kind = is_force ? 0 : 1;
@@ -113,7 +114,7 @@ bool ContactTableau::find_rates() {
   return true;
 }
 
-/// Builds the matrix of given modes anew.
+/// Rebuilds the matrix for given modes.
 bool ContactTableau::restart(const std::vector<ContactMode>& mode) {
   mode_ = mode;
   if (!find_rates()) return false;
@@ -143,14 +144,14 @@ bool ContactTableau::restart(const std::vector<ContactMode>& mode) {
 }
 
 void ContactTableau::carry_out() {
-  // Those that are missing are zero: then the compiler knows how many there are.
+  // Unused rows are zeroed, so that the loop length is a compile-time constant.
   left_.bottomRows(most_pending - pending_).setZero();
   right_.bottomRows(most_pending - pending_).setZero();
   pending_ = 0;
   with_widest_vectors([this](auto lanes) BUMPFOIL_ALWAYS_INLINE {
     constexpr int n = decltype(lanes)::value;
     constexpr int two_vectors = 2 * n;
-    constexpr int together = 4;  // rows of two vectors: their sums and two vectors of `right` fit the registers
+    constexpr int together = 4;  // rows, of two vectors each: their sums and two vectors of `right` fit the registers
     const auto carry_out_in = [this](auto length, Eigen::Index i, Eigen::Index j) BUMPFOIL_ALWAYS_INLINE {
       constexpr int numbers = decltype(length)::value;
       RegisterSums<numbers, together, n> sums;
@@ -188,7 +189,7 @@ void ContactTableau::add_column(Eigen::Index to, Eigen::Index from, double facto
 }
 
 /// Exchanges w_i and z_i.
-/// @return false where that leaves a mechanism
+/// @return false if that leaves a mechanism
 bool ContactTableau::exchange(Eigen::Index i) {
   if (pending_ == most_pending) carry_out();
   double* const u = left_.row(pending_).data();
@@ -229,8 +230,8 @@ bool ContactTableau::exchange(Eigen::Index i) {
   return true;
 }
 
-/// Every change of a contact with friction goes through slipping one way or the other; one from open to sticking and
-/// back through slipping without friction.
+/// A contact with friction changes mode only via slip in one direction; between open and stick it passes through
+/// frictionless slip.
 bool ContactTableau::change(std::size_t contact, ContactMode to) {
   const Place& place = places_[contact];
   const ContactMode from = std::exchange(mode_[contact], to);

@@ -35,25 +35,25 @@ class ContactTableau {
   ContactTableau(const ContactTableau&) = delete;
   ContactTableau& operator=(const ContactTableau&) = delete;
 
-  /// Forgets all modes: what follows is the same to the last bit as after construction.
+  /// Forgets all modes: subsequent results are bit-identical to those after construction.
   void forget() { valid_ = false; }
 
-  /// Takes the rates along another path from now on.
+  /// Sets the path to which subsequent rates refer.
   void set_path(const LoadingPath& path);
 
-  /// Takes other modes.
+  /// Sets the modes.
   /// @return false if they leave a mechanism; then it must be called again before the next rates()
   [[nodiscard]] bool set_modes(const std::vector<ContactMode>& mode);
 
-  /// Rates along the path in the modes that were set last.
+  /// Rates along the path in the current modes.
   [[nodiscard]] const ContactRates& rates();
 
  private:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  /// Rows of whole vectors, none of which straddles two cache lines.
+  /// Rows of whole vectors that never straddle two cache lines.
   using LineMatrix = Eigen::Map<RowMajor, Eigen::Aligned64>;
 
-  /// Where a contact is among the unknowns and the coordinates; -1 is none.
+  /// Position of a contact among the unknowns and the coordinates; -1: none.
   struct Place {
     Eigen::Index plus, minus, tangential;
     double f;
@@ -72,18 +72,18 @@ class ContactTableau {
   std::shared_ptr<ModeSystem> modes_;
   std::vector<Place> places_;  ///< of all contacts
   Eigen::Index coordinates_;
-  Eigen::Index size_;  ///< of rows and columns that fill whole vectors
+  Eigen::Index size_;  ///< of rows and columns, padded to whole vectors
 
   std::vector<ContactMode> mode_;
-  std::vector<std::size_t> changed_;  ///< contacts, by the last call
-  bool valid_{};                      ///< the matrix is that of mode_
-  bool has_rates_{};                  ///< and so are the rates
-  int exchanges_{};                   ///< since the rates were compared with those of the linear system
+  std::vector<std::size_t> changed_;  ///< contacts changed by the last call
+  bool valid_{};                      ///< whether the matrix belongs to mode_
+  bool has_rates_{};                  ///< whether the rates do
+  int exchanges_{};                   ///< since the last comparison with the rates of the linear system
   LineVector numbers_;                ///< of the three matrices below
   LineMatrix T_;                      ///< scaled: T_ij = s_i s_j times this
   Vector scale_;                      ///< s
   Vector rate_;                       ///< w' of the whole path, not scaled
-  Eigen::Index pending_{};            ///< exchanges that are not carried out yet: T - left^T right
+  Eigen::Index pending_{};            ///< exchanges not yet applied: T - left^T right
   LineMatrix left_, right_;
   RowMajor unit_x_, unit_force_;
   ContactLoading path_rate_;

@@ -17,13 +17,13 @@ namespace bumpfoil {
 /// How the normal force of a contact is found from the balance of its block.
 struct Elimination {
   std::size_t site{};   ///< of the problem
-  int owner{};          ///< unknown whose balance gives the normal force
+  int owner{};          ///< unknown whose balance determines the normal force
   double owner_sign{};  ///< of the normal force on the owner
-  int other{-1};        ///< the other unknown the normal force acts on, if any
+  int other{-1};        ///< the other unknown on which the normal force acts, if any
 };
 
-/// Adds the order in which the contacts of a block can be eliminated: each owner is touched by no contact that comes
-/// later. @param first, last  sites of the block
+/// Appends an elimination order of the contacts of a block: no later contact acts on an owner.
+/// @param first, last  sites of the block
 inline void add_elimination_order(const std::vector<ContactSite>& sites, std::size_t first, std::size_t last,
                                   std::vector<Elimination>& order) {
   std::vector<bool> done(last - first, false);
@@ -54,7 +54,7 @@ inline void add_elimination_order(const std::vector<ContactSite>& sites, std::si
   }
 }
 
-/// Block after block, as many entries of each as it has sites.
+/// Elimination order of all blocks, in sequence; each has one entry per site.
 inline std::vector<Elimination> elimination_order(const ContactProblem& problem) {
   const std::vector<std::size_t> first = first_sites(problem);
   std::vector<Elimination> order;
@@ -65,8 +65,7 @@ inline std::vector<Elimination> elimination_order(const ContactProblem& problem)
   return order;
 }
 
-/// SiteCoordinates of a contact, in the order of contacts: a normal one and, with friction, a tangential one behind it;
-/// -1 is none.
+/// SiteCoordinates of a contact, in the order of contacts: normal, then tangential if there is friction; -1: none.
 struct SiteCoordinates {
   Eigen::Index normal, tangential;
 };
@@ -105,7 +104,7 @@ struct Stiffness {
     return x.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
   }
 
-  /// Blocks (b, b-1), (b, b), (b, b+1) side by side; zero where the matrix ends.
+  /// Blocks (b, b-1), (b, b), (b, b+1) side by side; zero beyond the ends of the matrix.
   template <typename Rows>
   void copy_rows(std::size_t b, Rows& rows) const {
     rows.setZero();
@@ -131,7 +130,7 @@ struct Stiffness {
     with_widest_vectors([&](auto) BUMPFOIL_ALWAYS_INLINE {
       const Eigen::Index columns = X.cols();
       const auto add = [&](double factor, Eigen::Index from, double* row) BUMPFOIL_ALWAYS_INLINE {
-        if (factor == 0.0) return;  // as most are
+        if (factor == 0.0) return;  // most factors are zero
         const double* other = X.data() + from * columns;
         for (Eigen::Index c = 0; c < columns; ++c) row[c] += factor * other[c];
       };
@@ -160,7 +159,7 @@ struct Stiffness {
   std::vector<Block> lower;  ///< empty where K is symmetric
 };
 
-/// Common part of systems that eliminate normal forces inside the blocks.
+/// Base of systems that eliminate normal forces inside the blocks.
 template <int B>
 class EliminatedSystem {
  protected:
@@ -188,19 +187,19 @@ class EliminatedSystem {
     }
   }
 
-  /// Those of a block.
+  /// Eliminations of one block.
   [[nodiscard]] std::span<const Elimination> eliminations(std::size_t block) const {
     return std::span(order_).subspan(first_[block], first_[block + 1] - first_[block]);
   }
 
-  /// Reads a normal force off the balance of its owner and takes it off that of the other unknown.
+  /// Determines a normal force from the balance of its owner and subtracts it from that of the other unknown.
   static double carry_normal_force(const Elimination& e, Eigen::Index row, Vector& balance) {
     const double p = e.owner_sign * balance[row + e.owner];
     if (e.other >= 0) balance[row + e.other] += e.owner_sign * p;
     return p;
   }
 
-  /// Hands rows_ over as those of block b.
+  /// Stores rows_ as those of block b.
   void store_rows(std::size_t b) {
     const Eigen::Index n = K_.block_size;
     const int i = static_cast<int>(b);
@@ -218,7 +217,7 @@ class EliminatedSystem {
   Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
 };
 
-/// The block sizes of the foil models get code of their own; any other size works, more slowly.
+/// Fixed-size code for the block sizes of the foil models; other sizes use slower generic code.
 template <template <int> class System, typename Interface>
 std::unique_ptr<Interface> make_for_block_size(const ContactProblem& problem) {
   switch (problem.K.block_size()) {
@@ -226,7 +225,7 @@ std::unique_ptr<Interface> make_for_block_size(const ContactProblem& problem) {
       return std::make_unique<System<6>>(problem);
     case 11:
       return std::make_unique<System<11>>(problem);
-    case 14:  // the truss under a film of eight rows
+    case 14:  // truss under a film of eight rows
       return std::make_unique<System<14>>(problem);
     case 22:  // of sixteen
       return std::make_unique<System<22>>(problem);

@@ -15,15 +15,15 @@
 namespace bumpfoil {
 namespace {
 
-/// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
+/// Maximum number of rounds to settle the modes after one event, and at first touch of unloaded foils.
 constexpr int most_rounds = 10;
 constexpr int most_rounds_at_first_touch = 30;
-/// Rounds right after an event that make_changes() may take in addition to these.
+/// Additional rounds in make_changes() right after an event.
 constexpr int rounds_by_solves = 1;
 constexpr int rounds_by_tableau = 8;
 
-/// Forces that decrease keep the round-off of the larger ones, about 1e-13 of them: how many times larger the forces at
-/// the end of a piece may be than those at its start. States stay exact to 1e-11 then.
+/// Maximum ratio of the forces at the end of a piece to those at its start. Decreasing forces keep the round-off of the
+/// larger ones, about 1e-13 of them: states stay exact to 1e-11.
 constexpr double most_cancellation = 100.0;
 
 }  // namespace
@@ -65,18 +65,18 @@ struct EventFollower::Workspace {
   const ContactProblem& problem;  ///< the shared one
   FollowOptions options;
   std::shared_ptr<ModeSystem> modes;
-  std::unique_ptr<ContactTableau> tableau;  ///< null where rates are found by solves
-  bool by_rates{};                          ///< the target was found with it, from a start that obeys the modes
+  std::unique_ptr<ContactTableau> tableau;  ///< null if rates are found by solves
+  bool by_rates{};                          ///< whether the tableau determined the target
   LoadingPath path;
-  ContactLoading here;  ///< at `reached`
-  double reached{};     ///< fraction of the path that lies behind
+  ContactLoading here;  ///< loading at `reached`
+  double reached{};     ///< completed fraction of the path
   int events_passed{};  ///< on this path
   StraightPiece piece;
-  bool inside_piece{};            ///< the piece leads on from `reached`
+  bool inside_piece{};            ///< whether the piece starts at `reached`
   std::vector<ContactMode> mode;  ///< of the piece, or the guess for the next
-  bool first_touch{};  ///< at `reached` foils that carried nothing are touched: all that touches is tried closed
-  ContactState next;   ///< where the path is halted, or the state before a piece that begins with another
-  ContactState whole;  ///< room for complete()
+  bool first_touch{};             ///< unloaded foils are touched at `reached`: all touching contacts are tried closed
+  ContactState next;   ///< state where the path is halted, or the state before a piece that starts from another
+  ContactState whole;  ///< storage for complete()
   std::vector<Eigen::Index> flipped;  ///< contacts of the last event
   std::vector<ModeChange> changes;
 };
@@ -87,8 +87,8 @@ EventFollower::EventFollower(const SharedProblem& problem, std::shared_ptr<ModeS
 
 EventFollower::~EventFollower() = default;
 
-/// One contact that changes its mode may reverse a whole row of others, which reverse again once its neighbours have
-/// changed theirs. Drops the changes far from the event, unless there are no others.
+/// A mode change of one contact may reverse a whole row of others, which reverse again once its neighbours have
+/// changed. Drops changes far from the event, unless there are no others.
 void EventFollower::Workspace::keep_changes_nearby() {
   const auto block_of = [this](Eigen::Index c) { return problem.sites[static_cast<std::size_t>(c)].block; };
   const auto is_far = [&](const ModeChange& change) {
@@ -99,8 +99,8 @@ void EventFollower::Workspace::keep_changes_nearby() {
   if (far != changes.begin()) changes.erase(far, changes.end());
 }
 
-/// Finds the end of the piece in its modes: by rates from a start that obeys them, by a solve from any other, which is
-/// not part of the piece.
+/// Computes the end of the piece in its modes: by rates if the start obeys them, else by a solve, whose start is not
+/// part of the piece.
 bool EventFollower::Workspace::find_target(SolveCost& cost) {
   if (tableau) {
     piece.set_modes(mode);
@@ -115,8 +115,8 @@ bool EventFollower::Workspace::find_target(SolveCost& cost) {
   return true;
 }
 
-/// Makes all changes. With the tableau, where a change costs about as much as a round, it sticks only the slip that
-/// reverses most: others often keep sliding once that one sticks.
+/// Makes all changes. With the tableau, where a change costs about as much as a round, only the slip with the largest
+/// reversal sticks: others often keep sliding after that.
 void EventFollower::Workspace::make_changes() {
   const ModeChange* turns_most = nullptr;
   for (const ModeChange& change : changes) {
@@ -131,7 +131,7 @@ void EventFollower::Workspace::make_changes() {
   if (turns_most != nullptr) mode[static_cast<std::size_t>(turns_most->contact)] = turns_most->to;
 }
 
-/// Finds the modes of the piece, and where it leads.
+/// Finds the modes of the piece and its target.
 bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   const int rounds_after_event = tableau ? rounds_by_tableau : rounds_by_solves;
@@ -148,11 +148,10 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   }
 }
 
-/// Begins the piece with the exact state of its modes, and leaves the state so far in `next`. They differ where the
-/// response jumps (foils snap), where contacts that lose their last force together did so within round-off, where it
-/// was less than counts as a force, and by the round-off of interpolated values.
-/// @return false where that state contradicts its modes: then it was no jump that these contacts could make, and
-/// nothing has changed
+/// Starts the piece from the exact state of its modes and keeps the previous state in `next`. They differ if the
+/// response jumps (snap-through), if contacts lost their last force together within round-off, if that force was below
+/// the tolerance, and by the round-off of interpolated values.
+/// @return false if that state contradicts its modes: these contacts cannot jump that way; nothing is changed
 bool EventFollower::Workspace::solve_begin(SolveCost& cost) {
   path.at(reached, here);
   bool obeys = solve_modes(*modes, mode, here, piece.begin.x, next, cost);
@@ -165,14 +164,14 @@ bool EventFollower::Workspace::solve_begin(SolveCost& cost) {
   return obeys;
 }
 
-/// Whether the foils are released: from this event on nothing carries a force. The residual force at the event counts
-/// as none, although it can hold a long thin top foil a nanometre off its free position.
+/// Whether the foils are released: no contact carries a force after this event. The residual force at the event is
+/// neglected, although it can hold a long thin top foil a nanometre off its free position.
 bool EventFollower::Workspace::lets_go() const {
   return !tableau && piece.target_force <= piece.force_tolerance && mode != piece.begin.mode;
 }
 
-/// Finds all unknowns of a state reached with the matrix of contacts, which describes contacts only.
-/// @return false if there are none
+/// Completes a state of the contact tableau, which lacks unknowns without contact.
+/// @return false if that fails
 bool EventFollower::Workspace::complete(ContactState& state, SolveCost& cost) {
   path.at(reached, here);
   if (!solve_modes(*modes, state.mode, here, state.x, whole, cost)) return false;
@@ -181,8 +180,8 @@ bool EventFollower::Workspace::complete(ContactState& state, SolveCost& cost) {
 }
 
 /// Records the energy dissipated by the jump from `next` to the start of the piece.
-/// @return false where it gains energy, as no jump does, or where other modes lead on behind it: contacts may have
-/// slipped further than the piece leads
+/// @return false if the jump gains energy, which is impossible, or other modes continue behind it: contacts may have
+///   slipped further than at the start of the piece
 bool EventFollower::Workspace::jump(EventProgress& report) {
   if (!changes.empty()) return false;
   if (tableau && !complete(next, report.cost)) return false;
@@ -192,14 +191,14 @@ bool EventFollower::Workspace::jump(EventProgress& report) {
   return energy.given_off >= -negligible;
 }
 
-/// Settles the modes of the next piece at its start, which is the state reached on the path.
+/// Settles the modes of the next piece at its start, the current state on the path.
 /// @return false if they cannot be determined; the start is unchanged
 bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector<ContactEvent>* events,
                                            EventProgress& report) {
   piece.begin_fraction = reached;
   piece.measure_begin(problem);
   if (!settle_modes(report.cost)) return false;
-  // A state that fits the modes is kept unless a better one fits them too.
+  // Keeps a start that fits the modes unless a better one fits them too.
   const bool fits = by_rates || piece.begin_obeys_modes();
   const bool cancels = piece.target_force > most_cancellation * piece.begin_force;
   const bool solved = (!fits || cancels || lets_go()) && solve_begin(report.cost);
@@ -209,7 +208,7 @@ bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector
     if (tableau) {
       leads_on = find_target(report.cost);
     } else {
-      piece.take_target();  // the same, from another begin
+      piece.take_target();  // the same target from another start
     }
     if (leads_on) piece.look_ahead(changes);
     if (!fits) leads_on = leads_on && jump(report);
@@ -231,7 +230,7 @@ bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector
   return true;
 }
 
-/// Guesses the modes of the next piece from the limits of the last one, which ended where `piece` now starts.
+/// Guesses the modes of the next piece from the limits that ended the last one, at the start of `piece`.
 void EventFollower::Workspace::flip_at_event() {
   flipped.clear();
   for (const ModeLimit& limit : piece.limits) {
@@ -240,7 +239,7 @@ void EventFollower::Workspace::flip_at_event() {
   }
   first_touch = extremes_of(piece.begin.normal_force).most <= piece.force_tolerance;
   if (!first_touch) return;
-  flipped.clear();  // all may have to change
+  flipped.clear();  // any contact may have to change
   for_each_contact(problem, [&](const CoulombContact& contact) {
     ContactMode& m = mode[static_cast<std::size_t>(contact.index)];
     if (m == ContactMode::open && piece.begin.gap[contact.index] <= displacement_tolerance) m = ContactMode::stick;
@@ -270,7 +269,7 @@ EventProgress EventFollower::follow_to(double fraction, ContactState& state, con
   const int events_before = w.events_passed;
   EventProgress report;
   int events_here = 0;
-  const ContactState* halted = &state;  // inside the piece, by the last call
+  const ContactState* halted = &state;  // state inside the piece at the last call
   if (!w.inside_piece) {
     w.piece.begin = state;
     halted = nullptr;
@@ -289,7 +288,7 @@ EventProgress EventFollower::follow_to(double fraction, ContactState& state, con
     if (report.arrived) break;
     std::swap(piece.begin, w.next);
     w.inside_piece = false;
-    // Contacts that keep changing at one point would do so forever.
+    // Contacts that keep changing at one point never settle.
     if (w.events_passed == w.options.max_events || events_here > w.problem.contacts()) break;
     w.flip_at_event();
     ++w.events_passed;

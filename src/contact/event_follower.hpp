@@ -10,16 +10,16 @@ namespace bumpfoil {
 
 /// How far a path was followed.
 struct EventProgress {
-  bool arrived{};             ///< false where the modes after an event could not be found
+  bool arrived{};             ///< false if the modes after an event were not found
   double fraction{};          ///< completed fraction of the path, 0..1
-  int events{};               ///< places where a contact changed its mode on the way
+  int events{};               ///< number of points with mode changes on the way
   double jump_dissipation{};  ///< see FollowReport
   SolveCost cost;
 };
 
 /// Settings of following.
 struct FollowOptions {
-  int max_events{100000};  ///< places of one path where contacts change their mode
+  int max_events{100000};  ///< number of points with mode changes on one path
   Rates rates{Rates::by_solves};
 };
 
@@ -39,12 +39,12 @@ class EventFollower {
                 const FollowOptions& options = FollowOptions());
   ~EventFollower();
 
-  /// Forgets the paths before: what follows is the same to the last bit as after construction.
+  /// Forgets all previous paths: subsequent results are bit-identical to those after construction.
   void forget();
 
   /// Starts a path, or continues along it with other modes.
   /// @param mode initial modes: those of the state at `start`, or a better guess
-  /// @param start  fraction of the path that lies behind
+  /// @param start  completed fraction of the path
   void set_out(const LoadingPath& path, const std::vector<ContactMode>& mode, double start = 0.0);
 
   /// Continues along the path. If it does not arrive, the path must be restarted with better modes.

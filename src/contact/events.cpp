@@ -19,19 +19,19 @@ namespace {
 /// long enough for its slips and forces to exceed round-off. Grows by a factor if it does not help.
 constexpr double first_probe = 1e-4;
 constexpr double probe_growth = 4.0;
-/// Probes of one call before it is given up: many more than any response needs.
+/// Maximum number of probes per call: many more than any response needs.
 constexpr int most_probes = 1000;
 /// Fraction of the path that counts as a point: a response that is not linear within it is a jump.
 constexpr double shortest_probe = 1e-10;
-/// Forces on a piece are exact to 1e-11 of the largest of them, results are to be to 1e-9: how many times less than the
-/// largest so far forces may be without a second look.
+/// Maximum ratio of the largest force so far to the current forces without another exact solve. Forces on a piece are
+/// exact to 1e-11 of their largest; results are required to 1e-9.
 constexpr double most_fallen = 30.0;
-/// The same where errors of rates have added up.
+/// The same ratio for tableau rates, which accumulate errors.
 constexpr double most_fallen_by_tableau = 3.0;
-/// Energy that a jump may seem to gain, in units of what is negligible: states at its ends are not exact.
+/// Apparent energy gain accepted for a jump, in units of negligible_energy(): its end states are not exact.
 constexpr double most_gained = 100.0;
 
-/// Writes down which contacts have another mode in `to` than in `from`.
+/// Records the contacts whose mode in `to` differs from that in `from`.
 void add_events(const ContactState& from, const ContactState& to, double fraction, std::vector<ContactEvent>& events) {
   for (std::size_t c = 0; c < to.mode.size(); ++c) {
     if (from.mode[c] != to.mode[c]) events.push_back({fraction, static_cast<int>(c), from.mode[c], to.mode[c]});
@@ -65,17 +65,17 @@ class EventStepper final : public PathFollower {
   NewtonSolver newton_;
   double most_fallen_;
   LoadingPath path_;
-  double fraction_{};       ///< of the path that lies behind
-  Vector slip_origin_;      ///< unknowns where the last part of the response began
+  double fraction_{};       ///< completed fraction of the path
+  Vector slip_origin_;      ///< unknowns at the start of the last part of the response
   double largest_force_{};  ///< since the assembly, N
 };
 
 EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes, Rates rates)
     : problem_(problem),
       follower_(problem, modes, {.rates = rates}),
-      newton_(problem, modes, {.max_events = 0}),  // used where following fails
+      newton_(problem, modes, {.max_events = 0}),  // fallback if following fails
       most_fallen_(rates == Rates::by_tableau ? most_fallen_by_tableau : most_fallen) {
-  BUMPFOIL_ASSERT(!problem->law);  // between two events the response would not be linear
+  BUMPFOIL_ASSERT(!problem->law);  // otherwise the response would not be linear between events
 }
 
 SolveReport EventStepper::assemble(const ContactLoading& loading, const ContactState& unstressed, ContactState& state) {
@@ -99,8 +99,8 @@ bool EventStepper::follow_events(double fraction, ContactState& state, const Par
   return followed.arrived;
 }
 
-/// Whether the small increment from `state` to `end` may stand in the response: it is straight, or a jump.
-/// @param is_place  nothing is looked for within it
+/// Whether the small increment from `state` to `end` is acceptable: a straight piece, or a jump.
+/// @param is_place  the increment is too short to be resolved further
 bool EventStepper::stands(const ContactState& state, const ContactState& end, bool is_place,
                           FollowReport& report) const {
   const PieceEnergy energy = piece_energy(*problem_, state, end);
@@ -111,8 +111,8 @@ bool EventStepper::stands(const ContactState& state, const ContactState& end, bo
   return true;
 }
 
-/// Makes a state exact that is not within the bounds. Forces on a piece have the tolerances and the round-off of the
-/// largest of them, which may be too coarse for the small forces at its end.
+/// Solves exactly for a state that violates the bounds. Forces on a piece carry the tolerance and round-off of the
+/// largest of them, which may be too coarse for small forces at its end.
 void EventStepper::settle(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
                           FollowReport& report) {
   const double left = std::max(1.0, extremes_of(state.normal_force).most);  // N, as in ContactResiduals
@@ -155,10 +155,10 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
   const double first = first_probe * (fraction - fraction_);
   double probe = first;
   double shortest = shortest_probe;
-  double bent_until = fraction_;  // the last rejected small increment ended here
+  double bent_until = fraction_;  // end of the last rejected small increment
   ContactState probed;
   Vector probed_from;
-  bool jumped = false;  // the follower would jump again
+  bool jumped = false;  // the follower would repeat its jump
   bool arrived = follow_events(fraction, state, visit, events, report);
   for (int probes = 0; !arrived; ++probes) {
     report.status = Status::no_modes;
@@ -169,7 +169,7 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
     const SolveReport solve = newton_.solve(path_.at(end), state, probed);
     report.cost += solve.cost;
     if (!solve.converged()) {
-      // There is no nearer state: only the next state is known, not the way to it.
+      // There is no nearer state: only the next state is known, not the path to it.
       if (end >= fraction) return;
       shortest = probe = 2.0 * probe;
       continue;
@@ -182,12 +182,12 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
         probe = first;
         continue;
       }
-      // If it jumps and gets no further, another small increment must start after the jump.
+      // If it jumps and gets no further, the next small increment starts after the jump.
       jumped = state.x != probed_from;
       if (jumped) continue;
     }
 
-    // No modes continue from here: take the small increment itself, or a smaller one.
+    // No modes continue from here: accept this small increment or a smaller one.
     const bool is_place = probe <= shortest;
     if (!stands(state, probed, is_place, report)) {
       if (is_place) {

@@ -15,17 +15,17 @@ constexpr double start_stiffness = 0.01;
 /// Previous friction forces are kept this far inside their cone.
 constexpr double start_cone = 0.9;
 
-/// Keeps a previous state that fits its loading exactly off the bounds: there 0/0 would follow. Too small to matter,
-/// and large enough for products of products. m.
+/// Lower bound, m: keeps a previous state that fits its loading exactly off the bounds, to avoid 0/0. Negligible, yet
+/// its products do not underflow.
 constexpr double smallest_length = 1e-50;
 
-/// Friction coefficients below this count as this large where slips are started.
+/// Lower bound of the friction coefficient in the initial slips.
 constexpr double smallest_friction = 1e-15;
 
-/// Mean product, relative to that of the start, below which only round-off changes.
+/// Mean product, relative to the initial one, below which only round-off changes.
 constexpr double smallest_product = 1e-30;
 
-/// Both of a pair tend to zero where their relative changes are within this of -1/2.
+/// Both quantities of a pair tend to zero if their relative changes are within this of -1/2.
 constexpr double trend_band = 0.1;
 
 }  // namespace
@@ -98,7 +98,7 @@ void InteriorPoint::start(const ContactLoading& loading, const ContactState& pre
     const double bound = c.f * c.closing.force;
     const double friction = previous.friction_force[contact.index];
     const double t = std::clamp(friction, -start_cone * bound, start_cone * bound);
-    // Slips are longer in the ratio of normal force to margins: all products start equal.
+    // Slips scale with normal force over margin, so that all initial products are equal.
     const double slip = length / std::clamp(c.f, smallest_friction, 1.0);
     c.forward = {.force = bound + t, .length = slip};
     c.backward = {.force = bound - t, .length = slip};
@@ -116,12 +116,12 @@ bool InteriorPoint::step() {
   if (!factor()) return false;
   find_step(0.0, false);
   read_modes();
-  // The predictor shows by how much the products can be reduced now [Mehrotra1992].
+  // The predictor shows how far the products can be reduced in this step [Mehrotra1992].
   const double product = mean_product(0.0);
   const double ratio = std::clamp(mean_product(longest_step(1.0)) / product, 0.0, 1.0);
   find_step(ratio * ratio * ratio * product, true);
   take(std::min(1.0, reach_ * longest_step(1.0 / reach_)));
-  return mean_product(0.0) > smallest_product * first_product_;  // false for what is not a number
+  return mean_product(0.0) > smallest_product * first_product_;  // false for NaN
 }
 
 /// Linearised conditions of the contacts. With w the slip, a = f p + t and b = f p - t, the friction pairs give
@@ -147,14 +147,14 @@ bool InteriorPoint::factor() {
 }
 
 /// Newton step to products of size `target`.
-/// @param correct  take off the second-order part of the last step
+/// @param correct  subtract the second-order part of the last step
 void InteriorPoint::find_step(double target, bool correct) {
   dx_ = remaining_ * imbalance_;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     Contact& c = contacts_[i];
     const auto contact = static_cast<Eigen::Index>(i);
     for_each_pair(c, [&](ComplementaryPair& pair) { pair.aim(target, correct); });
-    // The factors of the conditions hold their scales.
+    // The scales are part of the factored conditions.
     dp_[contact] =
         soft_[i].normal_force * c.closing.deficit / c.closing.length - soft_[i].gap * remaining_ * c.gap_residual;
     if (c.f == 0.0) continue;
@@ -164,8 +164,7 @@ void InteriorPoint::find_step(double target, bool correct) {
   ++solves_;
   for_each_contact(*problem_, [&](const CoulombContact& contact) {
     Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
-    // Not the force that the system has, which is a difference of large ones: from the product it is accurate however
-    // small.
+    // The system's force is a difference of large ones; from the product it is accurate however small.
     c.closing.length_step = contact.gap(dx_) + remaining_ * c.gap_residual;
     c.closing.take_force_from_length();
     if (c.f > 0.0) read_friction_step(c, contact.tangential(dx_), dt_[contact.index]);
@@ -178,7 +177,7 @@ void InteriorPoint::read_friction_step(Contact& c, double slip_step, double fric
   const double forward = c.forward.length * c.backward.force;
   const double backward = c.backward.length * c.forward.force;
   const double margins = c.forward.force * c.backward.force;
-  if (stiffness_ * (forward + backward) < margins) {  // sticks
+  if (stiffness_ * (forward + backward) < margins) {  // stick
     c.forward.force_step = bound_step + friction_step;
     c.backward.force_step = bound_step - friction_step;
     c.forward.take_length_from_force();
@@ -199,8 +198,7 @@ void InteriorPoint::read_friction_step(Contact& c, double slip_step, double fric
   other.force_step = 2.0 * bound_step - slipping.force_step;
 }
 
-/// Modes that a step to products of zero heads for. Contacts that may have either of two keep that of the last
-/// increment.
+/// Modes indicated by a step to zero products. Contacts that admit two modes keep that of the last increment.
 void InteriorPoint::read_modes() {
   changed_modes_ = 0;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -246,7 +244,7 @@ void InteriorPoint::take(double fraction) {
   for (Contact& c : contacts_) {
     for_each_pair(c, [&](ComplementaryPair& pair) { pair.take(fraction); });
     if (c.f == 0.0) continue;
-    // Keeps the sum of the margins at 2 f p where p has fallen by orders of magnitude.
+    // Keeps the sum of the margins at 2 f p if p has fallen by orders of magnitude.
     ComplementaryPair& smaller = c.forward.force < c.backward.force ? c.forward : c.backward;
     ComplementaryPair& larger = c.forward.force < c.backward.force ? c.backward : c.forward;
     larger.force = 2.0 * c.f * c.closing.force - smaller.force;

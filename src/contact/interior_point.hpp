@@ -18,7 +18,7 @@ struct ComplementaryPair {
   [[nodiscard]] double product(double fraction) const {
     return (force + fraction * force_step) * (length + fraction * length_step);
   }
-  /// Prepares a step to the product `target`; with the last step its second-order part is taken off.
+  /// Prepares a step to the product `target`; `correct` subtracts the second-order part of the last step.
   void aim(double target, bool correct) {
     deficit = target - force * length - (correct ? force_step * length_step : 0.0);
   }
@@ -27,8 +27,8 @@ struct ComplementaryPair {
   /// Largest fraction of the step, up to `fraction`, that keeps both positive.
   [[nodiscard]] double longest(double fraction) const;
   void take(double fraction);
-  /// Whether a step to the product 0 takes the force away (> 0) or the length (< 0); 0 where it takes both, as of a
-  /// contact that touches without force. The relative changes add up to -1 [ElBakry1994].
+  /// Whether a step to the product 0 removes the force (> 0) or the length (< 0); 0 if both, as for a contact that
+  /// touches without force. The relative changes add up to -1 [ElBakry1994].
   [[nodiscard]] int trend() const;
 };
 
@@ -49,19 +49,19 @@ class InteriorPoint {
  public:
   explicit InteriorPoint(const SharedProblem& problem);
 
-  /// Takes another K of the same form. start must follow.
+  /// Replaces K by one of the same form. start must follow.
   void set_elasticity(const BlockTridiagonal& K) { system_->set_elasticity(K); }
 
-  /// Starts from the state of the last increment, pushed off the bounds.
-  /// @param spread  how far, in units of how badly that state fits `loading`: 1, a tenth of that or ten times
-  /// @param reach   fraction to the boundary: part of the way to the first bound that a step may take, < 1
+  /// Starts from the state of the last increment, moved off the bounds.
+  /// @param spread  distance, in units of the misfit of that state with `loading`: 1, a tenth of that or ten times
+  /// @param reach   fraction to the boundary: part of the distance to the first bound that a step may take, < 1
   void start(const ContactLoading& loading, const ContactState& previous, double spread, double reach);
 
-  /// Takes one step: one factorisation, two solves; none where the system is singular.
-  /// @return false once nothing is gained any more, or the system was singular
+  /// Takes one step: one factorisation, two solves; none if the system is singular.
+  /// @return false if there is no further progress, or the system was singular
   [[nodiscard]] bool step();
 
-  /// Modes that the last step was heading for.
+  /// Modes indicated by the last step.
   [[nodiscard]] const std::vector<ContactMode>& modes() const { return modes_; }
   /// How many of them the last step changed; 0 before the first.
   [[nodiscard]] int changed_modes() const { return changed_modes_; }
@@ -91,7 +91,7 @@ class InteriorPoint {
 
   SharedProblem problem_;
   std::unique_ptr<SoftContactSystem> system_;
-  double stiffness_{0.0};  ///< N/m, brings conditions of contacts to the size of the balance, so that pivots compare
+  double stiffness_{0.0};  ///< N/m, scales contact conditions to the size of the balance, so that pivots compare
   std::vector<Contact> contacts_;
   std::vector<SoftContact> soft_;
   std::vector<ContactMode> previous_modes_;  ///< of the last increment
@@ -99,7 +99,7 @@ class InteriorPoint {
   int changed_modes_{};
   int solves_{};
   Vector imbalance_;        ///< contact forces + load - K x at the start, N
-  double remaining_{};      ///< part of the residuals of the start that is left
+  double remaining_{};      ///< fraction of the initial residuals that remains
   double reach_{};          ///< see start()
   double first_product_{};  ///< mean product at the start, J
   Vector dx_, dp_, dt_;

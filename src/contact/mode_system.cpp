@@ -62,7 +62,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
       const ContactMode mode = mode_[e.site];
       if (mode == ContactMode::open) return;
-      // Minus the part of the normal force that the loads carry, moved through the rows as in assemble_block.
+      // Minus the load part of the normal force, moved through the rows as in assemble_block.
       const double p = carry_normal_force(e, row, rhs_);
       if (!is_frictionless(site)) {
         if (mode == ContactMode::stick) {
@@ -83,9 +83,9 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     const std::vector<SiteCoordinates> coordinates = coordinates_of(sites_);
     const Eigen::Index count = coordinate_count(sites_);
     const Eigen::Index n = K_.block_size;
-    // Of a block: its loads and forces have no others.
+    // Index range of a block: loads and forces act within their block only.
     const auto begin_of = [&](std::size_t site) { return site < sites_.size() ? coordinates[site].normal : count; };
-    // Loads first, carried through the rows as in solve().
+    // Loads first, moved through the rows as in solve().
     RowMajor& load = unit_loads_;
     load.setZero(std::ssize(K_.diagonal) * n, count);
     for (std::size_t c = 0; c < sites_.size(); ++c) {
@@ -159,8 +159,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
       const ContactMode m = mode[e.site];
       if (m == ContactMode::open) continue;
       const ContactSite& site = sites_[e.site];
-      // The balance of the owner reads (row) x - load = owner_sign * p; the force on the other unknown is -owner_sign
-      // p.
+      // The balance of the owner reads (row) x - load = owner_sign * p; the other unknown bears -owner_sign p.
       if (e.other >= 0) rows_.row(e.other) += rows_.row(e.owner);
       if (!is_frictionless(site)) {
         if (m == ContactMode::stick) {

@@ -17,18 +17,18 @@
 namespace bumpfoil {
 namespace {
 
-/// Rounds of mode changes after the interior point, while it still moves and once it has ended. In a long foil fronts
-/// of wrong modes remain then, with forces of 1e-11 of the largest, that travel contact by contact until they meet one
-/// that is loaded: in frames of 10,000 bumps over up to 500 of them.
+/// Rounds of mode changes during the interior-point iteration and after it. In a long foil, fronts of wrong modes
+/// remain then, with forces of 1e-11 of the largest, that move contact by contact to the next loaded one: across up to
+/// 500 of them in frames of 10,000 bumps.
 constexpr int rounds_on_the_way = 3;
 constexpr int rounds_at_the_end = 30;
 constexpr int blocks_per_round_at_the_end = 20;
-/// Contacts per one that contradicts the modes of the interior point: where there are more on the way, these are not
-/// the modes that it will end with.
+/// Number of contacts per accepted contradiction of the interior-point modes: with more contradictions, these modes are
+/// not final.
 constexpr int contacts_per_contradiction = 10;
 
-/// Where the interior point starts and how close to the bounds its steps go, see InteriorPoint::start(). Below friction
-/// coefficients of 0.5 the first has always sufficed; above, steps may oscillate, and shorter ones from another start
+/// Start of the interior point and its fraction to the boundary, see InteriorPoint::start(). For friction coefficients
+/// below 0.5 the first entry has always sufficed; above, steps may oscillate, and shorter steps from another start
 /// nearly always converge.
 struct InteriorStart {
   double spread, reach;
@@ -40,7 +40,7 @@ constexpr InteriorStart interior_starts[] = {{1.0, 0.995}, {0.1, 0.5}, {10.0, 0.
 /// The solution of one increment.
 struct NewtonSolver::Task {
   const ContactLoading& loading;
-  const ContactState& previous;  ///< friction refers to it
+  const ContactState& previous;  ///< reference of friction
   ContactState& state;           ///< the last iterate
   SolveCost& cost;
 };
@@ -74,14 +74,14 @@ struct NewtonSolver::Workspace {
   SharedProblem shared_problem;
   const ContactProblem& problem;  ///< the shared one
   NewtonOptions options;
-  std::shared_ptr<ModeSystem> modes;  ///< shared with the follower, whose last factors are often the ones needed
+  std::shared_ptr<ModeSystem> modes;  ///< shared with the follower, whose last factors are often reusable
   EventFollower follower;
   InteriorPoint interior;
   WorstOfRuns worst_of_runs;
 
   std::vector<ContactMode> trial;
   std::vector<ModeChange> changes;
-  std::ptrdiff_t first_contradictions{};  ///< contacts that contradicted the first modes tried; no end if those failed
+  std::ptrdiff_t first_contradictions{};  ///< contradictions of the first modes tried; infinite if those failed
   LoadingPath path;
   ContactState path_end;
 };
@@ -103,7 +103,7 @@ void NewtonSolver::set_elasticity(const BlockTridiagonal& K) {
 }
 
 SolveReport NewtonSolver::solve(const ContactLoading& loading, const ContactState& previous, ContactState& state) {
-  BUMPFOIL_ASSERT(&state != &previous);  // friction refers to `previous` throughout
+  BUMPFOIL_ASSERT(&state != &previous);  // reference of friction throughout
   Workspace& w = *workspace_;
   SolveReport report;
   const Task task{loading, previous, state, report.cost};
@@ -156,7 +156,7 @@ Status NewtonSolver::Workspace::solve_law(const Task& task) {
   return Status::no_tangent;
 }
 
-/// Collects the contacts whose inequalities `state`, solved for its modes, does not obey.
+/// Collects the contacts whose inequalities are violated by `state`, the solution for its modes.
 void NewtonSolver::Workspace::find_changes(const ContactState& previous, const ContactState& state) {
   const double largest = std::max(problem.least_reference_force(), state.normal_force.maxCoeff());
   const double force_tolerance = options.force_tolerance * largest;
@@ -170,7 +170,7 @@ void NewtonSolver::Workspace::find_changes(const ContactState& previous, const C
 }
 
 /// Exact solve for the modes in `trial`; collects the contacts that contradict them.
-/// @return false if there is no such state
+/// @return false if no such state exists
 bool NewtonSolver::Workspace::try_modes(const Task& task) {
   changes.clear();
   if (!solve_modes(*modes, trial, task.loading, task.previous.x, task.state, task.cost)) return false;
@@ -178,7 +178,7 @@ bool NewtonSolver::Workspace::try_modes(const Task& task) {
   return true;
 }
 
-/// Exact solves from the modes in `trial`, until no contact contradicts its mode or the rounds are spent.
+/// Exact solves from the modes in `trial`, until no contact contradicts its mode or the rounds are used up.
 bool NewtonSolver::Workspace::iterate_modes(const Task& task) {
   PivotingRule rule(options.max_mode_updates);
   first_contradictions = std::numeric_limits<std::ptrdiff_t>::max();
@@ -190,8 +190,8 @@ bool NewtonSolver::Workspace::iterate_modes(const Task& task) {
   return false;
 }
 
-/// The same with fewer changes per round, for modes that are right except for round-off and small forces.
-/// @param most_contradictions  contacts that may contradict their modes before it is given up
+/// The same with fewer changes per round, for modes that are correct except for round-off and small forces.
+/// @param most_contradictions  it gives up with more contradictions
 bool NewtonSolver::Workspace::settle_runs(const Task& task, int rounds, std::ptrdiff_t most_contradictions) {
   while (try_modes(task)) {
     if (changes.empty()) return true;
@@ -201,9 +201,9 @@ bool NewtonSolver::Workspace::settle_runs(const Task& task, int rounds, std::ptr
   return false;
 }
 
-/// Modes at the end of the event-by-event path as a guess: the increment differs from the path only where a contact
-/// slips to and fro on the way. Only where few contacts contradict the modes of the last increment: an event changes
-/// one of them.
+/// Guesses the modes at the end of the event-by-event path: the increment differs from the path only if a contact
+/// reverses its slip on the way. Used only if few contacts contradict the modes of the last increment, as each event
+/// changes one.
 bool NewtonSolver::Workspace::follow_events(const Task& task) {
   if (first_contradictions > options.max_events) return false;
   path_end = task.previous;
@@ -220,7 +220,7 @@ bool NewtonSolver::Workspace::follow_events(const Task& task) {
 /// Modes shown by the iterates of the interior-point method, tried whenever they have settled.
 bool NewtonSolver::Workspace::interior_point(const Task& task, const InteriorStart& start) {
   interior.start(task.loading, task.previous, start.spread, start.reach);
-  bool tried = true;  // the modes of the last increment, which the interior point begins with
+  bool tried = true;  // the modes of the last increment, with which the interior point starts
   bool moves = true;
   for (int i = 0; i < options.max_interior_steps && moves; ++i) {
     moves = interior.step();

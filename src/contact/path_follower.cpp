@@ -32,7 +32,7 @@ class IncrementFollower final : public PathFollower {
   }
 
  private:
-  /// From `reached_` to `fraction`, in halves where it must be.
+  /// From `reached_` to `fraction`, halved if necessary.
   void take(double fraction, int halvings, ContactState& state, const PartVisitor& visit, FollowReport& report) {
     path_.at(fraction, loading_);
     const SolveReport solve = solver_->solve(loading_, state, next_);

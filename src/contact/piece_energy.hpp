@@ -4,13 +4,12 @@
 
 namespace bumpfoil {
 
-/// Energies of a piece of the response: between two states in balance, with loading and contact forces p, t that change
-/// linearly from one to the other. With W the work of all that drives the problem, E = x'K x / 2 and the slips dw,
-///
-///     given_off = W - (E_end - E_begin) = - sum of p dg + t dw,    friction = sum of f p |dw|,    p and t halfway
+/// Energies of a piece of the response: between two equilibrium states, with loading and contact forces p, t that vary
+/// linearly in between. With W the external work, E = x'K x / 2 and the slips dw,
+/// |     given_off = W - (E_end - E_begin) = - sum of p dg + t dw,    friction = sum of f p |dw|,    p and t halfway
 struct PieceEnergy {
-  double given_off{};  ///< by the elastic bodies and what drives them, J
-  double friction{};   ///< what Coulomb friction dissipates where contacts slip throughout, J
+  double given_off{};  ///< energy released by the elastic bodies and their drive, J
+  double friction{};   ///< dissipated by Coulomb friction if contacts slip throughout, J
 
   /// Zero to round-off if no contact changes its mode on the way; otherwise a measure of the nonlinearity of the
   /// response there or, at constant loading, of a jump, J.
@@ -20,8 +19,8 @@ struct PieceEnergy {
 /// Only for linear elastic forces.
 PieceEnergy piece_energy(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
 
-/// Energies up to this size are within round-off and tolerances of the two states, J: 1e-11 of the elastic energy, or
-/// what the largest contact force does on 1e-14 m.
+/// Energy within round-off and tolerances of the two states, J: 1e-11 of the elastic energy, or the work of the largest
+/// contact force over 1e-14 m.
 double negligible_energy(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
 
 }  // namespace bumpfoil

@@ -14,9 +14,9 @@
 
 namespace bumpfoil {
 
-/// Calls visit(contact) for the contacts whose modes differ, in their order, until it returns false. Most do not: eight
+/// Calls visit(contact) for each contact whose modes differ, in order, until it returns false. Most modes agree: eight
 /// are compared at once.
-/// @return whether none returned false
+/// @return whether no call returned false
 template <typename Visitor>
 bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<ContactMode>& b, Visitor&& visit) {
   static_assert(sizeof(ContactMode) == 1);
@@ -39,7 +39,7 @@ bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<Co
   return true;
 }
 
-/// Quantities of one contact to check once the system is solved for its mode.
+/// Quantities of one contact to check after a solve for its mode.
 struct ContactTrial {
   double gap{};       ///< m
   double normal{};    ///< N
@@ -55,9 +55,9 @@ inline ContactTrial trial_of(const CoulombContact& contact, const ContactState& 
           .slip = contact.tangential(state.x) - contact.tangential(previous_x)};
 }
 
-/// Solves for the unknowns and contact forces under the modes `mode`, and counts what that costs.
+/// Solves for the unknowns and contact forces under the modes `mode`, and counts the cost.
 /// @param state  result; its storage is reused
-/// @return false if there is no such state
+/// @return false if no such state exists
 [[nodiscard]] inline bool solve_modes(ModeSystem& system, const std::vector<ContactMode>& mode,
                                       const ContactLoading& loading, const Vector& previous_x, ContactState& state,
                                       SolveCost& cost) {
@@ -91,20 +91,20 @@ inline ContactMode next_mode(ContactMode mode, double f, const ContactTrial& tri
   return trial.normal < -force_tolerance ? ContactMode::open : mode;
 }
 
-/// A contact whose solution contradicts its mode, and the mode it should have instead.
+/// A contact whose solution contradicts its mode, and its new mode.
 struct ModeChange {
   Eigen::Index contact{};
   ContactMode to{};
-  double excess{};  ///< by how much the inequality fails: m or N, comparable between changes of the same kind
+  double excess{};  ///< violation of the inequality: m or N, comparable between changes of the same kind
 
   bool operator==(const ModeChange&) const = default;
 };
 
-/// The change that a contact needs, with `to` its own mode if it needs none.
+/// The change that a contact needs; `to` is its own mode if it needs none.
 inline ModeChange judge(Eigen::Index contact, ContactMode mode, double f, const ContactTrial& trial,
                         double length_tolerance, double force_tolerance) {
   const ContactMode to = next_mode(mode, f, trial, length_tolerance, force_tolerance);
-  double excess = std::abs(trial.slip);  // a reversed slip
+  double excess = std::abs(trial.slip);  // slip in the wrong direction
   if (mode == ContactMode::open) {
     excess = -trial.gap;
   } else if (to == ContactMode::open) {
@@ -123,7 +123,7 @@ class PivotingRule {
   explicit PivotingRule(int max_rounds) : rounds_left_(max_rounds) {}
 
   /// Applies to `mode` as many of the proposed changes as the rule allows.
-  /// @return false once the rounds are spent
+  /// @return false once the rounds are used up
   [[nodiscard]] bool apply(const std::vector<ModeChange>& changes, std::vector<ContactMode>& mode) {
     if (rounds_left_-- <= 0) return false;
     if (changes.size() < fewest_) {

@@ -8,7 +8,7 @@
 namespace bumpfoil {
 namespace {
 
-/// max that keeps a NaN, so that a broken state never passes.
+/// max that propagates NaN, so that a broken state never passes.
 void raise(double& largest, double value) {
   if (!(value <= largest)) largest = value;
 }
@@ -20,7 +20,7 @@ ContactResiduals contact_residuals(const ContactProblem& problem, const Vector& 
   const Vector& p = state.normal_force;
   const Vector& t = state.friction_force;
   const double scale = std::max({p.cwiseAbs().maxCoeff(), t.cwiseAbs().maxCoeff(), 1.0});
-  // A force is inside the cone where it stays clear of the bound by more than the force tolerance.
+  // A force is inside the cone if its distance from the bound exceeds the force tolerance.
   const double clear_of_the_bound = 1e-9 * scale;
 
   ContactResiduals residuals;

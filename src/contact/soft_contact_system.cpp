@@ -60,8 +60,8 @@ class SoftContactSystemOf final : public SoftContactSystem, private EliminatedSy
   }
 
  private:
-  /// Rows of block b: the balance of each owner gives dp, that of the tangential unknown dt, and both go into the
-  /// conditions, which take the place of these rows.
+  /// Rows of block b: the balance of each owner yields dp, that of the tangential unknown dt. Both are inserted in the
+  /// contact conditions, which replace these rows.
   void assemble_block(std::size_t b) {
     const Eigen::Index n = K_.block_size;
     K_.copy_rows(b, rows_);

@@ -22,13 +22,13 @@ struct SoftContact {
 };
 
 /// The linear system of a step of an interior-point method: the balance of the unknowns and two linear conditions for
-/// each contact. Forces are eliminated inside the blocks, as in ModeSystem, instead of being replaced by springs: a
-/// contact that is all but closed takes no digits from the stiffness of the foils.
+/// each contact. Forces are eliminated inside the blocks, as in ModeSystem, not replaced by springs: a nearly closed
+/// contact does not degrade the accuracy of the foil stiffness.
 class SoftContactSystem {
  public:
   virtual ~SoftContactSystem() = default;
 
-  /// Takes another K of the same form. set_contacts must follow before the next solve.
+  /// Replaces K by one of the same form. set_contacts must follow before the next solve.
   virtual void set_elasticity(const BlockTridiagonal& K) = 0;
 
   /// Factors the system.

@@ -11,8 +11,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Only contacts that reach a limit within a fraction of the distance to the target are examined: first this many times
-/// the length of the last piece; if none does, that many times farther. Affects speed, not the result.
+/// First screening distance in lengths of the last piece, and the factor by which it grows if no contact reaches a
+/// limit within it. Affects speed, not results.
 constexpr double first_sight = 2.0;
 constexpr double farther_sight = 8.0;
 constexpr double least_sight = 0.01;
@@ -133,10 +133,10 @@ void StraightPiece::take_target() {
   measure_target();
 }
 
-/// A margin that is `now` at the start and negative `then`: the contact changes its mode where it reaches zero.
+/// A margin that is `now` at the start and negative `then`: the contact changes its mode at its zero.
 void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode to) {
   constexpr double above_roundings = 1.0 + 1e-14;
-  if (now > above_roundings * end_part * (now - then)) return;  // most lie beyond, and need no division
+  if (now > above_roundings * end_part * (now - then)) return;  // most limits lie beyond, which needs no division
   const double part = now <= 0.0 ? 0.0 : now / (now - then);
   if (part > end_part) return;
   if (part < end_part) limits.clear();
@@ -144,9 +144,9 @@ void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode t
   limits.push_back({c, to});
 }
 
-/// Fills clear_: positive where a contact neither reaches a limit of its mode within a fraction of the distance to the
-/// target nor may have to change its mode at the start, as contacts without force may. A margin that is zero at the
-/// start and negative at the target is negative in between.
+/// Fills clear_: positive if a contact neither reaches a limit of its mode within a fraction of the distance to the
+/// target nor may change its mode at the start, as contacts without force may. A margin that is zero at the start and
+/// negative at the target is negative in between.
 void StraightPiece::screen(double part) {
   with_widest_vectors([this, part](auto /*lanes*/) BUMPFOIL_ALWAYS_INLINE {
     const double* const f = friction_coefficient_.data();
@@ -203,7 +203,7 @@ void StraightPiece::look_ahead(std::vector<ModeChange>& changes) {
   last_length_ = end_part * way_left;
 }
 
-/// The quantity that look_ahead() checks for contact c.
+/// Check of contact c for look_ahead().
 void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
   const double f = friction_coefficient_[c];
   const ContactMode m = target.mode[static_cast<std::size_t>(c)];
@@ -226,18 +226,18 @@ void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
       if (margin_then >= -force_tolerance) continue;
       const double margin = f * p - side * t;
       limit(c, margin, margin_then, slip_mode(-side));
-      // Free to choose only at its bound, and only if it would leave the cone on that side: the normal force may fall
-      // faster than the friction force.
+      // The mode is free only at the friction bound, and only if the force would leave the cone on that side: the
+      // normal force may fall faster than the friction force.
       const bool on_bound = margin <= force_tolerance && side == std::copysign(1.0, t);
       if (loaded && on_bound) changes.push_back({c, slip_mode(-side), -margin_then});
     }
   }
   if (loaded && m == ContactMode::stick) return;
-  if (loaded) trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
+  if (loaded) trial.normal = std::max(0.0, trial.normal);  // opens later on the way, if at all
   if (change().to != m) changes.push_back(change());
 }
 
-/// Whether the forces and the gap of a contact at the start agree with its mode.
+/// Whether the initial forces and gap of a contact agree with its mode.
 bool StraightPiece::begin_obeys(Eigen::Index c) const {
   const double p = begin.normal_force[c];
   const double t = begin.friction_force[c];

@@ -11,12 +11,12 @@ std::optional<Wedge> strongest_wedge(const ContactProblem& problem) {
   const std::vector<std::size_t> first = first_sites(problem);
   const std::vector<Elimination> order = elimination_order(problem);
   std::optional<Wedge> strongest;
-  double most = 1.0;  // friction coefficient, in units of the one from which on it wedges
+  double most = 1.0;  // friction coefficient, in units of the onset of wedging
   for (std::size_t b = 0; b < problem.K.diagonal.size(); ++b) {
     Matrix rows = problem.K.diagonal[b];
     for (std::size_t i = first[b]; i < first[b + 1]; ++i) {
       const Elimination& e = order[i];
-      // The balance of the owner gives the normal force, and is taken off that of the other unknown.
+      // The balance of the owner yields the normal force, which is subtracted from that of the other unknown.
       if (e.other >= 0) rows.row(e.other) += rows.row(e.owner);
       const ContactSite& site = problem.sites[e.site];
       if (is_frictionless(site)) continue;

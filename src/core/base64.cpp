@@ -13,7 +13,7 @@ constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmno
 
 }  // namespace
 
-/// Written in place: pages contain megabytes of it, and appending character by character took as long as solving four
+/// Written in place: pages contain megabytes of it, and appending single characters took as long as solving four
 /// cycles.
 std::string base64_of(const std::vector<std::uint8_t>& bytes) {
   std::string out((bytes.size() + 2) / 3 * 4, '=');
@@ -37,7 +37,7 @@ std::string base64_of(const std::vector<double>& numbers) {
     const bool known = std::abs(number) <= std::numeric_limits<float>::max();
     const float single = known ? static_cast<float>(number) : std::numeric_limits<float>::quiet_NaN();
     std::uint32_t bits = 0;
-    std::memcpy(&bits, &single, sizeof bits);  // std::bit_cast is younger than the library of Emscripten
+    std::memcpy(&bits, &single, sizeof bits);  // std::bit_cast is missing in the library of Emscripten
     for (const unsigned shift : {0U, 8U, 16U, 24U}) *byte++ = static_cast<std::uint8_t>(bits >> shift);
   }
   return base64_of(bytes);

@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// Base64 of numbers rounded to binary32, little-endian; of a NaN for those that are not finite.
+/// Base64 of numbers rounded to binary32, little-endian; those that are not finite become NaN.
 std::string base64_of(const std::vector<double>& numbers);
 
 std::string base64_of(const std::vector<std::uint8_t>& bytes);

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// y = K x with blocks of a size that the compiler knows: they are too small for products of any size to pay.
+/// y = K x with fixed block sizes: general products are slow for such small blocks.
 template <int B>
 void multiply(const BlockTridiagonal& K, const Vector& x, Vector& y) {
   using Block = Eigen::Map<const Eigen::Matrix<double, B, B>>;

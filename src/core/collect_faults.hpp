@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// Does what may throw an Error, and adds its faults to those of what came before, so that all are told at once.
+/// Runs an action that may throw an Error, and adds its faults to previous ones, so that all are reported at once.
 template <typename Action>
 void collect_faults(std::vector<Fault>& faults, Action&& action) {
   try {

@@ -6,8 +6,8 @@
 
 namespace bumpfoil {
 
-/// Point k of a sequence that fills the unit box evenly: additive recurrence with the powers of the root of
-/// x^(n+1) = x + 1. @param shift  added to each coordinate, modulo 1
+/// Point k of a low-discrepancy sequence in the unit box: additive recurrence with the powers of the root of x^(n+1) =
+/// x + 1. @param shift  added to each coordinate, modulo 1
 inline Eigen::VectorXd even_point(std::size_t k, const Eigen::VectorXd& shift) {
   const auto n = static_cast<double>(shift.size());
   double root = 1.5;

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Longer names are not misspellings of ours, and the comparison is quadratic.
+/// Longer names are no misspellings, and the comparison is quadratic.
 constexpr std::size_t longest_name = 64;
 
 char folded(char c) {

@@ -15,7 +15,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Length of the word that the text begins with, whatever its capitals; 0 if it is another.
+/// Length of the given word at the start of a text, ignoring case; 0 if the text starts otherwise.
 std::size_t length_of(std::string_view word, std::string_view text) {
   const bool same = text.size() >= word.size() &&
                     std::equal(word.begin(), word.end(), text.begin(),
@@ -23,7 +23,7 @@ std::size_t length_of(std::string_view word, std::string_view text) {
   return same ? word.size() : 0;
 }
 
-/// Length of the decimal number that the text begins with: digits with a point among them, and an exponent.
+/// Length of the decimal number at the start of a text: digits with an optional point, and an exponent.
 std::size_t decimal_length(std::string_view text) {
   std::size_t at = 0;
   std::size_t digits = 0;

@@ -19,11 +19,11 @@ constexpr std::array<CodeRange, 9> unprintable{{{0x00, 0x1f},
                                                 {0x200e, 0x200f},
                                                 {0x2028, 0x202e},
                                                 {0x2066, 0x2069},
-                                                {0xd800, 0xdfff},  // halves of pairs: no characters
+                                                {0xd800, 0xdfff},  // surrogates: not characters
                                                 {0xfeff, 0xfeff},
                                                 {0x110000, std::numeric_limits<char32_t>::max()}}};
 
-/// A character at the start of a text: its code, above all others if it is no UTF-8, and its size in bytes.
+/// The first character of a text: its code, above all valid ones if it is not UTF-8, and its size in bytes.
 struct Character {
   char32_t code;
   std::size_t size;
@@ -46,7 +46,7 @@ Character first_character(std::string_view text) {
     if ((byte & 0xc0U) != 0x80) return invalid;
     code = code << 6U | (byte & 0x3fU);
   }
-  // Overlong sequences are invalid: a shorter one must not hide in a longer one.
+  // Overlong sequences are invalid: they could hide a shorter one.
   constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
   return code < least[size] ? invalid : Character{code, size};
 }

@@ -6,7 +6,7 @@ namespace {
 std::vector<VectorInstructions> find_vector_instructions() {
   std::vector<VectorInstructions> found{VectorInstructions::baseline};
 #ifdef __x86_64__
-  // These ask the operating system as well, which must save the wider registers.
+  // These also check the operating system, which must save the wider registers.
   const auto has = [](int answer) { return answer != 0; };
   if (!has(__builtin_cpu_supports("avx2")) || !has(__builtin_cpu_supports("fma"))) return found;
   found.push_back(VectorInstructions::avx2);

@@ -19,7 +19,7 @@ double uniform_draw(const DrawPlace& place) {
   const r123::Philox4x32::key_type key{{low(place.seed), high(place.seed)}};
   const auto words = r123::Philox4x32()(counter, key);
   const std::uint64_t bits = (std::uint64_t{words[0]} << 32U | words[1]) >> 12U;
-  // The middle of one of 2^52 equal parts, which is exact.
+  // The midpoint of one of 2^52 equal intervals, exactly representable.
   return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 

@@ -42,7 +42,7 @@ void add_places(const EnsembleLayout& layout, Dataset& data) {
   add({name + "y", unit, what + "Y"}, [](const OperatingPoint& point) { return point.journal.y(); });
 }
 
-/// Random numbers are drawn again. @param of  (sample) -> its numbers
+/// Random numbers are regenerated. @param of  (sample) -> its numbers
 template <typename Of>
 void add_drawn(const Case& input, Dataset& data, VariableMeaning meaning, std::vector<std::string> over, const Of& of) {
   data.add(std::move(meaning), std::move(over)).rows = [&input, of](std::size_t first, std::size_t count) {
@@ -76,7 +76,7 @@ void add_deviations(const Case& input, Dataset& data) {
   }
 }
 
-/// So many columns of the log at each place, from one on.
+/// The given number of log columns per place, from a first one on.
 void add_logged(const EnsembleLayout& layout, const RowLog& log, std::size_t column, std::size_t columns,
                 Variable& variable) {
   variable.rows = [&layout, &log, column, columns](std::size_t first, std::size_t count) {

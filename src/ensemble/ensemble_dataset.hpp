@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// What was drawn of each sample of an ensemble and what came of it, read in pieces: what it holds in memory does not
-/// grow with the number of samples but for their numbers.
+/// Random numbers and results of each sample of an ensemble, read in pieces: except for the sample numbers, memory does
+/// not grow with the number of samples.
 /// @param input, layout, log  outlive it
 Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const RowLog& log);
 

@@ -16,7 +16,7 @@ namespace bumpfoil {
 namespace {
 
 constexpr const char* netcdf_name = "ensemble.nc";
-/// Failures that the message in ensemble.nc tells.
+/// Number of failures listed in the message of ensemble.nc.
 constexpr std::size_t most_ensemble_messages = 5;
 
 std::string message_of(const EnsembleLayout& layout, const EnsembleStatistics& statistics, bool interrupted,

@@ -19,7 +19,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A value of one of the cycles.
+/// A value of one cycle.
 template <typename Value>
 auto of_cycle(Value value) {
   return [value](const SampleResult& result, std::size_t place, const Case& sampled) {
@@ -27,7 +27,7 @@ auto of_cycle(Value value) {
   };
 }
 
-/// Numbers alone are on the terminal.
+/// The terminal shows numbers only.
 VariableMeaning sampled_meaning(VariableMeaning meaning) {
   const bool listed = meaning.form.kind == Form::real && meaning.shown.size > 0.0;
   if (!listed || (meaning.tags & tag::of_solver) != 0) meaning.label.clear();
@@ -65,7 +65,7 @@ EnsembleColumn column_of(const RunningQuantity& quantity) {
           }};
 }
 
-/// Without an onset a rotor is stable at all speeds, or at none: stable_up_to tells which.
+/// Without an onset a rotor is stable at all speeds, or at none: stable_up_to distinguishes them.
 EnsembleColumn rotor_column(const VariableMeaning& meaning, std::size_t i) {
   return {.meaning = sampled_meaning(meaning),
           .limitable = !meaning.name.starts_with("onset_"),
@@ -74,7 +74,7 @@ EnsembleColumn rotor_column(const VariableMeaning& meaning, std::size_t i) {
           }};
 }
 
-/// Of the quantities those that ensembles keep; the status comes first. @param add  (quantity)
+/// Adds the quantities that ensembles store; the status comes first. @param add  (quantity)
 template <typename Quantities, typename Add>
 void add_sampled(const Quantities& quantities, const Add& add) {
   for (const bool status : {true, false}) {
@@ -96,14 +96,14 @@ void lay_out_cycles(const Case& input, EnsembleLayout& layout) {
 }
 
 void lay_out_states(const Case& input, EnsembleLayout& layout) {
-  // What no bearing of the case could do is its fault, and not that of what is drawn.
+  // Errors that every bearing would have are those of the case, not of a sample.
   const FilmBearing bearing = require_running_bearing(input);
   for (const RunningState& state : planned_states(*input.equilibrium, Status::not_reached)) {
     layout.places.push_back({name_of_point(state.asked), state.asked});
   }
   const bool by_load = !input.equilibrium->loads.empty();
   add_sampled(running_quantities(bearing, input.montecarlo->limits), [&](const RunningQuantity& quantity) {
-    // What was asked for does not scatter.
+    // Requested values do not scatter.
     const bool asked = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
     if (!asked) layout.columns.push_back(column_of(quantity));
   });
@@ -118,13 +118,13 @@ void lay_out_rotor(const Case& input, EnsembleLayout& layout) {
   }
 }
 
-[[maybe_unused]] std::size_t places_run(const SampleResult& result) {  // by assertions alone
+[[maybe_unused]] std::size_t places_run(const SampleResult& result) {  // only in assertions
   if (const auto* cycles = std::get_if<CycleResult>(&result)) return cycles->cycles.size();
   if (const auto* running = std::get_if<EquilibriumResult>(&result)) return running->states.size();
   return 1;
 }
 
-/// Of the bumps of all strips of a split top foil together.
+/// Values for the bumps of all strips of a split top foil together.
 Vector of_all_strips(const FilmBearing& bearing, const Vector& loads) {
   if (!bearing.has_slits()) return loads;
   std::vector<double> sums;
@@ -138,7 +138,7 @@ Vector of_all_strips(const FilmBearing& bearing, const Vector& loads) {
   return Eigen::Map<Vector>(sums.data(), std::ssize(sums));
 }
 
-/// Empty where they are not known.
+/// Empty if unknown.
 Vector bump_loads(const SampleResult& result, std::size_t place) {
   if (const auto* cycles = std::get_if<CycleResult>(&result)) {
     const auto& turning_point = cycles->cycles[place].turning_point;
@@ -151,7 +151,7 @@ Vector bump_loads(const SampleResult& result, std::size_t place) {
                        : Vector();
 }
 
-/// Statuses of a command, and behind them that of samples that make no bearing.
+/// Statuses of a command, followed by that of invalid samples.
 template <const Form& statuses>
 constexpr auto sample_statuses = [] {
   std::array<std::string_view, statuses.words.size() + 1> names;

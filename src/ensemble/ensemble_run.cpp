@@ -10,14 +10,14 @@ namespace bumpfoil {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-/// Between two writes to the log: as much work as is lost when the power fails.
+/// Time between writes to the log: the work lost in a power failure.
 constexpr auto write_interval = std::chrono::milliseconds(200);
-/// Memory for rows that wait for one before them.
+/// Memory for rows that wait for an earlier one.
 constexpr std::size_t buffer_bytes = std::size_t{64} << 20U;
-/// As many threads as there may be always have something to do.
+/// Keeps the maximum number of threads busy.
 constexpr std::size_t smallest_window = 1024;
 
-/// Takes rows from the flow to the log, and asks after whole rounds whether these are enough.
+/// Writes rows to the log in order, and checks after whole rounds whether they suffice.
 class Writer {
  public:
   Writer(RunFlow& flow, std::size_t window, RowLog& log, const std::function<bool()>& enough)

@@ -12,13 +12,13 @@
 namespace bumpfoil {
 namespace {
 
-/// Statistics of columns at one place, of the samples that reached it.
+/// Statistics of columns at one place, over the samples that reached it.
 class ConvergedSamples {
  public:
   ConvergedSamples(const EnsembleLayout& layout, const RowLog& log, std::size_t place)
       : layout_(layout), log_(log), place_(place), status_(log.column(layout.entry(place, 0))) {}
 
-  /// Of the first `count` samples.
+  /// Values of the first `count` samples.
   [[nodiscard]] std::vector<double> values(std::size_t column, std::size_t count) const {
     const std::vector<double> all = log_.column(layout_.entry(place_, column), 0, count);
     std::vector<double> good;
@@ -48,7 +48,7 @@ class ConvergedSamples {
   std::vector<double> status_;
 };
 
-/// Values of all factors, of the samples that converged.
+/// Values of all factors for the samples that converged.
 std::vector<std::vector<double>> factors_of(const Case& input, const ConvergedSamples& samples, std::size_t count) {
   std::vector<std::vector<double>> factors(factor_count(input));
   for (std::size_t i = 0; i < count; ++i) {
@@ -107,7 +107,7 @@ double relative_error_of_mean(const EnsembleLayout& layout, const RowLog& log) {
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     const Statistics found = ConvergedSamples(layout, log, place).statistics(column, Undefined::unknown);
     const double error = found.standard_error / std::abs(found.mean);
-    // An unknown error is no small one.
+    // NaN must not count as a small error.
     if (!std::isnan(largest) && !(error <= largest)) largest = error;
   }
   return largest;

@@ -36,7 +36,7 @@ Json loads_json(const PlaceStatistics& found) {
   return json;
 }
 
-/// Sensitivities of a quantity, by the names that the factors have in [montecarlo].
+/// Sensitivities of a quantity, by the factor names of [montecarlo].
 Json sensitivities_json(const Case& input, const std::vector<double>& found) {
   Json json;
   std::size_t next = 0;

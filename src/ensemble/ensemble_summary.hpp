@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// Contents of summary.json of an ensemble: statistics and sensitivities by place and quantity, the yield, and the
-/// samples that failed.
+/// Entries of summary.json for an ensemble: statistics and sensitivities by place and quantity, the yield, and failed
+/// samples.
 nlohmann::ordered_json ensemble_lists(const Case& input, const EnsembleLayout& layout,
                                       const EnsembleStatistics& statistics, const EnsembleYields& yields);
 

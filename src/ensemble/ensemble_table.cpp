@@ -18,14 +18,14 @@ constexpr std::size_t quantity_width = 30;
 constexpr std::size_t quantity_unit_width = 7;
 constexpr std::size_t cell_width = 11;
 
-/// The number of columns where there is none of this name.
+/// Index of the column of this name; the number of columns if there is none.
 std::size_t column_named(const EnsembleLayout& layout, std::string_view name) {
   const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
                                   [name](const EnsembleColumn& one) { return one.meaning.name == name; });
   return static_cast<std::size_t>(found - layout.columns.begin());
 }
 
-/// Of how many samples this is true.
+/// Number of samples for which a condition holds.
 struct TrueOfSamples {
   std::string_view column;
   std::string_view words;

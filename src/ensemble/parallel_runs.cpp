@@ -19,7 +19,7 @@ namespace bumpfoil {
 namespace {
 
 using namespace std::chrono_literals;
-/// Between two ticks: as long as an interruption goes unnoticed.
+/// Time between ticks: the delay of an interruption.
 constexpr auto tick_interval = 20ms;
 
 /// Shared by the running threads and the waiting one.
@@ -27,7 +27,7 @@ class Runs {
  public:
   Runs(RunQueue& queue, const NumberedRun& run, unsigned workers) : queue_(queue), run_(run), working_(workers) {}
 
-  /// Does one run after the other until there are no more. For several threads at once.
+  /// Executes runs until there are no more. Called by several threads.
   void work() {
     try {
       while (const std::optional<std::size_t> number = queue_.next()) {
@@ -41,7 +41,7 @@ class Runs {
     changed_.notify_one();
   }
 
-  /// Ticks, at once and then at intervals, until nobody works any more.
+  /// Ticks immediately and then at intervals, until no thread is working.
   void wait(const std::function<bool()>& tick) {
     std::unique_lock lock(mutex_);
     do {
@@ -55,14 +55,14 @@ class Runs {
     } while (!changed_.wait_for(lock, tick_interval, [this] { return working_ == 0; }));
   }
 
-  /// @return false if they were stopped   @throws what was thrown first
+  /// @return false if the runs were stopped   @throws the first exception of a run
   [[nodiscard]] bool finished() const {
     if (error_) std::rethrow_exception(error_);
     return !stopped_;
   }
 
  private:
-  /// Keeps the exception that is being handled.
+  /// Stores the current exception.
   void fail() {
     stop();
     const std::lock_guard lock(mutex_);
@@ -97,7 +97,7 @@ class CountedRuns : public RunQueue {
 
   void set_fraction(std::size_t number, double fraction) { fractions_[number] = fraction; }
 
-  /// Part of all runs that is done.
+  /// Completed fraction of all runs.
   [[nodiscard]] double done() const {
     double sum = 0.0;
     for (const std::atomic<double>& fraction : fractions_) sum += fraction;
@@ -119,7 +119,7 @@ unsigned available_threads() {
 bool run_in_parallel(RunQueue& queue, unsigned threads, const NumberedRun& run, const std::function<bool()>& tick) {
   BUMPFOIL_ASSERT(threads > 0);
   Runs runs(queue, run, threads);
-  // The calling thread is one of those that are counted, but not of those that run.
+  // The calling thread counts towards the limit, but executes no runs.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads + 1);
   tbb::task_arena arena(static_cast<int>(threads), 0);
   tbb::task_group group;

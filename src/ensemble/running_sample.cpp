@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The case that is run; nothing if it is invalid.
+/// The case to run; nothing if it is invalid.
 template <typename Run>
 auto unless_faulty(const Run& run) -> std::optional<decltype(run())> {
   try {

@@ -13,15 +13,15 @@
 namespace bumpfoil {
 namespace {
 
-/// Variables of DrawPlace. Those of scattered_numbers() follow the last. Another order would draw other bearings.
+/// Variables of DrawPlace, followed by those of scattered_numbers(). Changing the order would change the samples.
 enum Drawn : std::uint32_t { height, waviness, first_number };
 
-/// Of the heights of a bump (from 0) and the one before it.
+/// Correlation between the heights of a bump (from 0) and the previous one.
 double correlation(const std::vector<BumpShape>& bumps, std::size_t bump, double correlation_length) {
   return std::exp(-0.5 * (bumps[bump - 1].pitch + bumps[bump].pitch) / correlation_length);
 }
 
-/// Puts the heights of a foil behind those of the pads and strips before it, which they do not correlate with.
+/// Appends the heights of a foil to those of previous pads and strips, with which they do not correlate.
 void draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace place,
                   std::vector<double>& deviations) {
   const bool correlated = heights.correlation_length > 0.0;
@@ -42,7 +42,7 @@ void draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace 
   }
 }
 
-/// The errors of the heights of all bumps, of a strip or of all.
+/// Height errors of the bumps of one strip, or of all.
 std::vector<double>& height_errors_of(BumpFoil& foil, std::size_t strip, std::size_t strips) {
   const auto bumps = static_cast<std::size_t>(foil.bumps);
   if (strips == 1) {
@@ -55,7 +55,7 @@ std::vector<double>& height_errors_of(BumpFoil& foil, std::size_t strip, std::si
   return own.values;
 }
 
-/// Adds what was drawn to the heights of all bumps: each pad has a bump foil of its own then.
+/// Adds the random errors to all bump heights: each pad then has its own bump foil.
 void raise_bumps(BearingDesign& sampled, std::size_t strips, const std::vector<double>& deviations) {
   auto next = deviations.begin();
   for (std::size_t strip = 0; strip < strips; ++strip) {

@@ -12,10 +12,10 @@
 namespace bumpfoil {
 namespace {
 
-/// Factors whose correlations are nearer to singular follow from each other.
+/// Correlation matrices closer to singular indicate dependent factors.
 constexpr double least_determined = 1e-10;
 
-/// Ranks with mean 0 and length 1; zero where all are the same.
+/// Ranks with mean 0 and unit length; zero if all values are equal.
 Eigen::VectorXd scores_of(const std::vector<double>& values) {
   const std::vector<double> ranks = ranks_of(values);
   Eigen::VectorXd scores = Eigen::Map<const Eigen::VectorXd>(ranks.data(), std::ssize(ranks));
@@ -46,7 +46,7 @@ PartialRankCorrelations::PartialRankCorrelations(const std::vector<std::vector<d
   scores_.resize(samples, std::ssize(factors));
   for (Eigen::Index k = 0; k < scores_.cols(); ++k) scores_.col(k) = scores_of(factors[static_cast<std::size_t>(k)]);
   const Eigen::LDLT<Eigen::MatrixXd> ldlt(scores_.transpose() * scores_);
-  // A degree of freedom must be left beside those of the factors and the mean.
+  // At least one degree of freedom must remain besides those of the factors and the mean.
   defined_ = samples > scores_.cols() + 2 && ldlt.vectorD().minCoeff() > least_determined;
   if (defined_) inverse_ = ldlt.solve(Eigen::MatrixXd::Identity(scores_.cols(), scores_.cols()));
 }

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 
-/// The two-sided 95 % of a normal distribution, in standard deviations.
+/// Two-sided 95 % bounds of a normal distribution, in standard deviations.
 constexpr double normal_95 = 1.959963984540054;
 
-/// Where a part `p` of the sorted values lies below; not a number where that is beyond all that is known.
+/// Value below which a fraction `p` of the sorted values lies; NaN beyond the known values.
 double percentile_of(const std::vector<double>& sorted, double p) {
   if (sorted.empty()) return not_defined;
   const double place = p * static_cast<double>(sorted.size() - 1);
@@ -30,7 +30,7 @@ Statistics statistics_of(std::vector<double> values, Undefined undefined) {
   Statistics found;
   found.count = static_cast<std::size_t>(end_of_known - values.begin());
   found.undefined = values.size() - found.count;
-  // Sorted first, so that sums do not depend on the order in which they came.
+  // Sorted first, so that sums do not depend on the order of input.
   std::sort(values.begin(), end_of_known);
   double sum = 0.0;
   for (auto value = values.begin(); value != end_of_known; ++value) sum += *value;

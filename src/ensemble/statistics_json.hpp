@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// Statistics as summary.json and pages have them.
+/// Statistics in the form of summary.json and pages.
 nlohmann::ordered_json statistics_json(const Statistics& found);
 
 }  // namespace bumpfoil

@@ -11,14 +11,14 @@
 namespace bumpfoil {
 namespace {
 
-/// Formed radii beyond this part of the bearing's are only trends: the displacements of the assembled foil are no
-/// longer small, and its bumps take part in its shape.
+/// Formed radii beyond this multiple of the bearing's yield trends only: displacements of the assembled foil are no
+/// longer small, and its bumps affect its shape.
 constexpr double most_flattening = 1.25;
 
-/// Axial length over diameter beyond which the sheet of a bump foil gives way to what varies over the width.
+/// Axial length over diameter above which the sheet of a bump foil yields to variations over the width.
 constexpr double longest_held_sheet = 1.2;
 
-/// Warnings about foils that are modelled too simply over the width.
+/// Warns of foils modelled too simply over the width.
 void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
   if ((input.width.tilts() || input.width.conicity != 0.0) && input.width.modes == 1) {
     warnings.emplace_back(
@@ -34,7 +34,7 @@ void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
   }
 }
 
-/// Where friction leaves increments several solutions or none.
+/// Warns if friction leaves increments with several solutions or none.
 void warn_of_wedging(const Foils& foils, std::vector<std::string>& warnings) {
   const std::optional<Wedge> wedge = strongest_wedge(foils.problem);
   if (!wedge) return;

@@ -11,11 +11,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Frequencies of interest end at this multiple of the highest speed, as those of usual_window() do.
+/// Multiple of the highest speed up to which frequencies matter, as in usual_window().
 constexpr double highest_whirl_ratio = 2.0;
 
-/// Of the film in a bearing under a rotor. Foils that may be displaced otherwise than evenly over the width, strip by
-/// strip at least, answer to a rotor that tilts, and differ on both halves.
+/// Film mesh of a bearing under a rotor. Foils with displacements that vary over the width, at least by strips, respond
+/// to a tilting rotor, and both halves differ.
 FilmResolution resolution_under(const RotorSettings& rotor, const Case& bearing) {
   FilmResolution resolution = resolution_of(bearing);
   if (rotor.tilts() && (bearing.width.modes > 1 || bearing.top_foil.split)) resolution.width = WidthPart::whole;

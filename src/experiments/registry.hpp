@@ -1,9 +1,9 @@
 #pragma once
 
-/// All experiments, in the order of the manual and of their tables in the case file: a line for each folder, NAME, in
-/// which NAME_experiment() says what its command is and NAME_settings() what its table of the case file is. They are
-/// told apart because the page of the designer reads case files without running all that may be in them. What optimise
-/// runs are others, and ensembles: its run is in a module above them, optimise/.
+/// All experiments, in the order of the manual and of their tables in the case file: one line per folder, NAME.
+/// NAME_experiment() describes its command and NAME_settings() its table of the case file. They are separate because
+/// the designer page reads case files without linking all experiments. The run of optimise is in a higher module,
+/// optimise/, as it runs other experiments and ensembles.
 #define BUMPFOIL_EXPERIMENTS(EACH) \
   EACH(cycle)                      \
   EACH(strip)                      \

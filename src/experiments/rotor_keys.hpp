@@ -13,10 +13,10 @@ class CaseVisitor;
 /// Visits the keys of the table [rotor], which experiments with a rotor share.
 void describe_rotor(CaseVisitor& keys, Case& input);
 
-/// Checks it.
+/// Checks the table [rotor].
 void judge_rotor(Judge& judge, const Case& input);
 
-/// Checks the speeds that an experiment takes a rotor to.
+/// Checks the rotor speeds of an experiment.
 void judge_rotor_speeds(Judge& judge, const std::string& key, const std::vector<double>& speeds);
 
 }  // namespace bumpfoil

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 7> rotor_file_keys{"title", "M", "C", "G", "K", "bearing", "station"};
 constexpr std::array<std::string_view, 4> place_keys{"name", "z", "x", "y"};
 
-/// Reads what the file holds, and collects what is wrong with its form.
+/// Reads the content of the file, and collects errors of its form.
 class RotorFile {
  public:
   explicit RotorFile(const std::string& path) : path_(path) {

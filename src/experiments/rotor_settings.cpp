@@ -17,7 +17,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Elements that a shaft is cut into at least.
+/// Minimum number of elements of a shaft.
 constexpr double shaft_elements = 60.0;
 
 constexpr Range mass_range{1e-6, 1e6, "kg"};
@@ -26,9 +26,9 @@ constexpr Range density_of_shaft_range{1.0, 1e5, "kg/m3"};
 constexpr double most_gravity = 1e5;      // m/s^2
 constexpr double most_rotor_speed = 1e6;  // rad/s
 constexpr std::size_t most_rotor_speeds = 10'000;
-/// Part of the distance of the bearings by which a plane may miss a place of matrices.
+/// Accepted distance of a plane from a position of the matrices, relative to the distance of the bearings.
 constexpr double same_plane = 1e-6;
-/// A bearing that carries a smaller part of the weight than this carries none.
+/// A bearing with a smaller fraction of the weight counts as unloaded.
 constexpr double least_part_of_weight = 1e-6;
 
 double length_of(const std::vector<ShaftSection>& shaft) {
@@ -36,7 +36,7 @@ double length_of(const std::vector<ShaftSection>& shaft) {
                          [](double sum, const ShaftSection& section) { return sum + section.length; });
 }
 
-/// Part of a rotor that is computed where it does not tilt.
+/// Fraction of the rotor in the model if it does not tilt.
 constexpr double half = 0.5;
 
 std::vector<double> planes_of(const RotorSettings& settings) {
@@ -46,7 +46,7 @@ std::vector<double> planes_of(const RotorSettings& settings) {
   return planes;
 }
 
-/// Unbalances in their planes; on half a rotor that does not tilt, half of each.
+/// Unbalances in their planes; half of each if half the rotor is modelled.
 std::vector<std::pair<RotorStation, Unbalance>> placed_unbalances(const RotorSettings& settings, const Rotor& rotor) {
   const std::size_t count = settings.unbalances.size();
   const double part = settings.tilts() ? 1.0 : half;
@@ -63,7 +63,7 @@ std::vector<std::pair<RotorStation, Unbalance>> placed_unbalances(const RotorSet
   return placed;
 }
 
-/// The place of a rotor of matrices in the plane of an unbalance; null if there is none.
+/// The position of a rotor given by matrices in the plane of an unbalance; null if there is none.
 const MatrixPlace* place_at(const RotorMatrices& matrices, double z) {
   const double span = std::abs(matrices.bearings.back().z - matrices.bearings.front().z);
   for (const std::vector<MatrixPlace>* places : {&matrices.bearings, &matrices.stations}) {
@@ -75,7 +75,7 @@ const MatrixPlace* place_at(const RotorMatrices& matrices, double z) {
   return nullptr;
 }
 
-/// With a station in the plane of each unbalance behind those of the matrices.
+/// Adds a station in the plane of each unbalance after those of the matrices.
 Rotor rotor_of_matrices(const RotorSettings& settings) {
   RotorMatrices matrices = *settings.matrices;
   for (std::size_t i = 0; i < settings.unbalances.size(); ++i) {
@@ -202,7 +202,7 @@ void describe(CaseVisitor& keys, RotorSettings& rotor) {
              "station",
              "\"rotor.json\""},
             "matrix", [&rotor](const std::string& path) {
-              rotor.matrices.emplace();  // of this kind, even where the file is wrong
+              rotor.matrices.emplace();  // of this kind, even if the file is invalid
               rotor.matrices = read_rotor_matrices(path);
             });
   optional_table(keys,
@@ -225,7 +225,7 @@ void describe_bearings(CaseVisitor& keys, Case& input) {
       });
 }
 
-/// Positive numbers that may be absent.
+/// Checks positive numbers that may be absent.
 bool judge_optional(Judge& judge, const std::string& key, const std::optional<double>& value, const Range& range) {
   return !value || judge.within(key, *value, range);
 }
@@ -299,7 +299,7 @@ bool judge_unbalances(Judge& judge, const RotorSettings& rotor) {
   return right;
 }
 
-/// Keys that belong to another kind of rotor, and those that its own kind lacks.
+/// Checks for keys of another kind of rotor, and for missing keys of its own kind.
 bool judge_kind(Judge& judge, const RotorSettings& rotor) {
   bool right = true;
   const auto belongs = [&](bool is_right, const char* key, const char* what, const char* advice) {
@@ -354,7 +354,7 @@ bool judge_matrices(Judge& judge, const RotorMatrices& matrices) {
   return faults.empty();
 }
 
-/// Bearings that differ: one for each place.
+/// Checks that bearings that differ match one position each.
 void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t count) {
   if (count == 0) return;
   if (!judge.require(rotor.tilts(), "rotor.bearing", "",
@@ -368,7 +368,7 @@ void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t co
       "give one [[rotor.bearing]] for each position, in the same order; an empty one is the bearing of the case");
 }
 
-/// Bearings that resist inclinations need a rotor that has them.
+/// Bearings that resist tilt require a rotor model with tilt.
 void judge_tilting(Judge& judge, const RotorSettings& rotor, const Case& input) {
   if (!rotor.matrices) return;
   bool resists = false;

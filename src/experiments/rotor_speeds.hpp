@@ -34,11 +34,11 @@ struct JournalQuantity {
   std::function<double(const FilmBearing& bearing, const BearingState& state)> value;
 };
 
-/// Its centre, and how it is tilted where any bearing resists that, with the moments that hold it so.
+/// Journal position, and its tilt and the required moments if any bearing resists tilt.
 std::vector<JournalQuantity> journal_quantities(const Machine& machine);
 
-/// Adds the dimension of bearings, and their journals over speed and bearing.
-/// @param points   with the states of the bearings in equilibrium; they live as long as the data, as does the machine
+/// Adds the dimension `bearing`, and the journals over speed and bearing.
+/// @param points   with the states of the bearings in equilibrium; they and the machine must outlive the data
 template <typename Point>
 void add_journals(const std::vector<Point>& points, const Machine& machine, Dataset& data) {
   add_bearing_numbers(machine.bearings.size(), data);
@@ -55,13 +55,13 @@ void add_journals(const std::vector<Point>& points, const Machine& machine, Data
   }
 }
 
-/// Adds the dimension `station`, and where stations are with their names: those of Machine::places().
+/// Adds the dimension `station`, and station positions with their names: those of Machine::places().
 void add_stations(const std::vector<RotorStation>& stations, Dataset& data);
 
 /// "12000 rpm"
 std::string rotor_speed_text(double speed);
 
-/// A line for each speed without an equilibrium, and one for those behind that were not looked for.
+/// One line per speed without an equilibrium, and one for the following speeds that were not computed.
 std::vector<std::string> missing_equilibria(const std::vector<SpeedStatus>& speeds);
 
 }  // namespace bumpfoil

@@ -6,11 +6,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Of the trapezoidal rule.
+/// Step of the trapezoidal rule.
 constexpr double integration_step = 0.15;
-/// Exponents beyond this leave nothing of a double's sum.
+/// exp(-x) for larger x vanishes beside a double's sum.
 constexpr double vanishing_exponent = 45.0;
-/// Heights of the mean planes over roughness from which the pressure is zero in a double.
+/// Separation of the mean planes over roughness above which the pressure underflows to zero.
 constexpr double vanishing_height = 39.0;
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 namespace bumpfoil {
 
-/// Equations of a run of neighbouring columns, coupled in turn: block tridiagonal, not symmetric, one block per column.
-/// The run may have a neighbour on either side whose unknowns are found elsewhere: lower(0) couples the first column to
-/// the one before it, upper(size - 1) the last to the one after it. Both neighbours may be the same column, which
-/// closes a ring.
+/// Equations of a run of neighbouring columns: block tridiagonal, not symmetric, one block per column. The run may have
+/// a neighbour at either end whose unknowns are determined elsewhere: lower(0) couples the first column to the one
+/// before it, upper(size - 1) the last to the one after it. Both neighbours may be the same column, which closes a
+/// ring.
 class ColumnChain {
  public:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -25,22 +25,22 @@ class ColumnChain {
   virtual Block diagonal(int i) = 0;
   virtual Block upper(int i) = 0;
 
-  /// Factors the equations with the neighbours held.
+  /// Factorises the equations with the neighbours held.
   /// @return false if they are singular; then no solve may follow
   [[nodiscard]] virtual bool factor() = 0;
 
-  /// Overwrites the right-hand side by the solution with the neighbours held at zero; no coupling to them is read.
+  /// Overwrites the right-hand side by the solution with both neighbours held at zero; their couplings are not read.
   virtual void solve_in_place(Vector& x) const = 0;
 
-  /// Minus the change of the first and last columns per unknown of a neighbour.
+  /// Negative change of the first and last columns per unit of a neighbour's unknown.
   struct Response {
     RowMajor first, last;
   };
-  /// Answers to the neighbour before and to that after: A^-1 times lower(0), and times upper(columns() - 1).
+  /// Responses to the previous and the next neighbour: A^-1 times lower(0), and times upper(columns() - 1).
   virtual void respond(Response& to_before, Response& to_after) = 0;
 };
 
-/// A chain with all couplings zero. Some block sizes, those of usual meshes, are faster than others.
+/// A chain with zero couplings. Block sizes of usual meshes have faster code.
 std::unique_ptr<ColumnChain> make_column_chain(int columns, int block_size);
 
 }  // namespace bumpfoil

@@ -42,7 +42,7 @@ struct UpwindWeight {
       value = fourth / sum;
       slope = fourth * (4.0 + X * (3.0 + X * (2.0 + X))) / (sum * sum);
     } else {
-      const double Y = 1.0 / X;  // no overflow where a film all but closes
+      const double Y = 1.0 / X;  // no overflow as a film closes
       const double sum = 1.0 + Y * (1.0 + Y * (1.0 + Y * (1.0 + Y)));
       value = 1.0 / sum;
       slope = Y * (1.0 + Y * (2.0 + Y * (3.0 + Y * 4.0))) / (sum * sum);
@@ -62,7 +62,7 @@ struct UpwindWeight {
   const double gradient = (b.pressure - a.pressure) / dtheta;
   const double from_a = 0.5 * bearing_number + half_speed * l.value;  // d flux / d psi
   const double from_b = 0.5 * bearing_number - half_speed * l.value;
-  const double by_log_X = -half_speed * jump * l.slope;  // of l alone
+  const double by_log_X = -half_speed * jump * l.slope;  // from l alone
 
   FaceFlux flux;
   flux.value = from_a * a.pressure * a.thickness + from_b * b.pressure * b.thickness - G.value * gradient;

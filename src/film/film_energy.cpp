@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Whether P of a node is given.
+/// Whether P is prescribed at a node.
 bool is_at_edge(const FilmMesh& mesh, int j, int k) {
   return mesh.is_side(j) || (!mesh.closed && (k == 0 || k == mesh.columns));
 }

@@ -76,7 +76,7 @@ ThinnestPlace thinnest_place(const FilmMesh& mesh, const Matrix& thickness) {
   if (!mesh.closed && (column == 0 || column == n - 1)) return place;
   const double before = thickness(row, (column + n - 1) % n);
   const double after = thickness(row, (column + 1) % n);
-  // The parabola through the three, where a and b are the intervals before and after.
+  // The parabola through the three nodes; a and b are the intervals before and after.
   const double a = mesh.intervals[(column + n - 1) % n];
   const double b = mesh.intervals[column];
   const double scale = 1.0 / (a * b * (a + b));

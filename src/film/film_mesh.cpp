@@ -18,7 +18,7 @@ Vector weights_of(const Vector& intervals, bool closed) {
   return weights;
 }
 
-/// One interval is enough on half the width, where row 0 is inside.
+/// One interval suffices on half the width, where row 0 is inside the film.
 double row_length(int rows, double half_width, WidthPart width) {
   BUMPFOIL_ASSERT(rows >= (width == WidthPart::half ? 1 : 2));
   return (width == WidthPart::half ? 1.0 : 2.0) * half_width / rows;

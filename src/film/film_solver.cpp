@@ -10,13 +10,13 @@ namespace bumpfoil {
 namespace {
 
 constexpr int film_max_halvings = 8;
-/// Fraction of a step that is taken if no halving reduces the residual.
+/// Fraction of the step taken if no halving reduces the residual.
 constexpr double film_forced_fraction = 0.25;
 /// Step lengths of follow(), as fractions of the path.
 constexpr double first_step = 0.25;
 constexpr double smallest_step = 1e-4;
 constexpr double step_growth = 1.5;
-/// After a solve with at most this many iterations the next step grows.
+/// The next step grows after a solve with at most this many iterations.
 constexpr int few_iterations = 8;
 
 }  // namespace
@@ -69,12 +69,12 @@ bool FilmSolver::Workspace::linearise(const ReynoldsEquation& equation) {
   return system.factor();
 }
 
-/// Of the equations alone, per area of a cell.
+/// Residuals of the equations alone, per cell area.
 double FilmSolver::Workspace::residual_norm() const {
   return mesh.unknown(residual).norm() / (mesh.dtheta * mesh.dzeta);
 }
 
-/// Takes a part of the step into `trial`; returns the norm of the residuals there.
+/// Applies a fraction of the step to `trial`; returns the norm of its residuals.
 double FilmSolver::Workspace::try_step(const ReynoldsEquation& equation, double fraction) {
   trial.pressure = iterate.pressure + fraction * step.pressure;
   trial.thickness = iterate.thickness + fraction * step.thickness;

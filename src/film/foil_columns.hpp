@@ -4,9 +4,8 @@
 
 namespace bumpfoil {
 
-/// Coefficients of the balance and the compatibility of one column, without dimension (see FoilFilm):
-///
-///     balance        kink_before (M_before - M) + kink_after (M_after - M) + arc M - load sum_j omega_j (P_j - 1)
+/// Coefficients of the dimensionless balance and compatibility of one column (see FoilFilm):
+/// |     balance        kink_before (M_before - M) + kink_after (M_after - M) + arc M - load sum_j omega_j (P_j - 1)
 ///     compatibility  the same of U, minus bend_before M_before + bend M + bend_after M_after
 struct FoilColumn {
   double kink_before{}, kink_after{}, arc{};

@@ -43,7 +43,7 @@ Matrix over_nodes(const FoilFilm& foil, const Matrix& thickness, Value&& value) 
   if (!foil.asperities) return values;
   for (Eigen::Index k = 0; k < values.cols(); ++k) {
     for (Eigen::Index j = 0; j < values.rows(); ++j) {
-      // Where nothing varies over the width, one value serves all rows.
+      // One value serves all rows if H is uniform over the width.
       const bool known = j > 0 && thickness(j, k) == thickness(j - 1, k);
       values(j, k) = known ? values(j - 1, k) : value(*foil.asperities, thickness(j, k));
     }
@@ -63,7 +63,7 @@ Matrix asperity_balance(const FoilFilm& foil, const Matrix& pressures) {
   Matrix of_rows = -foil.load_scale * foil.shapes.transpose();
   for (int j = 0; j <= mesh.rows; ++j) of_rows.col(j) *= mesh.row_weight(j);
   Matrix balance = of_rows * pressures * mesh.weights.asDiagonal();
-  balance.col(0).setZero();  // the weld carries its own
+  balance.col(0).setZero();  // the weld bears its own load
   return balance;
 }
 
@@ -77,7 +77,7 @@ FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness) {
 
 namespace {
 
-/// Balance and compatibility of one line, `flexibility` times as soft as the whole width.
+/// Balance and compatibility of one line, with `flexibility` times that of the whole width.
 void line_residual(const FoilFilm& foil, Eigen::Index line, const FoilFilmState& state, FoilFilmResidual& residual) {
   const FilmMesh& mesh = foil.mesh;
   const auto U = state.lift.row(line);
@@ -95,7 +95,7 @@ void line_residual(const FoilFilm& foil, Eigen::Index line, const FoilFilmState&
       balance = column.kink_before * (M_before - M[k]) + column.arc * M[k] - column.load * excess;
     }
     if (k == mesh.columns) continue;
-    // Differences first: U is smooth where the foil is soft, and its curvature is all that counts.
+    // Differences first: U is smooth if the foil is soft, and only its curvature matters.
     if (k > 0) balance += column.kink_after * (M[k + 1] - M[k]);
     residual.compatibility(line, k) = column.kink_before * (U_before - U[k]) + column.kink_after * (U[k + 1] - U[k]) +
                                       column.arc * U[k] - flexibility * column.bend_before * M_before -
@@ -154,23 +154,23 @@ struct FoilFilmSystem::Workspace {
   void assemble_membrane(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
   void read_column(int k, const FoilFilmResidual& residual, Eigen::Ref<Vector> values) const;
 
-  /// Columns between two blocks, or between the weld and the first.
+  /// Columns between two blocks, or between the weld and the first block.
   struct Span {
-    int first{};  ///< column
+    int first{};  ///< index of the first column
     std::unique_ptr<FoilSpan> columns;
     FoilSpan::Condensed condensed;
-    Matrix right;  ///< minus the residuals, one behind the other
+    Matrix right;  ///< negative residuals, column after column
     Matrix solution;
-    Matrix before, after;  ///< the right-hand sides, as the neighbours see them
+    Matrix before, after;  ///< right-hand sides in the equations of the neighbours
   };
 
   FoilFilm foil;
-  int of_foil;  ///< unknowns of the foil in a column
-  int rows;     ///< unknowns of a column
+  int of_foil;  ///< foil unknowns per column
+  int rows;     ///< all unknowns per column
   std::vector<Span> spans;
   std::vector<int> columns;                   ///< of the blocks
   std::vector<Block> lower, diagonal, upper;  ///< condensed
-  ColumnCoupling nothing;                     ///< beyond the free end
+  ColumnCoupling nothing;                     ///< neighbour of the free end, without coupling
   FilmJacobian jacobian;
   Matrix asperity_slopes;
   Matrix film_residual;
@@ -199,8 +199,8 @@ FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
   nothing.resize(rows, of_foil);
 }
 
-/// Rows of column k: the film per area of a cell, balances, compatibilities, the membrane. Where an unknown is given,
-/// its own row says that it does not move. Entries of couplings that are always zero are left so.
+/// Rows of column k: the film per cell area, balances, compatibilities, the membrane. The row of a prescribed unknown
+/// sets its change to zero. Couplings that are always zero are not written.
 template <typename Own>
 void FoilFilmSystem::Workspace::assemble(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const {
   own.setZero();
@@ -283,7 +283,7 @@ void FoilFilmSystem::Workspace::assemble_line(int k, int line, ColumnCoupling& b
   }
 }
 
-/// Contribution of asperities to the balances under a displacement of the foil: the derivative of asperity_balance().
+/// Contribution of asperities to the balances for a displacement of the foil: the derivative of asperity_balance().
 template <typename Own>
 void FoilFilmSystem::Workspace::assemble_asperities(int k, Own&& own) const {
   const FilmMesh& mesh = foil.mesh;
@@ -298,7 +298,7 @@ void FoilFilmSystem::Workspace::assemble_asperities(int k, Own&& own) const {
   }
 }
 
-/// The rows of the membrane, and its part of the balances.
+/// The membrane rows, and its contribution to the balances.
 template <typename Own>
 void FoilFilmSystem::Workspace::assemble_membrane(int k, ColumnCoupling& before, Own&& own,
                                                   ColumnCoupling& after) const {
@@ -314,7 +314,7 @@ void FoilFilmSystem::Workspace::assemble_membrane(int k, ColumnCoupling& before,
       after.by(2 * lines + j)[first + i] = membrane.after(i, j);
     }
   }
-  if (k == 0) return;  // U = 0, and the weld bears what F presses on it
+  if (k == 0) return;  // U = 0, and the weld bears the pressure of F
   own.block(n, first, lines, modes) = membrane.length * foil.stretching.transpose();
   own.block(first, n, modes, lines) = -membrane.length * foil.stretching;
 }
@@ -374,7 +374,7 @@ bool FoilFilmSystem::linearise(const ReynoldsEquation& equation, const FoilFilmS
   return true;
 }
 
-/// Residuals of a column, in the order of its rows.
+/// Residuals of a column, in row order.
 void FoilFilmSystem::Workspace::read_column(int k, const FoilFilmResidual& residual, Eigen::Ref<Vector> values) const {
   const FilmMesh& mesh = foil.mesh;
   const int n = mesh.unknown_rows();

@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-/// @tparam T  how many of the B unknowns of a column are the foil's; both or none may be Eigen::Dynamic
+/// @tparam T  number of foil unknowns among the B of a column; both or neither may be Eigen::Dynamic
 template <int B, int T>
 class FoilSpanOf final : public FoilSpan {
  public:
@@ -101,13 +101,13 @@ class FoilSpanOf final : public FoilSpan {
   }
 
  private:
-  /// Blocks are stored by columns, each of stride_ numbers.
+  /// Blocks are stored by columns with leading dimension stride_.
   struct Column {
     ColumnCoupling to_before, to_after;
     LineVector G;  ///< D, then its inverse
     LineVector X, Y;
-    LineVector W;     ///< coupling of the neighbour before to this column, times G
-    LineVector g, x;  ///< of all right-hand sides
+    LineVector W;     ///< coupling of the preceding neighbour to this column, times G
+    LineVector g, x;  ///< for all right-hand sides
   };
 
   void set_sides(Eigen::Index count) {
@@ -190,7 +190,7 @@ class FoilSpanOf final : public FoilSpan {
         couple_right(kernels, column.W, column.to_before, added_);
         continue;
       }
-      // The neighbour reaches this column by -W U of the one before, and this column the neighbour by -L Y.
+      // The neighbour couples to this column by -W U of the previous one, and this column to the neighbour by -L Y.
       const Column& last = columns_[i - 1];
       couple_right<Products::negate>(kernels, last.W, last.to_after, carried_);
       multiply<Products::assign>(kernels, carried_, column.G, column.W);
@@ -214,9 +214,9 @@ class FoilSpanOf final : public FoilSpan {
   VectorInstructions instructions_;
   std::vector<Column> columns_;
   ColumnCoupling of_before_, of_after_;
-  LineVector carried_;    ///< coupling of this column and the neighbour before
-  LineVector added_;      ///< to the equations of a neighbour
-  Eigen::Index sides_{};  ///< right-hand sides
+  LineVector carried_;    ///< coupling of this column and the preceding neighbour
+  LineVector added_;      ///< contribution to the equations of a neighbour
+  Eigen::Index sides_{};  ///< number of right-hand sides
   LineVector left_, right_, scratch_;
   std::vector<int> pivots_;
 };
@@ -234,8 +234,8 @@ std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, int of_foi
   const auto make = [&]<int B, int T>() -> std::unique_ptr<FoilSpan> {
     return std::make_unique<FoilSpanOf<B, T>>(columns, block_size, of_foil, has_before, instructions);
   };
-  // Eight or sixteen pressures with U and M of a foil that is uniform over the width, or of one with a parabola; 31 on
-  // the whole width, with a slope and a parabola.
+  // Specialised sizes: eight or sixteen pressures with U and M of a foil uniform over the width, or of one with a
+  // parabola; 31 on the whole width, with a slope and a parabola.
   const int pressures = block_size - of_foil;
   if (of_foil == 2 && pressures == 8) return make.operator()<10, 2>();
   if (of_foil == 2 && pressures == 16) return make.operator()<18, 2>();

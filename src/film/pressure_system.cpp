@@ -5,12 +5,12 @@
 namespace bumpfoil {
 namespace {
 
-/// Column of nodes that is the first of the chain: column 0 is an open edge, or the border of a closed film.
+/// First column of the chain: column 0 is an open edge, or borders a closed film.
 constexpr int first_in_chain = 1;
 
-/// Derivatives of the equations of column k with respect to the pressures of the column itself or of a neighbour:
-/// directly, and by way of the thickness there.
-/// @param by_pressure, by_thickness  columns of stencils that belong to one and the same pair of columns
+/// Derivatives of the equations of column k by the pressures of a column, itself or a neighbour: directly, and via the
+/// thickness there.
+/// @param by_pressure, by_thickness  stencil columns of this pair of columns
 template <typename Target, typename Pressures, typename Thicknesses>
 void fill_coupling(const FilmMesh& mesh, const Foundation& foundation, const Pressures& by_pressure,
                    const Thicknesses& by_thickness, Target&& block) {
@@ -29,7 +29,7 @@ void fill_coupling(const FilmMesh& mesh, const Foundation& foundation, const Pre
   }
 }
 
-/// The same for a column and itself, where neighbouring rows are coupled, too.
+/// The same for a column and itself, which includes coupling of neighbouring rows.
 template <typename Target>
 void fill_own(const FilmMesh& mesh, const FilmJacobian& jacobian, const Foundation& foundation, int k, Target&& block) {
   const FilmStencil& P = jacobian.by_pressure;
@@ -84,7 +84,7 @@ bool PressureSystem::factor() {
   return true;
 }
 
-/// The step of column 0, from the residual of its equations with the chain solved while it is held.
+/// The step of column 0, from the residual of its equations after the chain is solved with it held.
 void PressureSystem::read_border_step(const Matrix& residual) {
   const int n = mesh_.unknown_rows();
   border_step_ = -residual.col(0).segment(mesh_.first_unknown_row(), n) - border_after_ * right_.head(n) -

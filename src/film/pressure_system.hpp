@@ -14,10 +14,10 @@ class PressureSystem {
  public:
   explicit PressureSystem(const FilmMesh& mesh);
 
-  /// Sets the derivatives of the equations with respect to the unknown pressures.
+  /// Sets the derivatives of the equations by the unknown pressures.
   void assemble(const FilmJacobian& jacobian, const Foundation& foundation);
   [[nodiscard]] bool factor();
-  /// Solves for the step that takes `residual` to zero; writes it to the unknown pressures of `step`.
+  /// Solves for the step that cancels `residual`; writes it to the unknown pressures of `step`.
   void solve(const Matrix& residual, Matrix& step);
 
  private:
@@ -25,7 +25,7 @@ class PressureSystem {
 
   FilmMesh mesh_;
   std::unique_ptr<ColumnChain> chain_;
-  // Of column 0 of a closed film: coupling to the column before it, itself and the one after it.
+  // Couplings of column 0 of a closed film to the previous column, itself and the next one.
   ColumnChain::RowMajor border_before_, border_own_, border_after_;
   ColumnChain::Response to_before_, to_after_;
   Eigen::PartialPivLU<Matrix> border_;

@@ -14,21 +14,21 @@ class CaseVisitor;
 /// An experiment in the case file: its table, of the same name, or those that it shares with others.
 struct CaseTable {
   std::string_view experiment;
-  std::string_view needs;  ///< the table without which it does not run: its own, or that of another experiment
-  bool flat{};             ///< it has a strip of one foil between plates: no bearing is needed, and pads do not count
-  /// Visits its keys; what is not in a table of the case file has its default.
+  std::string_view needs;  ///< table required to run: its own, or that of another experiment
+  bool flat{};             ///< applies to a strip of foil between plates: needs no bearing and ignores pads
+  /// Visits its keys; those outside the case file's tables keep their defaults.
   void (*describe)(CaseVisitor& keys, Case& input);
-  /// Checks its settings, where there are any. @param foil  what is known of the bump foil, of which nothing may be
+  /// Checks its settings, if any. @param foil  known properties of the bump foil, possibly none
   void (*check)(Judge& judge, const Case& input, const JudgedBumpFoil& foil);
-  /// Whether the case holds what it needs and none but it does; null if it has no settings alone.
+  /// Whether the case gives the settings of this experiment; null if it has none of its own.
   bool (*given)(const Case& input){};
-  /// A further part of it that the case requests, or another command that it runs, which has checks of its own; empty:
-  /// none.
+  /// Another part that the case requests, or another command that it runs, with checks of its own; empty: none.
   std::string_view (*requested_part)(const Case& input){};
 };
 
-/// Those of all experiments, in the order of the case file. What reads, writes and checks cases knows experiments by
-/// these alone: they are defined above it, in experiments/, or in a program that has only some.
+/// Tables of all experiments, in the order of the case file. Code that reads, writes and checks cases accesses
+/// experiments only through these. They are defined in a higher layer: in experiments/, or in a program with fewer
+/// experiments.
 std::span<const CaseTable> case_tables();
 
 }  // namespace bumpfoil

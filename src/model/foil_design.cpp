@@ -5,7 +5,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Places at the same fraction of every pitch. Runs of equal pitches are multiplied out: nothing piles up along them.
+/// Positions at the same fraction of every pitch. Runs of equal pitches use multiplication, so that round-off does not
+/// accumulate.
 Vector positions_within_pitches(const std::vector<BumpShape>& bumps, double fraction) {
   Vector positions(static_cast<Eigen::Index>(bumps.size()));
   double run_start = 0.0;

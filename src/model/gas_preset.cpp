@@ -7,16 +7,16 @@
 namespace bumpfoil {
 namespace {
 
-/// mu = mu_0 (T/T_0)^exponent (T_0 + S)/(T + S); a power law has S = 0 and its exponent one higher.
+/// mu = mu_0 (T/T_0)^exponent (T_0 + S)/(T + S); a power law has S = 0 and an exponent larger by one.
 struct ViscosityLaw {
   double mu_0;      ///< Pa s
   double T_0;       ///< K
-  double exponent;  ///< in front of the factor with S
+  double exponent;  ///< excludes the factor with S
   double S;         ///< K
   TemperatureRange range;
 };
 
-/// In the order of GasPreset.
+/// Laws in the order of GasPreset.
 constexpr std::array laws{
     ViscosityLaw{1.716e-5, 273.0, 1.5, 111.0, {170.0, 1900.0}},
     ViscosityLaw{1.870e-5, 273.0, 1.666, 0.0, {53.0, 1100.0}},

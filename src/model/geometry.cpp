@@ -8,7 +8,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The one of some sections of a foil that a bump (from 0) lies in; null if there is none.
+/// The section of a foil that contains a bump (from 0); null if there is none.
 template <typename Section>
 const Section* section_of(const std::vector<Section>& sections, std::size_t bump) {
   const auto number = static_cast<int>(bump) + 1;
@@ -18,7 +18,7 @@ const Section* section_of(const std::vector<Section>& sections, std::size_t bump
   return found == sections.end() ? nullptr : &*found;
 }
 
-/// kappa_0 R^2 of a seated foil over C_r: its bulge is 0.63 C_r on a rigid sleeve, where it goes all the way round.
+/// kappa_0 R^2 of a seated foil over C_r: its bulge on a rigid sleeve is 0.63 C_r over the full circumference.
 constexpr double clearances_of_seat = 6.0;
 
 /// 1/R - 1/R_f, 1/m.
@@ -83,7 +83,7 @@ double deviation_at(const RadiusProfile& profile, double phi) {
   const std::size_t count = profile.deviations.size();
   const double turns = phi / (2.0 * std::numbers::pi);
   const double place = static_cast<double>(count) * (turns - std::floor(turns));
-  const auto before = std::min(static_cast<std::size_t>(place), count - 1);  // round-off may give a whole turn
+  const auto before = std::min(static_cast<std::size_t>(place), count - 1);  // round-off may yield a full turn
   const double first = profile.deviations[before];
   return sum + first + (profile.deviations[(before + 1) % count] - first) * (place - static_cast<double>(before));
 }

@@ -17,7 +17,7 @@
 
 namespace bumpfoil {
 
-/// Values beyond these are errors of units, and could overflow.
+/// Values outside indicate wrong units, and could overflow.
 struct Range {
   double least, most;
   std::string_view unit;
@@ -38,27 +38,27 @@ inline constexpr double thin = 0.1;
 inline constexpr std::int64_t most_bump_increments = 20'000'000;
 inline constexpr int most_steps = 1'000'000;
 
-/// Adding up pitches may miss the circumference by a round-off.
+/// Relative round-off allowed between the sum of pitches and the circumference.
 inline constexpr double round_off = 1e-9;
 
-/// As messages show it.
+/// The quantity as messages show it.
 inline std::string quantity(double value, std::string_view unit) {
   return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
 
-/// What a key is compared with.
+/// A key and its accepted range.
 struct CheckedKey {
   std::string key;
   Range range;
 };
 
-/// The ranges of all numbers that a case holds, of those that have one of their own.
+/// The ranges of all numbers of a case that have their own.
 std::vector<CheckedKey> checked_keys(const Case& input);
 
 /// Collects the errors of a case.
 class Judge {
  public:
-  /// @param checked  where the ranges go that keys are compared with, for those who list them
+  /// @param checked  receives the ranges of all keys checked, for callers that list them
   explicit Judge(std::vector<CheckedKey>* checked = nullptr) : checked_(checked) {}
 
   /// Keeps the error if `right` is false; returns `right`.
@@ -74,7 +74,7 @@ class Judge {
     return false;
   }
 
-  // Valid values cost no text: ensembles check every bearing.
+  // Valid values create no text: ensembles check every bearing.
 
   bool finite(const std::string& key, double value, std::string_view unit) {
     return std::isfinite(value) || require(false, key, quantity(value, unit), "is not finite", "give a finite number");
@@ -103,7 +103,7 @@ class Judge {
                                                 "give at most 360 degrees either way");
   }
 
-  /// A number of something that is counted: "increments".
+  /// A count, such as "increments".
   bool count(const std::string& key, int value, std::string_view what, std::pair<int, int> ends = {1, most_steps}) {
     note(key, {static_cast<double>(ends.first), static_cast<double>(ends.second), ""});
     if (value >= ends.first && value <= ends.second) return true;
@@ -129,7 +129,7 @@ class Judge {
   std::vector<CheckedKey>* checked_;
 };
 
-/// Whether a run of so many increments and bumps can be kept in memory.
+/// Whether a run with this number of increments and bumps fits in memory.
 inline void judge_memory(Judge& judge, std::string_view command, const std::string& key, int steps,
                          std::int64_t increments, int bumps) {
   judge.require_for(command, increments <= most_bump_increments / bumps, key, std::to_string(steps),
@@ -137,13 +137,13 @@ inline void judge_memory(Judge& judge, std::string_view command, const std::stri
                     "give fewer steps, or fewer directions or cycles");
 }
 
-/// Displacement of the journal that presses the bumps flat, m; 0 if it is not known.
+/// Journal displacement that flattens the bumps, m; 0 if unknown.
 inline double flattening(const Bearing& bearing, double rise) {
   const bool clear = std::abs(bearing.radial_clearance) <= thin * bearing.radius;
   return rise > 0.0 && clear ? bearing.radial_clearance + rise : 0.0;
 }
 
-/// Whether a foil of this thickness, given by `key`, fits into a bearing.
+/// Whether a foil of this thickness, given by `key`, is plausible for the bearing.
 inline bool judge_thinness(Judge& judge, const std::string& key, double thickness, double radius) {
   return judge.require(thickness <= thin * radius, key, quantity(thickness, "m"),
                        "is too thick for a foil in this bearing",

@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A dimension of the bumps, for all and in a section.
+/// A dimension of the bumps, general and per section.
 struct BumpDimension {
   std::string_view name;
   PerBump BumpFoil::*all;
@@ -28,7 +28,7 @@ constexpr std::array bump_dimensions{BumpDimension{"pitch", &BumpFoil::pitch, &B
 /// Which dimensions are usable at every bump.
 using Usable = std::array<bool, bump_dimensions.size()>;
 
-/// One value per bump, where there is a list.
+/// Checks the length of a list with one value per bump.
 bool judge_length_of_list(Judge& judge, const std::string& key, std::size_t values, int bumps) {
   if (bumps < 1) return false;
   return judge.require(std::cmp_equal(values, bumps), key, fmt::format("{} values", values),
@@ -43,7 +43,7 @@ bool judge_dimension(Judge& judge, const BumpFoil& foil, const BumpDimension& di
   const std::array<std::string_view, 2> ends{".start", ".end"};
   for (std::size_t i = 0; i < all.values.size(); ++i) {
     const double value = all.values[i];
-    if (value >= length_range.least && value <= length_range.most) continue;  // the usual case costs no text
+    if (value >= length_range.least && value <= length_range.most) continue;  // avoids text in the usual case
     const std::string place = all.law ? std::string(ends.at(i)) : all.is_list() ? fmt::format("[{}]", i + 1) : "";
     right = judge.within(key + place, value, length_range) && right;
   }
@@ -56,7 +56,7 @@ bool judge_dimension(Judge& judge, const BumpFoil& foil, const BumpDimension& di
   return right;
 }
 
-/// Whether sections, called by their key, are of bumps that there are, and no bump is in two of them.
+/// Whether sections, named by their key, refer to existing bumps and do not overlap.
 template <typename Section>
 bool judge_sections(Judge& judge, const std::string& key, const std::vector<Section>& sections, int bumps) {
   bool right = true;
@@ -85,7 +85,7 @@ bool judge_sections(Judge& judge, const std::string& key, const std::vector<Sect
   return right && bumps >= 1;
 }
 
-/// The key that the dimension of a bump (from 0) stands under.
+/// The key that gives the dimension of a bump (from 0).
 std::string key_of_bump(const BumpFoil& foil, DimensionIndex index, std::size_t bump) {
   const BumpDimension& dimension = bump_dimensions.at(index);
   const auto number = static_cast<int>(bump) + 1;
@@ -124,8 +124,8 @@ void judge_pitches(Judge& judge, const BumpFoil& foil, const std::vector<BumpSha
                       : std::string("give fewer bumps or smaller pitches"));
 }
 
-/// Arcs that neither overlap nor are thicker than their radius.
-/// @param key, shaped  what shapes them, and its value, m
+/// Checks that arcs neither overlap nor are thicker than their radius.
+/// @param key, shaped  the dimension that determines them, and its value, m
 bool judge_shape(Judge& judge, const BumpFoil& foil, std::size_t bump, const BumpShape& shape, bool pitch_known,
                  const std::string& key, double shaped) {
   const BumpArc arc = make_bump_arc(shape);
@@ -142,7 +142,7 @@ bool judge_shape(Judge& judge, const BumpFoil& foil, std::size_t bump, const Bum
          apart;
 }
 
-/// The nominal shape of a bump. True if it is one.
+/// Checks the nominal shape of a bump. @return whether it is valid
 bool judge_bump(Judge& judge, const BumpFoil& foil, std::size_t bump, const BumpShape& shape, const Usable& usable) {
   bool right = true;
   if (usable[length] && usable[pitch]) {
@@ -162,7 +162,7 @@ bool judge_bump(Judge& judge, const BumpFoil& foil, std::size_t bump, const Bump
          (judge_shape(judge, foil, bump, shape, usable[pitch], key_of_bump(foil, height, bump), whole) && right);
 }
 
-/// A list with one length per bump, each smaller than the rise of its bump (where that is known).
+/// Checks a list with one length per bump, each smaller than the rise of its bump (if known).
 void judge_list(Judge& judge, const std::string& key, const std::vector<double>& list, int bumps,
                 const std::vector<double>& rises) {
   if (list.empty()) return;
@@ -170,7 +170,7 @@ void judge_list(Judge& judge, const std::string& key, const std::vector<double>&
   for (std::size_t i = 0; i < list.size(); ++i) {
     const double rise = rises.empty() ? 0.0 : rises[std::min(i, rises.size() - 1)];
     const double limit = rise > 0.0 ? rise : length_range.most;
-    if (std::abs(list[i]) < limit) continue;  // the usual case costs no text
+    if (std::abs(list[i]) < limit) continue;  // avoids text in the usual case
     const std::string entry = fmt::format("{}[{}]", key, i + 1);
     if (judge.finite(entry, list[i], "m") && rise > 0.0) {
       judge.require(std::abs(list[i]) < rise, entry, quantity(list[i], "m"),
@@ -179,7 +179,7 @@ void judge_list(Judge& judge, const std::string& key, const std::vector<double>&
   }
 }
 
-/// Shape of the tallest bump, where height errors give bumps shapes of their own.
+/// Checks the shape of the tallest bump, if height errors give bumps individual shapes.
 void judge_tallest(Judge& judge, const BumpFoil& foil, const std::vector<BumpShape>& bumps, bool pitch_known) {
   const std::vector<double>& errors = foil.height_errors;
   if (!foil.stiffness_follows_height || errors.empty() || errors.size() != bumps.size()) return;
@@ -228,7 +228,7 @@ JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius
   for (std::size_t i = 0; i < bump_dimensions.size(); ++i)
     usable.at(i) = judge_dimension(judge, foil, bump_dimensions.at(i), bumps);
 
-  // Without a number of bumps, one stands for all; bumps without a place are none.
+  // Without a number of bumps, one represents all; bumps without a position are ignored.
   BumpFoil known = foil;
   if (!judged.bumps) known.bumps = 1;
   if (!judge_sections(judge, "bump_foil.section", foil.sections, bumps)) known.sections.clear();

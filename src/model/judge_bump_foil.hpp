@@ -7,16 +7,16 @@ namespace bumpfoil {
 
 /// Properties of a bump foil that other checks need.
 struct JudgedBumpFoil {
-  bool bumps{};    ///< their number is usable
-  bool pitches{};  ///< as well as all pitches
-  double rise{};   ///< of the mid-surface of the tallest nominal bump, m; 0 where it is not known
+  bool bumps{};    ///< whether their number is usable
+  bool pitches{};  ///< whether all pitches are, too
+  double rise{};   ///< of the mid-surface of the tallest nominal bump, m; 0 if unknown
 };
 
 /// Checks the shape of a bump foil, its lists and its shims, not its material.
-/// @param radius  of the bearing, 0 where that is not usable
+/// @param radius  of the bearing; 0 if unusable
 JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius);
 
-/// Checks whether lists and gradings along the foil cover a strip of so many bumps.
+/// Checks whether lists and gradings along the foil match the number of bumps of a strip.
 void judge_strip_of(Judge& judge, const BumpFoil& foil, int bumps);
 
 }  // namespace bumpfoil

@@ -11,12 +11,12 @@ namespace bumpfoil {
 namespace {
 
 constexpr int most_samples = 1'000'000'000;
-/// Shorter waves than this part of the circumference are roughness.
+/// Waves shorter than this fraction of the circumference count as roughness.
 constexpr int most_waves = 1000;
-/// Bounds that leave less of a normal distribution than this are an input error.
+/// Bounds that retain less of a normal distribution are an input error.
 constexpr double least_share = 1e-12;
 
-/// Whether each number is there where its kind needs it, and only there.
+/// Whether exactly the numbers that each kind needs are given.
 bool judge_parts(Judge& judge, const std::string& table, const Distribution& distribution) {
   const DistributionKind kind = distribution.kind;
   const bool normal = kind == DistributionKind::normal || kind == DistributionKind::truncated_normal;

@@ -7,10 +7,10 @@
 
 namespace bumpfoil {
 
-/// Checks the waves of a sleeve. @param radius of the bearing, m; 0 if it is not known
+/// Checks the waves of a sleeve. @param radius of the bearing, m; 0 if unknown
 void judge_waves(Judge& judge, const std::string& table, int harmonic, double amplitude, double radius);
 
-/// Checks the settings of an ensemble: invalid samples are only found when they are drawn. @param radius the same
+/// Checks the settings of an ensemble; invalid samples are only found on drawing. @param radius as above
 void judge_montecarlo(Judge& judge, const MonteCarloSettings& ensemble, double radius);
 
 }  // namespace bumpfoil

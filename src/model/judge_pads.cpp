@@ -17,7 +17,7 @@ std::string degrees(double angle) {
   return fmt::format("{:.6g} deg", 360.0 / turn * angle);
 }
 
-/// Properties that the foils of all pads share, as one contact problem and one result hold them all.
+/// Checks properties that the foils of all pads must share: one contact problem and one result hold all of them.
 void judge_common(Judge& judge, const std::string& table, const Case& input, const Pad& pad) {
   const auto require_same = [&](bool same, std::string_view key, std::string_view common) {
     judge.require(same, fmt::format("{}.{}", table, key), "", "is not that of the other pads",
@@ -44,7 +44,7 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
   }
 }
 
-/// Commands and models that support only one foil all around.
+/// Checks for commands and models that support only one foil around the circumference.
 void judge_use(Judge& judge, const Case& input) {
   judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "", "does not support pads",
                 "set model = \"truss\" or \"frame\", or remove [[pad]]");

@@ -9,8 +9,8 @@
 namespace bumpfoil {
 
 /// Checks pads, except their foils.
-/// @param radius  of the bearing, 0 where that is not usable
-/// @return whether they have arcs and places
+/// @param radius  of the bearing; 0 if unusable
+/// @return whether their arcs and positions are known
 bool judge_pads(Judge& judge, const Case& input, double radius);
 
 /// Checks that pads do not overlap. Their foils must be valid.

@@ -14,12 +14,12 @@ namespace bumpfoil {
 namespace {
 
 constexpr int most_strips = 20;
-/// Strips together are at least this part of the width: less is another unit.
+/// Minimum total width of the strips, relative to the bearing: less indicates a wrong unit.
 constexpr double least_width = 0.05;
-/// A third of a pitch may be written as 0.33.
+/// Accepts 0.33 for a third of a pitch.
 constexpr double stagger_tolerance = 0.02;
 
-/// Their number and the gaps between them. True if they are usable.
+/// Checks the number of strips and the gaps between them. @return whether they are usable
 bool judge_gaps(Judge& judge, const PadDesign& pad) {
   const BumpFoil& foil = pad.bump_foil;
   if (!judge.count("bump_foil.strips", foil.strips, "strips", {1, most_strips})) return false;
@@ -48,7 +48,7 @@ void judge_heights(Judge& judge, const std::string& key, const PerBump& heights,
                 fmt::format("is more than the rise of the bump, {:.6g} m", rise), "is the unit right?");
 }
 
-/// True if it is one.
+/// @return whether the stagger is valid
 bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
   if (!judge.finite(key, stagger, "")) return false;
   const double sixths = staggers_per_pitch * stagger;
@@ -59,8 +59,8 @@ bool judge_stagger(Judge& judge, const std::string& key, double stagger) {
                        "give 0, 0.17, 0.33, 0.5, 0.67 or 0.83");
 }
 
-/// Thickness and sections of a strip, and the shapes of bumps that they make.
-/// @param key  of the strip, with a dot
+/// Checks thickness and sections of a strip, and the resulting bump shapes.
+/// @param key  of the strip, with a trailing dot
 void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil, const FoilStrip& strip,
                      double radius) {
   const std::string sections = key + "section";
@@ -103,7 +103,7 @@ void judge_own_bumps(Judge& judge, const std::string& key, const BumpFoil& foil,
   }
 }
 
-/// Requirements of staggered strips.
+/// Checks requirements of staggered strips.
 void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& judged, double radius) {
   const BumpFoil& foil = pad.bump_foil;
   const auto least = std::min_element(foil.strip.begin(), foil.strip.end(),
@@ -120,14 +120,14 @@ void judge_staggered(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& j
       std::all_of(bumps.begin(), bumps.end(), [&](const BumpShape& bump) { return bump.pitch == bumps.front().pitch; });
   judge.require(equal, key, "", "staggers strips whose pitches vary, which is not supported",
                 "give one bump_foil.pitch, or remove the stagger");
-  if (radius <= 0.0 || pad.top_foil.overhang) return;  // with an overhang this is checked there
+  if (radius <= 0.0 || pad.top_foil.overhang) return;  // with an overhang, checked there
   const double beyond = foil_angle(pad) - turn * (1.0 + round_off);
   judge.require(beyond <= 0.0, key, "",
                 fmt::format("staggers strips so far that the foil overlaps itself by {:.6g} m", beyond * radius),
                 "give fewer bumps, smaller pitches or a shorter top_foil.overhang");
 }
 
-/// Requirements of strips that differ.
+/// Checks requirements of strips that differ.
 void judge_own(Judge& judge, const PadDesign& pad) {
   const std::string key = "bump_foil.strip";
   judge.require(pad.bump_foil.model != BumpFoilModel::former, key, "",

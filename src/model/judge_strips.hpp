@@ -4,9 +4,9 @@
 
 namespace bumpfoil {
 
-/// The strips that a bump foil is split into over the width, and what cannot be done with those that differ.
+/// Checks the strips of a bump foil over the width, and features that strips exclude if they differ.
 /// @param foil    of the pad
-/// @param radius  of the bearing, 0 where that is not usable
+/// @param radius  of the bearing; 0 if unusable
 void judge_strips(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& foil, double radius);
 
 }  // namespace bumpfoil

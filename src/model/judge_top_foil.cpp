@@ -7,11 +7,11 @@
 namespace bumpfoil {
 namespace {
 
-/// A foil that is formed tighter than this part of the radius of the bearing, or presses on its bumps with more than
-/// this pressure, is an input error: the unit is wrong.
+/// Smallest formed radius relative to that of the bearing, and largest pressure on the bumps: values beyond indicate a
+/// wrong unit.
 constexpr double tightest = 0.5;
 constexpr Range seat_range{0.0, 1e6, "Pa"};
-/// Overhangs over the last pitch: shorter ones leave no room for a mesh, longer ones are another foil.
+/// Overhangs over the last pitch: shorter ones cannot be meshed, longer ones are not supported.
 constexpr double shortest_overhang = 0.01;
 constexpr double longest_overhang = 2.0;
 

@@ -6,9 +6,9 @@
 
 namespace bumpfoil {
 
-/// Forming and overhang of the top foil of a pad, or of a bearing without pads.
-/// @param foil    what is known of its bump foil
-/// @param radius  of the bearing, m; 0 where that is not usable
+/// Checks forming and overhang of the top foil of a pad, or of a bearing without pads.
+/// @param foil    known properties of its bump foil
+/// @param radius  of the bearing, m; 0 if unusable
 void judge_top_foil(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& foil, double radius);
 
 }  // namespace bumpfoil

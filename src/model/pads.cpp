@@ -8,9 +8,9 @@
 namespace bumpfoil {
 namespace {
 
-/// Makes all pitches of a pad's foils longer by a factor, so that the top foil ends at an angle from the weld.
+/// Scales all pitches of a pad's foils, so that the top foil ends at the given arc from the weld.
 void stretch(PadDesign& pad, double arc) {
-  const double overhang = pad.top_foil.overhang.value_or(0.0) / pad.bearing.radius;  // is not stretched
+  const double overhang = pad.top_foil.overhang.value_or(0.0) / pad.bearing.radius;  // not scaled
   const double factor = (arc - overhang) / (foil_angle(pad) - overhang);
   BumpFoil& foil = pad.bump_foil;
   for (double& pitch : foil.pitch.values) pitch *= factor;
@@ -19,7 +19,7 @@ void stretch(PadDesign& pad, double arc) {
   }
 }
 
-/// The arc that the foils of a pad are to fill; absent where they are as long as they are.
+/// Prescribed arc of the foils of a pad; absent if the foils determine it.
 std::optional<double> arc_of(const BearingDesign& design, const Pad& pad) {
   if (pad.arc || !design.bearing.pad_gap) return pad.arc;
   return turn / static_cast<double>(design.pads.size()) - *design.bearing.pad_gap;

@@ -22,7 +22,7 @@ PerBump listed(const PerBump& dimension, std::size_t bumps) {
 }
 
 PerBump shifted(const PerBump& dimension, std::size_t bumps, double deviation) {
-  // Shifted ends of a geometric law would have other ratios between them.
+  // A shift of both ends would change the ratios of a geometric law.
   PerBump result = dimension.law == Grading::geometric ? listed(dimension, bumps) : dimension;
   for (double& value : result.values) value += deviation;
   return result;

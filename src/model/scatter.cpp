@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Quantile of p <= 1/2, which keeps its digits.
+/// Quantile of p <= 1/2, without cancellation.
 double lower_quantile(double p) {
   // Abramowitz & Stegun, 26.2.23: within 4.5e-4 of the root; each step of Halley's method triples the digits.
   const double t = std::sqrt(-2.0 * std::log(p));
@@ -24,7 +24,7 @@ double lower_quantile(double p) {
   return z;
 }
 
-/// Between the bounds of the tail that keeps the digits of both.
+/// Truncated between bounds, in the tail that avoids cancellation in both.
 double truncated_quantile(const Distribution& distribution, double p) {
   const double lower = *distribution.lower / *distribution.sigma;
   const double upper = *distribution.upper / *distribution.sigma;
@@ -36,20 +36,20 @@ double truncated_quantile(const Distribution& distribution, double p) {
   return std::clamp(*distribution.sigma * (above ? -z : z), *distribution.lower, *distribution.upper);
 }
 
-/// Of those sections that have the dimension.
+/// Shifts the sections that have the dimension.
 void shift(std::vector<BumpSection>& sections, std::optional<double> BumpSection::*own, double deviation) {
   for (BumpSection& section : sections) {
     if (section.*own) *(section.*own) += deviation;
   }
 }
 
-/// Of all bumps alike.
+/// Shifts all bumps equally.
 void shift(BumpFoil& foil, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own, double deviation) {
   foil.*dimension = shifted(foil.*dimension, static_cast<std::size_t>(foil.bumps), deviation);
   shift(foil.sections, own, deviation);
 }
 
-/// Of all pads alike.
+/// Shifts all pads equally.
 void shift(BearingDesign& bearing, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own,
            double deviation) {
   shift(bearing.bump_foil, dimension, own, deviation);
@@ -95,7 +95,7 @@ constexpr auto scattered_number_table = std::to_array<ScatteredNumber>({
      [](BearingDesign& bearing, double deviation) { bearing.bearing.radial_clearance += deviation; }},
     {"formed_radius", "m", "deviation of the radius that the top foil is formed to", &MonteCarloSettings::formed_radius,
      [](BearingDesign& bearing, double deviation) {
-       if (deviation == 0.0) return;  // what is not formed stays so
+       if (deviation == 0.0) return;  // an unformed foil stays unformed
        const auto shift_of = [&](TopFoil& foil) {
          foil.formed_radius = {FormedTo::radius, formed_radius(foil.formed_radius, bearing.bearing) + deviation};
        };

@@ -24,7 +24,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Deviations of a radius.
+/// Checks deviations of a radius.
 void judge_deviation(Judge& judge, const std::string& key, double deviation, double radius) {
   if (!judge.finite(key, deviation, "m") || radius <= 0.0) return;
   judge.require(std::abs(deviation) <= thin * radius, key, quantity(deviation, "m"), "is too large for this radius",
@@ -43,12 +43,12 @@ void judge_profile(Judge& judge, const std::string& part, const RadiusProfile& p
   judge.require(std::cmp_less_equal(deviations.size(), most_points), key, fmt::format("{} values", deviations.size()),
                 "are too many", fmt::format("give at most {}", most_points));
   for (std::size_t i = 0; i < deviations.size(); ++i) {
-    if (radius > 0.0 && std::abs(deviations[i]) <= thin * radius) continue;  // the usual case costs no text
+    if (radius > 0.0 && std::abs(deviations[i]) <= thin * radius) continue;  // avoids text in the usual case
     judge_deviation(judge, fmt::format("{}[{}]", key, i + 1), deviations[i], radius);
   }
 }
 
-/// @return whether the radius is known; that of a strip alone is infinite
+/// @return whether the radius is known; a strip without bearing has an infinite one
 bool judge_radius(Judge& judge, const Bearing& bearing, bool strip) {
   if (!bearing.is_flat()) return judge.within("bearing.radius", bearing.radius, length_range);
   if (!strip) return judge.require(false, "bearing.radius", "", "is missing", "give it, or bearing.diameter");
@@ -136,18 +136,18 @@ void judge_combination(Judge& judge, const Case& input) {
       "set name = \"newton\" or bump_foil.geometry = \"linear\"");
 }
 
-/// Whether one of these concerns all commands.
+/// Whether any of these errors affects all commands.
 bool any_concerns_all(const std::vector<JudgedFault>& faults) {
   return std::any_of(faults.begin(), faults.end(), [](const JudgedFault& one) { return one.command.empty(); });
 }
 
-/// Errors of a single pad, other than those of the bearing.
+/// Errors of a single pad, excluding those of the bearing.
 std::vector<JudgedFault> find_faults_of_pad(Case alone, std::size_t pad, double lobe,
                                             const std::vector<JudgedFault>& known) {
   if (alone.top_foil.formed_radius.to == FormedTo::seated && alone.bearing.radial_clearance > 0.0) {
     alone.top_foil.formed_radius = {FormedTo::radius, formed_radius(alone.top_foil.formed_radius, alone.bearing)};
   }
-  // On a preloaded pad the journal flattens the bumps earlier.
+  // On a preloaded pad the journal flattens the bumps at a smaller displacement.
   alone.bearing.radial_clearance -= std::max(lobe, 0.0);
   std::vector<JudgedFault> faults = judge_case(alone);
   std::erase_if(faults, [&known](const JudgedFault& found) {
@@ -162,7 +162,7 @@ std::vector<JudgedFault> find_faults_of_pad(Case alone, std::size_t pad, double 
   return faults;
 }
 
-/// Foils of pads, first as they are given, then stretched to their arcs.
+/// Errors of the foils of pads, first as given, then stretched to their arcs.
 std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<JudgedFault>& known) {
   std::vector<JudgedFault> faults;
   const auto add = [&](const PadDesign& pad, std::size_t k) {
@@ -180,7 +180,7 @@ std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<Ju
     pad.top_foil = input.pads[k].top_foil.value_or(input.top_foil);
     add(pad, k);
   }
-  // What commands meet in a pad they meet in the placed one again.
+  // Errors that affect all commands in a pad would recur in the placed pad.
   if (any_concerns_all(faults) || any_concerns_all(known)) return faults;
   faults.clear();
   const std::vector<PlacedPad> pads = place_pads(input);
@@ -193,7 +193,7 @@ std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<Ju
   return faults;
 }
 
-/// Those of the bearing of the case, and of what is to be run.
+/// Errors of the bearing of the case, and of the requested runs.
 std::vector<JudgedFault> judge_bearing_and_runs(const Case& input, std::vector<CheckedKey>* checked = nullptr) {
   Judge judge(checked);
   const BumpFoil& foil = input.bump_foil;
@@ -229,7 +229,7 @@ std::vector<JudgedFault> judge_bearing_and_runs(const Case& input, std::vector<C
   return faults;
 }
 
-/// Errors of the bearings of a rotor, other than those of the bearing of the case.
+/// Errors of the bearings of a rotor, excluding those of the bearing of the case.
 std::vector<JudgedFault> find_rotor_bearing_faults(const Case& input, const std::vector<JudgedFault>& known) {
   std::vector<JudgedFault> faults;
   const auto is_known = [&known](const JudgedFault& found) {
@@ -245,7 +245,7 @@ std::vector<JudgedFault> find_rotor_bearing_faults(const Case& input, const std:
       faults.push_back(std::move(found));
     }
     if (!input.montecarlo || !input.montecarlo->bump_height) continue;
-    // Heights are drawn for the bumps of the case, and every bearing has them.
+    // Height errors are drawn once, for the bumps of the case: every bearing needs the same number.
     const int bumps = total_bumps(alone);
     if (bumps == total_bumps(input)) continue;
     faults.push_back(

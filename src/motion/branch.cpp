@@ -9,21 +9,22 @@
 namespace bumpfoil {
 namespace {
 
-/// Steps that take no more iterations than this let the next one grow.
+/// The next step may grow after a step with at most this many iterations.
 constexpr int easy_iterations = 12;
-/// A step that reaches the end but for this part of it does.
+/// A step that ends closer to the end than this fraction of it is extended to the end.
 constexpr double last_step_round_off = 1e-12;
-/// Steps grow until the departure from the tangent is this part of what is accepted, by no more than this at once.
+/// Steps grow until the departure from the tangent is this fraction of the accepted one, by at most the following
+/// factor at once.
 constexpr double aimed_departure = 0.5;
 constexpr double largest_growth = 8.0;
-/// A contact that changes where a step begins bends the branch there: in half the step the departure is half as large,
-/// within these parts, however short the step.
+/// A contact change at the start of a step bends the branch there: half the step then has half the departure, within
+/// these fractions, however short the step.
 constexpr double least_part_at_corner = 0.35;
 constexpr double largest_part_at_corner = 0.65;
-/// Of steps that look for another branch, and of those that begin behind the end of one.
+/// Growth factor of steps that search for another branch, and of those behind the end of one.
 constexpr double step_growth_off_branch = 8.0;
 
-/// Takes a state along a line of operating points, in parts of the line.
+/// Follows a state along a line of operating points, by fractions of the line.
 class BranchFollower {
  public:
   BranchFollower(FilmStepper& stepper, const OperatingPoint& to, BearingState& state)
@@ -56,7 +57,7 @@ class BranchFollower {
   FilmReport total_;
 };
 
-/// Of first length on the way, at least one.
+/// Number of steps of the first length, at least one.
 double BranchFollower::steps() const {
   const double c = stepper_.bearing().scales.thickness;
   double steps = 1.0;
@@ -86,8 +87,8 @@ double BranchFollower::largest_departure(const FilmReport& report) const {
   return std::max(options_.largest_departure * report.predicted_change, options_.resolved_departure);
 }
 
-/// The next state, under a load on the same branch: one that lies off the tangent's prediction by more than curvature
-/// and contacts explain is not accepted, as Newton's method has reached another branch.
+/// The next state. Under a load it must be on the same branch: Newton's method has reached another branch if the
+/// departure from the tangent prediction exceeds what curvature and contacts explain.
 /// @param twice_as_far  departure in a step of twice the length, if that was too large
 FilmReport BranchFollower::solve_on_branch(const OperatingPoint& to, double twice_as_far) {
   BearingState found = state_;
@@ -111,9 +112,9 @@ double BranchFollower::growth(const FilmReport& taken) const {
   return std::clamp(aimed_departure * largest_departure(taken) / taken.departure, 1.0, largest_growth);
 }
 
-/// From the last state of a branch to where the film comes to rest in time behind the end. Under a load, if it rests
-/// nowhere, to the state that Newton's method reaches in the shortest step that it converges in. It counts as a jump
-/// unless it is but a corner of the branch, at which Newton's method failed.
+/// Continues behind the end of a branch from its last state to where the film comes to rest in time. If it does not,
+/// under a load, takes the state that Newton's method reaches in the shortest step that converges. This counts as a
+/// jump unless it is only a corner of the branch at which Newton's method failed.
 void BranchFollower::jump() {
   const BearingState last = state_;
   const double begin = reached_;
@@ -166,14 +167,14 @@ FilmReport BranchFollower::follow() {
     step *= 0.5;
     if (step >= leap_) continue;
     if (report.status != Status::not_converged) return total_;
-    // The branch ends: no state near the last one goes on.
+    // The branch ends: there is no neighbouring state that continues it.
     if (ends++ == options_.max_ends) {
       total_.status = Status::fold;
       return total_;
     }
     jump();
     if (total_.status != Status::converged) return total_;
-    // Where the next step fails at once the end has not been left yet.
+    // If the next step fails immediately, the end has not been passed yet.
     leap_ = std::min(step_growth_off_branch * leap_, longest_);
     step = leap_;
     too_far = 0.0;

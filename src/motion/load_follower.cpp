@@ -7,18 +7,18 @@
 namespace bumpfoil {
 namespace {
 
-/// Pieces of one load, and guesses of the modes of one piece: many more than any response needs.
+/// Maximum numbers of pieces of one load, and of guesses of the modes of one piece: many more than any response needs.
 constexpr int most_pieces = 10000;
 constexpr int most_guesses = 50;
-/// Moves are tried so far, as part of the reach, and then so many times as far as the last: one change of contact is
-/// looked for, and those behind it would be followed in vain.
+/// First trial length of a move, as fraction of the reach, and the growth factor of later ones. A trial only needs to
+/// reach the next contact change; following more is wasted.
 constexpr double first_length = 1e-3;
 constexpr double growth = 4.0;
-/// A part of a move that is none.
+/// A smaller fraction of a move counts as zero.
 constexpr double no_part = 1e-9;
-/// A way within this of another is the same, rad: roundings turn it by less, changes of contact by more.
+/// Directions within this angle are equal, rad: round-off turns them by less, contact changes by more.
 constexpr double no_turn = 1e-9;
-/// Tangents this close to singular, as part of their square, do not determine where the body goes.
+/// A tangent whose determinant is below this fraction of its square is singular: it does not determine the motion.
 constexpr double least_determinant = 1e-12;
 
 class LoadFollower {
@@ -53,12 +53,12 @@ class LoadFollower {
   Eigen::Vector2d load_;
   double tolerance_;
   double reach_;
-  double longest_;  ///< that a move is tried, m
+  double longest_;  ///< trial length of a move, m
   Step& step_;
   Step piece_;
 };
 
-/// Goes from where the foils are along a part of a move.
+/// Tries a fraction of a move from the current state of the foils.
 bool LoadFollower::try_move(const Eigen::Vector2d& move, double part) {
   Excitation end = step_.state;
   end.position += move;
@@ -68,7 +68,7 @@ bool LoadFollower::try_move(const Eigen::Vector2d& move, double part) {
   return piece_.converged();
 }
 
-/// The part of a move, which was just tried, that lies before the first change of contact on it.
+/// The fraction of the move just tried before its first contact change.
 double LoadFollower::first_part(const Eigen::Vector2d& move) const {
   for (const Waypoint& point : piece_.waypoints) {
     const double part = (point.position - step_.state.position).dot(move) / move.squaredNorm();
@@ -81,15 +81,16 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Narrows down where to go: the force turns with the way, in pieces.
+/// Brackets the direction of motion: the force turns with it, piecewise continuously.
 class Bracket {
  public:
-  /// A way that makes the force grow by `rise`, to one side of where it should.
+  /// Adds a direction whose force increment `rise` lies to one side of the required one.
   void add(const Eigen::Vector2d& way, const Eigen::Vector2d& rise, const Eigen::Vector2d& wanted) {
     (cross(wanted, rise) > 0.0 ? left_ : right_) = way.normalized();
   }
 
-  /// The way, or where it lies outside the bracket or at its edge, which has been tried, one inside of the same length.
+  /// The direction, or one inside the bracket of the same length if it lies outside or at an edge, which has been
+  /// tried.
   [[nodiscard]] Eigen::Vector2d inside(const Eigen::Vector2d& way) const {
     const double turn = no_turn * way.norm();
     if (!left_ || !right_ || (cross(*right_, way) > turn && cross(way, *left_) > turn)) return way;
@@ -100,7 +101,7 @@ class Bracket {
   std::optional<Eigen::Vector2d> left_, right_;
 };
 
-/// On towards a load, no further than to the next change of contact.
+/// Advances towards a load, at most to the next contact change.
 bool LoadFollower::take_piece(const Eigen::Vector2d& lacking) {
   const Eigen::Vector2d here = step_.state.position;
   TangentMatrices tangents = stepper_.tangents(step_.state);
@@ -115,7 +116,7 @@ bool LoadFollower::take_piece(const Eigen::Vector2d& lacking) {
     if (!((here + move).norm() <= reach_) || !try_move(move, 1.0)) return false;
     const double part = first_part(move);
     if (part < 1.0 && !try_move(move, part)) return false;
-    // The guess was right if the force has grown as it should.
+    // The guess is correct if the force has grown in the required direction.
     const Eigen::Vector2d rise = force(piece_.state) - force(step_.state);
     if ((rise - part * tried * lacking).norm() <= tolerance_) {
       piece_.cost = {};  // counted already
@@ -124,7 +125,7 @@ bool LoadFollower::take_piece(const Eigen::Vector2d& lacking) {
       return true;
     }
     bracket.add(move, rise, lacking);
-    // At its end a rounding may have changed the modes of the piece.
+    // At the end, round-off may have changed the modes of the piece.
     if (!try_move(move, 0.5 * part)) return false;
     tangents = stepper_.tangents(piece_.state);
   }

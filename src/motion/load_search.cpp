@@ -13,27 +13,27 @@ namespace {
 /// Maximum trials: far more than a bracketed search needs on a piecewise linear (large displacements: piecewise smooth)
 /// function.
 constexpr int most_tries = 100;
-/// The first step towards a load where nothing is touched yet, as part of the reach.
+/// First step towards a load without contact, as fraction of the reach.
 constexpr double first_part = 1e-3;
-/// Newton's method in the plane needs a handful of steps, more where the body rolls from contact to contact; each may
-/// be halved as often as this.
+/// Maximum numbers of Newton steps in the plane, and of halvings of each. A handful suffices; more are needed if the
+/// journal rolls from contact to contact.
 constexpr int most_steps_in_plane = 100;
 constexpr int most_step_halvings = 20;
 constexpr double most_overshoot = 0.3;
-/// As part of the stiffness of sticking contacts.
+/// Smallest spring stiffness, as fraction of the stiffness of sticking contacts.
 constexpr double softest_spring = 1e-6;
-/// As parts of the reach: what one such step may take, and what is too little room for one.
+/// As fractions of the reach: the longest of these steps, and the shortest.
 constexpr double longest_move = 0.05;
 constexpr double shortest_move = 1e-6;
 
-/// Loads are halved no more often than this.
+/// Maximum number of halvings of the load.
 constexpr int most_load_halvings = 8;
-/// Forces that count as none, in units of the load that stands for none.
+/// Lateral force that counts as zero, in units of the load that replaces a load of zero.
 constexpr double most_across = 3.0;
-/// A tangent of further motion this much smaller than that of sticking contacts does not determine the place.
+/// A tangent stiffness below this fraction of that of sticking contacts does not determine the position.
 constexpr double least_tangent = 1e-9;
 
-/// A load as small as the tolerance must still tell a body that carries it from one that has lifted.
+/// Even a load as small as the tolerance must distinguish a journal that carries it from one that has lifted.
 double load_tolerance(const FoilStepper& stepper, const Eigen::Vector2d& load) {
   return std::min(0.5 * load.norm(), std::max(load.norm(), 1.0) * stepper.bounds().load);
 }
@@ -48,14 +48,13 @@ class LoadSearch {
     step_.events.clear();
   }
 
-  /// Leaves the journal on the line through where it was along the unit vector `direction`, where the load along
-  /// that is met.
+  /// Moves the journal along the unit vector `direction` until this component of the load is met.
   void along(const Eigen::Vector2d& direction);
-  /// Goes on from there until both components are met.
+  /// Continues in the plane until both components are met.
   void in_plane();
-  /// Whether a body that was taken along its load has no more to carry across it than that.
+  /// Whether the remaining lateral force on a journal moved along its load counts as zero.
   [[nodiscard]] bool lets_go() const { return missing().norm() <= most_across * load_.norm(); }
-  /// Hands over what all tries cost together, those before this search included.
+  /// Sums the cost of all trials and of `before`.
   void finish(const SolveCost& before, int substeps_before) {
     step_.cost = cost_;
     step_.cost += before;
@@ -89,16 +88,16 @@ class LoadSearch {
 void LoadSearch::along(const Eigen::Vector2d& direction) {
   const Eigen::Vector2d start = from_.position;
   const double most = reach_ - start.dot(direction);
-  double below = -HUGE_VAL;  // lengths that end with less load, and with more
+  double below = -HUGE_VAL;  // lengths with too little load, and with too much
   double above = HUGE_VAL;
-  double length = 0.0;  // standing still
+  double length = 0.0;  // no motion
   for (int i = 0; i < most_tries; ++i) {
     const double lacking = missing().dot(direction);
     if (std::abs(lacking) <= tolerance_) return;
     (lacking > 0.0 ? below : above) = length;
 
     const TangentStiffnesses tangent = stepper_.tangents(step_.state).along(direction);
-    // The first try turns round, or goes on as before.
+    // The first trial reverses or continues in the last direction.
     const double slope = (i == 0 && lacking < 0.0 ? tangent.unloading : tangent.loading).value_or(0.0);
     const double newton = slope > 0.0 ? length + lacking / slope : HUGE_VAL;
     const double further = std::max(std::abs(length), first_part * reach_);
@@ -123,15 +122,15 @@ void LoadSearch::along(const Eigen::Vector2d& direction) {
   step_.status = Status::load_not_met;
 }
 
-/// Whether a body that is free in the plane stays where it is under its load.
+/// Whether a free journal is stable under its load.
 Status stability(const TangentMatrices& tangents) {
   if (!tangents.loading || !tangents.unloading) return Status::not_unique;
   if (tangents.loading->norm() < least_tangent * tangents.unloading->norm()) return Status::not_unique;
   return tangents.loading->determinant() <= 0.0 ? Status::unstable : Status::converged;
 }
 
-/// Newton's move towards a load, no longer than `longest`. What the tangent leaves loose (a body on one contact rolls
-/// until it meets the next) is held by a spring that is as soft as that allows.
+/// Newton's move towards a load, at most of length `longest`. A spring as soft as possible restrains directions without
+/// stiffness (a journal on one contact rolls until it meets the next).
 Eigen::Vector2d newton_move(const TangentMatrices& tangents, const Eigen::Vector2d& lacking, double longest) {
   const double stiff = std::max(tangents.unloading->norm(), lacking.norm() / longest);
   for (double spring = 0.0;; spring = std::max(softest_spring * stiff, 10.0 * spring)) {
@@ -163,26 +162,26 @@ void LoadSearch::in_plane() {
     }
     for (int halvings = 0; halvings < most_step_halvings; ++halvings, move *= 0.5) {
       if (!try_at(here + move)) return;
-      // Nearer to the load, or not much past where the move no longer leads towards it.
+      // Accepts a move that comes nearer to the load, or overshoots only slightly.
       if (missing().norm() < lacking.norm() || missing().dot(move) > -most_overshoot * lacking.dot(move)) break;
     }
   }
   step_.status = Status::load_not_met;
 }
 
-/// Whether all bumps have one normal, so that nothing can be carried across it.
+/// Whether all bumps have one normal, so that no lateral force can be carried.
 bool is_strip(const Foils& foils) {
   return (foils.normals.colwise() - foils.normals.col(0)).isZero();
 }
 
-/// One try to meet the load in one increment.
+/// Tries to meet the load in one increment.
 void try_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, bool is_none, double reach,
               Step& step) {
   const SolveCost before = step.cost;
   const int substeps_before = step.substeps;
   step.status = Status::converged;
   LoadSearch search(stepper, from, load, reach, step);
-  // A load that nothing carries yet, or that turns round: the body may have to cross its clearance.
+  // If no contact carries the load yet, or it reverses, the journal may have to cross its clearance.
   const bool anew = holding_force(stepper.foils(), from.contacts.normal_force).dot(load) <= 0.0;
   const bool strip = is_strip(stepper.foils());
   if (strip || anew || is_none) search.along(load.normalized());
@@ -191,7 +190,7 @@ void try_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vecto
   search.finish(before, substeps_before);
 }
 
-/// Meets the load in one increment, or in two of half the load, and so on.
+/// Meets the load in one increment, or in two of half the load each, recursively.
 void meet_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, bool is_none, double reach,
                int halvings, Step& step) {
   try_load(stepper, from, load, is_none, reach, step);
@@ -205,20 +204,20 @@ void meet_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vect
   meet_load(stepper, middle, load, is_none, reach, halvings - 1, step);
 }
 
-/// The same from where `step` ends, behind what happened before.
+/// Continues from the end of `step`, and appends to it.
 void go_on(FoilStepper& stepper, const Eigen::Vector2d& load, bool is_none, double reach, Step& step) {
   Step part;
   meet_load(stepper, step.state, load, is_none, reach, most_load_halvings, part);
   append(stepper.foils(), part, step);
 }
 
-/// The least load on the line from one to the other.
+/// The smallest load on the line between two loads.
 double least_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const Eigen::Vector2d line = (to - from).normalized();
   return (from - from.dot(line) * line).norm();
 }
 
-/// Meets the load by the way that the body goes while it grows.
+/// Meets the load along the path of the journal while it grows.
 void grow_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, double none, double reach,
                Step& step) {
   const Eigen::Vector2d carried = holding_force(stepper.foils(), from.contacts.normal_force);
@@ -246,7 +245,7 @@ void grow_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vect
       go_on(stepper, load, is_none, reach, step);
     }
   }
-  if (!step.waypoints.empty()) step.waypoints.pop_back();  // the end
+  if (!step.waypoints.empty()) step.waypoints.pop_back();  // the last waypoint is the end
 }
 
 }  // namespace

@@ -8,17 +8,17 @@
 namespace bumpfoil {
 namespace {
 
-/// Into so many equal parts a step is divided at most.
+/// Maximum number of equal parts of a step.
 constexpr int most_parts_of_step = 128;
-/// A prediction that leaves less of P or H than this part somewhere is dropped.
+/// A prediction that reduces P or H below this fraction anywhere is dropped.
 constexpr double least_predicted_part = 0.3;
 
 bool keeps_enough(const Matrix& now, const Matrix& predicted) {
   return (predicted.array() >= least_predicted_part * now.array()).all();
 }
 
-/// Goes on evenly from two states of a bearing. @param w  length of the step over that between the states
-/// @return whether that leaves a film to begin with
+/// Extrapolates linearly from two states of a bearing. @param w  length of the step over that between the states
+/// @return whether the film thickness stays positive
 bool go_on(double w, const BearingState& before, const BearingState& now, BearingState& predicted) {
   const auto along = [w](const auto& a, const auto& b, auto& to) { to = b + w * (b - a); };
   along(before.film.pressure, now.film.pressure, predicted.film.pressure);
@@ -59,7 +59,7 @@ JointMove MachineStepper::move_of(const TimeStep& step, const BackwardDifference
   return move;
 }
 
-/// First guesses: all goes on evenly, where that leaves films to begin with; else all stays.
+/// First guesses: linear extrapolation if all films allow it, else the last state.
 void MachineStepper::guess(double dt, const MachineState& state, Eigen::VectorXd& y) {
   guesses_ = state.bearings;
   y = state.rotor.y;

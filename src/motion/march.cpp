@@ -8,12 +8,12 @@
 namespace bumpfoil {
 namespace {
 
-/// A load of zero stands for this part of the largest: where nothing is touched the place would not be determined.
+/// A load of zero is replaced by this fraction of the largest: without contact the position would be undetermined.
 constexpr double least_load = 1e-6;
-/// Into so many equal parts an increment in time is divided at most.
+/// Maximum number of equal parts of an increment in time.
 constexpr int most_parts = 128;
 
-/// A load that keeps the body on the side that it is on, or is to be on next.
+/// A load that keeps the journal on its current or next side of the clearance.
 /// @param largest  load of the program
 Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Leg& leg, const Foils& foils,
                            const BearingState& state) {
@@ -27,7 +27,7 @@ Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Le
   return least * (carried.norm() > 0.0 ? Eigen::Vector2d(carried.normalized()) : Eigen::Vector2d::UnitX());
 }
 
-/// An increment in time, in as many parts as it takes.
+/// An increment in time, in as many parts as it needs.
 void pass_time(FilmStepper& stepper, const Leg& leg, int taken, const BearingState& from, Step& step) {
   step.film = {};
   for (int parts = 1; parts <= most_parts; parts *= 2) {
@@ -69,7 +69,7 @@ bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, doubl
     const Eigen::Vector2d place = leg.line.place(leg.target(taken));
     if (leg.control == Control::load) {
       const Eigen::Vector2d load = never_zero(place, largest, leg, stepper.foils(), from);
-      const double none = least_load * largest * (1.0 + 1e-9);  // round-off of the least load included
+      const double none = least_load * largest * (1.0 + 1e-9);  // including the round-off of the least load
       advance_to_load(stepper, from, load, none, reach, next);
       return;
     }

@@ -18,24 +18,24 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Turns after which film and foils have forgotten where they were put.
+/// Turns after which film and foils are independent of their initial state.
 constexpr int forgetting_turns = 2;
-/// Differences beyond the numbers that they are of.
+/// Number of differences in excess of the number of unknowns.
 constexpr int more_differences = 2;
-/// Part of the largest difference that counts as none.
+/// Smaller fractions of the largest difference count as zero.
 constexpr double no_difference = 1e-9;
-/// Part of a film that a motion leaves at least where it is added to a state.
+/// Smallest fraction of a film that remains after a motion is added to a state.
 constexpr double least_film_left = 0.5;
-/// Multipliers smaller than this are not told from none.
+/// Smaller multipliers count as zero.
 constexpr double least_multiplier = 1e-3;
-/// Differences tell multipliers from so many tolerances on, and what is a part of one in them is noise: below, friction
-/// creeps, and steps are solved to some accuracy.
+/// Differences above so many tolerances determine multipliers, and singular values below so many are noise: friction
+/// creeps below them, and steps have finite accuracy.
 constexpr double telling_tolerances = 10.0;
 constexpr double noisy_tolerances = 0.3;
-/// By which orbits are disturbed, over c: friction does not hide it, and it is small beside any film.
+/// Disturbance of orbits over c: not hidden by friction, and small compared with any film thickness.
 constexpr double disturbance = 1e-3;
 
-/// Numbers whose differences are looked at: y/c and v / (c |Omega|) of the journals.
+/// Numbers that are compared between turns: y/c and v / (c |Omega|) of the journals.
 Eigen::VectorXd journal_numbers(const MachineStepper& stepper, const MachineState& state) {
   const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
   Eigen::VectorXd numbers(4 * static_cast<Eigen::Index>(bearings.size()));
@@ -50,7 +50,7 @@ Eigen::VectorXd journal_numbers(const MachineStepper& stepper, const MachineStat
   return numbers;
 }
 
-/// Sums over the steps of a turn.
+/// Accumulates over the steps of a turn.
 class TurnRecord {
  public:
   explicit TurnRecord(const MachineStepper& stepper)
@@ -102,7 +102,7 @@ class TurnRecord {
   std::vector<BearingTurn> turn_;
 };
 
-/// sum g_i a_i of one part of all states.
+/// sum g_i a_i of one quantity of all states.
 template <typename Read>
 void combine(const Eigen::VectorXd& weights, const std::vector<MachineState>& states, const Read& part,
              MachineState& sum) {
@@ -111,8 +111,8 @@ void combine(const Eigen::VectorXd& weights, const std::vector<MachineState>& st
   for (std::size_t i = 1; i < states.size(); ++i) to += weights[static_cast<Eigen::Index>(i)] * part(states[i]);
 }
 
-/// The numbers of a bearing that states are combined by, without those of steps before.
-/// @param add  (part of a bearing's state)
+/// Visits the numbers of a bearing of which states are combined, without those of previous steps.
+/// @param add  (quantity of a bearing's state)
 template <typename Add>
 void for_parts_of_bearings(const Add& add) {
   add([](auto& b) -> auto& { return b.position; });
@@ -130,7 +130,7 @@ void for_parts_of_bearings(const Add& add) {
 }
 
 /// sum g_i of whole states. Modes, time and angle are those of the last.
-/// @param with_steps  also of the steps before, which all have
+/// @param with_steps  includes previous steps, which all states must have
 MachineState combined(const Eigen::VectorXd& weights, const std::vector<MachineState>& states, bool with_steps = true) {
   MachineState sum = states.front();
   const auto add = [&](const auto& part) { combine(weights, states, part, sum); };
@@ -159,7 +159,7 @@ bool has_films(const MachineState& state) {
   });
 }
 
-/// min |sum g_i d_i| with sum g_i = 1; of many such weights the smallest.
+/// Minimum of |sum g_i d_i| with sum g_i = 1; of several solutions, the shortest.
 Eigen::VectorXd extrapolating_weights(const Eigen::MatrixXd& differences) {
   Eigen::MatrixXd rows(differences.rows() + 1, differences.cols());
   rows << differences / differences.cwiseAbs().maxCoeff(), Eigen::RowVectorXd::Ones(differences.cols());
@@ -170,12 +170,12 @@ Eigen::VectorXd extrapolating_weights(const Eigen::MatrixXd& differences) {
   return weights / weights.sum();
 }
 
-/// Whether differences are more than those of an orbit that repeats itself.
+/// Whether differences exceed those of a periodic orbit.
 bool tell_multipliers(const Eigen::MatrixXd& differences, double tolerance) {
   return differences.cwiseAbs().maxCoeff() > telling_tolerances * tolerance;
 }
 
-/// Eigenvalues of the map that takes each difference to the next, the largest first.
+/// Eigenvalues of the map from each difference to the next, in descending magnitude.
 std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences, double tolerance) {
   const Eigen::Index n = differences.cols() - 1;
   const double largest = differences.cwiseAbs().maxCoeff();
@@ -191,7 +191,7 @@ std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences, double t
   return found;
 }
 
-/// A motion of all journals, none like another and in both senses, as large as a disturbance.
+/// A motion that differs between all journals and has both directions of whirl, with the size of a disturbance.
 Eigen::VectorXcd disturbing_motion(const MachineStepper& stepper) {
   const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
   Eigen::MatrixXd places(2 * static_cast<Eigen::Index>(bearings.size()), stepper.rotor().size());
@@ -205,7 +205,7 @@ Eigen::VectorXcd disturbing_motion(const MachineStepper& stepper) {
   return places.completeOrthogonalDecomposition().pseudoInverse() * motions;
 }
 
-/// Steps in time begin anew from here.
+/// Restarts time integration from here.
 void forget_steps(MachineState& state) {
   state.last_dt = 0.0;
   for (BearingState& bearing : state.bearings) bearing.last_step = {};
@@ -249,7 +249,7 @@ Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const Machi
   BUMPFOIL_ASSERT(!stepper.bearings().empty());
   Orbit orbit{.state = start};
   const double dt = 2.0 * std::numbers::pi / (std::abs(start.speed) * options.steps_per_turn);
-  /// @return what the journals change in a turn; nothing where none was taken
+  /// @return change of the journals in a turn; nothing if the turn failed
   const auto take_turn = [&](TurnRecord* record) -> std::optional<Eigen::VectorXd> {
     if (options.keep_going && !options.keep_going()) {
       orbit.status = Status::interrupted;
@@ -306,7 +306,7 @@ Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const Machi
     if (told >= 0) differences.col(told) = *difference;
   }
   if (told == count) orbit.multipliers = multipliers_of(differences, options.tolerance);
-  // Where the disturbed march ends is no matter of the orbit.
+  // The end of the disturbed march does not affect the orbit.
   if (orbit.status != Status::interrupted) orbit.status = Status::converged;
   orbit.state = found;
   orbit.change = change;

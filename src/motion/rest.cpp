@@ -9,30 +9,28 @@
 namespace bumpfoil {
 namespace {
 
-/// Time steps are given up below this part of the first.
+/// Time steps below this fraction of the first are given up.
 constexpr double smallest_time_step = 1e-6;
-/// As long as a march in time is near its start (largest difference of P, U and position over c), where a state is left
-/// at the rate s, implicit Euler multiplies the distance from it by 1 / (1 - s dt): longer steps blow it up, those
-/// beyond s dt = 1 turn its sign, and the march ends in whatever state lies on that side, if anywhere. The next step
-/// aims at such an s dt, for the s of what the last two steps changed, and no step may change the state by more than
-/// that many times what the one before did. Not below this part of the first step: foils that snap over do so at once.
+/// Control of time steps near the start (largest difference of P, U and position over c below near_start). If the state
+/// departs at a rate s, implicit Euler multiplies the distance by 1 / (1 - s dt). Longer steps amplify it excessively,
+/// and steps beyond s dt = 1 reverse its sign: the march then ends in a state on the other side, if anywhere. The next
+/// step aims at a given s dt, with s from the last two changes, and no step may change the state by more than a given
+/// multiple of the previous change. Steps stay above a given fraction of the first: foils snap through at once.
 constexpr double near_start = 0.1;
 constexpr double aimed_growth = 0.4;
 constexpr double largest_change_ratio = 4.0;
 constexpr double shortest_bounded_step = 1e-3;
 
-/// Time steps that change less than they are solved to are followed by ones so many times as long: nothing moves yet,
-/// or no more.
+/// Growth factor of time steps that change less than the solver's tolerance: motion has not started, or has ended.
 constexpr double growth_while_still = 8.0;
-/// Where the journal does not turn nothing flutters, and longer steps hide nothing: the first is so many times as long,
-/// and this is the growth.
+/// Without rotation there is no flutter for long steps to hide: factor of the first step, and the growth of steps.
 constexpr double first_step_without_speed = 4.0;
 constexpr double growth_without_speed = 2.0;
 
-/// How far from the journal foils are assembled, in bulges: further than one step of the film may thin it.
+/// Distance from the journal at which foils are assembled, in bulges: more than one step of the film may close.
 constexpr double bulges_away = 10.0;
 
-/// Time steps of adapted length until nothing moves, and then one that takes no time.
+/// Time steps of adapted length until rest, then a steady step.
 class RestSearch {
  public:
   RestSearch(const FilmStepper& stepper, const OperatingPoint& to, const BearingState& start)
@@ -46,7 +44,7 @@ class RestSearch {
         last_dt_(first_),
         leg_(ramp(to, to, 1)) {}
 
-  /// The schedule.
+  /// The next leg of the schedule.
   const Leg* next() {
     if (!rests_ && steps_++ == options_.max_time_steps) {
       total_.status = Status::not_converged;
@@ -84,14 +82,14 @@ class RestSearch {
       dt_ *= 0.25;
       return Verdict::retry;
     }
-    // A drift that grows with the step is no rest: the march passes by the end of a branch.
+    // A drift that grows with the step is not rest: the march passes the former end of a branch.
     rests_ = dt_ > options_.last_time_step && change_ < options_.resting_change && change_ <= last_change_;
     if (!rests_) grow();
     return Verdict::go_on;
   }
 
   void grow() {
-    // The distance grows by change / last_change, less what a longer step changes anyway.
+    // The distance grows by change / last_change, corrected for the longer step.
     const double s_dt = 1.0 - dt_ / last_dt_ * last_change_ / change_;
     const bool is_left = is_near_ && change_ > options_.marching_tolerance && s_dt > 0.0;
     last_change_ = std::max(change_, options_.marching_tolerance);
@@ -106,12 +104,12 @@ class RestSearch {
   double first_;   ///< time step, s
   double growth_;  ///< of time steps
   double dt_;
-  double last_dt_;  ///< that was taken, s
+  double last_dt_;  ///< of the last step, s
   Leg leg_;         ///< of one increment
   int steps_{};
-  bool rests_{};  ///< what comes next takes no time
+  bool rests_{};  ///< the next step is steady
   double change_{};
-  bool is_near_{};  ///< the start
+  bool is_near_{};  ///< whether the state is near the start
   double last_change_{std::numeric_limits<double>::infinity()};
   FilmReport total_;
 };
@@ -124,7 +122,7 @@ FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, Bearing
   Step step;
   const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
     next.state = from;
-    // A film that only seems to rest, as it passes by the end of a branch, has no state there to be found.
+    // A film that only seems to rest, passing the end of a branch, has no steady state there.
     const bool rests = leg.dt == 0.0;
     next.film = stepper.solve(stepper.move_to(leg.point(taken), leg.dt, TimeScheme::implicit_euler), next.state, rests);
     next.status = next.film.status;
@@ -138,7 +136,7 @@ BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, do
   const FilmBearing& bearing = stepper.bearing();
   BearingState foils = resting(bearing, position, speed, opening);
   if (bearing.assembly.empty()) return foils;
-  // Far from the journal, in gas that nothing moves or feeds, one step of Newton's method is exact.
+  // Far from the journal, without motion or supply of gas, one Newton step is exact.
   const Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double bulge = 0.0;
   for (const PadAssembly& pad : bearing.assembly) bulge = std::max(bulge, pad.bulge);

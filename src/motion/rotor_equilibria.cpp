@@ -13,9 +13,10 @@
 namespace bumpfoil {
 namespace {
 
-/// Where journals are held at the cold start, in what a journal at the centre has everywhere, along their loads.
+/// Initial journal displacement in the direction of the load, relative to the clearance available everywhere to a
+/// centred journal.
 constexpr double held_along_load = 0.1;
-/// Increments in which a clearance closes that had to be opened for the first state.
+/// Number of increments to close a clearance that was opened for the first state.
 constexpr int starting_steps = 10;
 
 }  // namespace
@@ -40,7 +41,7 @@ Status RotorEquilibria::go_to(double speed, std::vector<BearingState>& states) c
   return resists_tilts ? join(speed, states).status : Status::converged;
 }
 
-/// Where a bearing goes before the rotor joins it to the others: with the force and the tilt that it has.
+/// The next point of a bearing before it is coupled by the rotor: with its current force and tilt.
 OperatingPoint RotorEquilibria::next_point(std::size_t bearing, double speed, const BearingState& state) const {
   OperatingPoint point = OperatingPoint::loaded_by(loads_[bearing], speed);
   const FilmBearing& film = steppers_[bearing]->bearing();
@@ -50,9 +51,9 @@ OperatingPoint RotorEquilibria::next_point(std::size_t bearing, double speed, co
   return point;
 }
 
-/// Lets the rotor tilt and bend until forces and moments of all bearings balance its weight, in the same increment.
+/// Lets the rotor tilt and bend in the same increment until forces and moments of all bearings balance its weight.
 FilmReport RotorEquilibria::join(double speed, std::vector<BearingState>& states) const {
-  // K (y* - y) + sum B^T (F* - F) = 0 with the loads for F*, which balance what is rigid of the weight.
+  // K (y* - y) + sum B^T (F* - F) = 0, where the loads F* balance the rigid part of the weight.
   JointMove move{.law = law_, .speed = speed};
   JointLaw& law = move.law;
   law.by_place = rotor_.stiffness;

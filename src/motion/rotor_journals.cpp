@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Longest displacement of a journal in one step of Newton's method, in units of c: as of one under a load.
+/// Longest displacement of a journal in one step of Newton's method, in units of c: that of a journal under a load.
 constexpr double longest_displacement_in_c = 0.15;
 
 }  // namespace
@@ -31,7 +31,7 @@ JointLaw law_of_rotor(const Rotor& rotor, const std::vector<FilmStepper*>& beari
     journal.origin = JournalVector::Zero(B.rows());
     journal.origin.tail<2>() = bearing.surroundings.tilt.value;
   }
-  // Each unknown has the length with which it moves the mass of the rotor.
+  // The unit of each unknown is the length with which it moves the mass of the rotor.
   law.units = force_unit * (rotor.mass.diagonal() / rotor.total_mass()).cwiseSqrt();
   return law;
 }
@@ -54,7 +54,7 @@ Eigen::VectorXd rotor_at_rest(const Rotor& rotor, const std::vector<FilmStepper*
     known.head(n) -=
         bearing.journal().transpose() * journal_force(bearings[i]->bearing(), states[i].film, states[i].speed);
   }
-  // A rigid motion does no work on the shaft: what is left of the balance there is not for y to meet.
+  // A rigid motion does no work on the shaft: y cannot affect the residual of this balance.
   known.head(n) = largest > 0.0 ? Eigen::VectorXd(known.head(n) / unit) : Eigen::VectorXd::Zero(n);
   return rows.completeOrthogonalDecomposition().solve(known);
 }

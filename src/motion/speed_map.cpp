@@ -11,12 +11,12 @@
 namespace bumpfoil {
 namespace {
 
-/// Motions at neighbouring speeds that are more unlike than this are two. Shapes at right angles count as much as rates
-/// that are so many speeds of rotation apart.
+/// Motions at neighbouring speeds that differ by more are different. Orthogonal shapes count as much as rates that
+/// differ by a given number of rotation speeds.
 constexpr double another_motion = 0.3;
 constexpr double shape_counts = 0.2;
 
-/// Without their numbers.
+/// Free motions, not yet numbered.
 std::optional<SpeedMotions> free_motions(const Rotor& rotor, const RotorEquilibria& equilibria,
                                          const std::vector<BearingState>& states, bool stuck) {
   const double speed = states.front().speed;
@@ -41,7 +41,7 @@ std::optional<std::complex<double>> fastest_rate(const std::optional<SpeedMotion
   return motions->whirls.empty() ? std::nullopt : std::optional(motions->whirls.front().rate);
 }
 
-/// Adds the onsets of one kind. @param kind  says which contacts, and by what
+/// Adds the onsets of one kind. @param kind  which contact modes, and whether by coefficients
 void add_onsets(const Rotor& rotor, const RotorEquilibria& equilibria, const WhirlOnset& kind, SpeedMap& map) {
   for (std::size_t i = 1; i < map.points.size() && !map.interrupted; ++i) {
     const SpeedPoint& a = map.points[i - 1];
@@ -51,7 +51,7 @@ void add_onsets(const Rotor& rotor, const RotorEquilibria& equilibria, const Whi
     if (!rate_a || !rate_b || (rate_a->real() > 0.0) == (rate_b->real() > 0.0)) continue;
     WhirlOnset found = kind;
     const auto rate_at = [&](double speed) {
-      // Where nothing moves, no contact slips: the modes at the ends are those that they were reached with.
+      // No contact slips in a step to the same speed: the ends keep the modes in which they were reached.
       if (speed == a.speed) return rate_a;
       if (speed == b.speed) return rate_b;
       std::vector<BearingState> states = a.states;
@@ -71,22 +71,22 @@ void add_onsets(const Rotor& rotor, const RotorEquilibria& equilibria, const Whi
   }
 }
 
-/// A motion at the last speeds where it was met.
+/// A motion at the last speeds at which it was found.
 struct Track {
-  std::optional<std::size_t> behind{};  ///< the speed behind the last of them, by its place
+  std::optional<std::size_t> behind{};  ///< index of the speed after the last of them
   std::complex<double> rate;            ///< at the last
   std::complex<double> change;          ///< from the speed before
   Eigen::VectorXcd shape;
 };
 
-/// How unlike a motion is to what a track leads to: distance of the rates over the speed, and of the shapes.
+/// Difference between a motion and the prediction of a track: distance of rates over the speed, and of shapes.
 double unlikeness(const Track& track, const Whirl& whirl, double speed) {
   const double overlap = std::abs(track.shape.dot(whirl.shape));
   return std::abs(whirl.rate - track.rate - track.change) / std::abs(speed) + shape_counts * (1.0 - overlap);
 }
 
-/// Gives motions their numbers, those of their tracks: from speed to speed those that are most alike go together, pair
-/// by pair. What is like none of the speed before has a track of its own.
+/// Assigns motions the numbers of their tracks: from speed to speed the most similar pairs are matched first. An
+/// unmatched motion starts a new track.
 void number_motions(bool stuck, std::vector<Track>& tracks, SpeedMap& map) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   struct Pair {
@@ -121,7 +121,7 @@ void number_motions(bool stuck, std::vector<Track>& tracks, SpeedMap& map) {
   }
 }
 
-/// Numbers all motions. Those of stuck contacts have the numbers of those of sliding ones that they are like at the
+/// Numbers all motions. Those with sticking contacts take the numbers of similar ones with sliding contacts at the
 /// first speed.
 void number_all_motions(SpeedMap& map) {
   std::vector<Track> tracks;

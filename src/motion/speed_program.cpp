@@ -11,9 +11,9 @@
 namespace bumpfoil {
 namespace {
 
-/// Part of a turn, or of a step, that is rounding.
+/// Smaller fractions of a turn, or of a step, are round-off.
 constexpr double rounded_part = 1e-7;
-/// Part of a time that is.
+/// Smaller fractions of a time are round-off.
 constexpr double rounded_time = 1e-13;
 
 /// Time in which a rotor turns through an angle; infinite if it stops before.
@@ -73,7 +73,7 @@ TimeStep SpeedProgram::next_step(const MachineState& state, int steps_per_turn, 
   }
   const double left_of_ramp = ends_[at] - state.time;
   if (dt > (1.0 - rounded_part) * left_of_ramp) return {.dt = left_of_ramp, .speed = ramp.to};
-  if (2.0 * dt > left_of_ramp) dt = 0.5 * left_of_ramp;  // no sliver is left
+  if (2.0 * dt > left_of_ramp) dt = 0.5 * left_of_ramp;  // avoids a sliver
   return {.dt = dt, .speed = state.speed + rate * dt};
 }
 

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Part of the room that foils leave which has to be left where the film is thinnest after a cold start.
+/// Minimum film thickness after a start from ambient pressure, as fraction of the available clearance.
 constexpr double room_left_by_journal = 0.3;
 
 }  // namespace

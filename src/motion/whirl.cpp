@@ -17,29 +17,29 @@ namespace {
 
 using Complex = std::complex<double>;
 using ComplexMatrix = Eigen::MatrixXcd;
-/// Without the reduction of other matrices, which takes longer to compile than all else here.
+/// Without reduction of rectangular matrices, which dominates compile time.
 using SquareSVD = Eigen::JacobiSVD<ComplexMatrix, Eigen::NoQRPreconditioner>;
 
-/// Whirl ratios at which the films are reduced first.
-constexpr std::array first_whirl_ratios{0.05, 0.2, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0};  // 1: for what is synchronous
-/// Newton's method ends when a step is this part of |s|.
+/// Whirl ratios of the first reduction of the films.
+constexpr std::array first_whirl_ratios{0.05, 0.2, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0};  // 1: synchronous
+/// Newton's method ends at a step below this fraction of |s|.
 constexpr double root_tolerance = 1e-12;
 constexpr int most_root_steps = 20;
-/// Roots of the refined equation lie this close to those of the matrix, over |s|; what goes elsewhere belonged to the
+/// Roots of the refined equation lie within this of the matrix eigenvalues, over |s|; other eigenvalues belong to the
 /// films alone.
 constexpr double same_root = 1e-4;
-/// Residuals of roots.
+/// Largest accepted residual of a root.
 constexpr double largest_root_residual = 1e-8;
-/// Motions in which the rotor has a smaller share are those of foils and films without a force on the journals. A share
-/// is how far, over |s|, the root lies from a pole of Z; the reduced films have errors of 1e-10 (find_whirls()), which
-/// decide whether a closer root is found at all. Motions that move a journal have shares of 1e-3 and more.
+/// Motions with a smaller share of the rotor are those of foils and films without a force on the journals. The share is
+/// the distance, over |s|, of the root from a pole of Z. The reduced films have errors of 1e-10 (find_whirls()), so a
+/// closer root may or may not be found. Motions that move a journal have shares of at least 1e-3.
 constexpr double least_rotor_share = 1e-9;
-/// An imaginary part below this part of |s| is round-off.
+/// A smaller imaginary part over |s| is round-off.
 constexpr double no_frequency = 1e-9;
-/// Width of the bracket, over the speed, that an onset is known to, and the growth over the speed that is none.
+/// Final bracket of an onset over the speed, and the growth over the speed that counts as zero.
 constexpr double onset_resolution = 1e-10;
 constexpr double no_growth = 1e-10;
-/// Growth over the speed, beyond which it does not pass through zero in a bracket that is this narrow.
+/// A larger growth over the speed in such a narrow bracket is a jump, not a zero.
 constexpr double jumping_growth = 1e-6;
 constexpr int most_onset_steps = 40;
 
@@ -65,7 +65,7 @@ class WhirlEquation {
     return sum;
   }
 
-  /// Eigenvalues s of the matrix whose unknowns are what the films store, y and T0 s y.
+  /// Eigenvalues s of the matrix whose unknowns are film storage, y and T0 s y.
   [[nodiscard]] std::vector<Complex> rates() const {
     const double unit = bearings_.front().squeeze_time;
     Eigen::Index stored = 0;
@@ -170,7 +170,7 @@ double direction_of(const Rotor& rotor, double speed, const Eigen::VectorXcd& sh
   double size = 0.0;
   for (const RotorStation& bearing : rotor.bearings) {
     const Eigen::Vector2cd orbit = bearing.motion * shape;
-    // x = cos, y = sin of an angle that grows: conj(X) Y = -i.
+    // x = cos, y = sin of an increasing angle: conj(X) Y = -i.
     turned -= 2.0 * (std::conj(orbit.x()) * orbit.y()).imag();
     size += orbit.squaredNorm();
   }
@@ -274,7 +274,7 @@ std::optional<Onset> find_onset(const std::function<std::optional<std::complex<d
   std::optional<Point> a = point_at(from);
   std::optional<Point> b = point_at(to);
   if (!a || !b || a->growth() * b->growth() > 0.0) return std::nullopt;
-  // Regula falsi, where the end that stays counts half after two steps on the same side (Illinois).
+  // Regula falsi; the retained end is halved after two steps on the same side (Illinois).
   double growth_a = a->growth();
   double growth_b = b->growth();
   Point best = std::abs(growth_a) < std::abs(growth_b) ? *a : *b;

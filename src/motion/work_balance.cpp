@@ -29,12 +29,12 @@ WorkBalance& WorkBalance::operator+=(const WorkBalance& other) {
   return *this;
 }
 
-/// What the powers and forces of a step are read off at its ends.
+/// Quantities at the ends of a step that determine its powers and forces.
 struct EnergyMeter::Instant {
   struct Bearing {
     FilmPowers powers;
     JournalVector place;
-    JournalVector rubbing;  ///< friction of asperities on the journal, N
+    JournalVector rubbing;  ///< asperity friction on the journal, N
     ContactState contacts;
     double energy{};
   };
@@ -70,7 +70,7 @@ WorkBalance EnergyMeter::step_to(const MachineState& end) {
   Instant& last = *last_;
   Instant now(stepper_, end);
   const double dt = now.at.time - last.at.time;
-  // Both ends have the acceleration of the step.
+  // The acceleration of the step is used at both ends.
   last.at.acceleration = now.at.acceleration = (now.at.speed - last.at.speed) / dt;
   const Eigen::VectorXd way = now.rotor.y - last.rotor.y;
   WorkBalance step{.forces = 0.5 * (forces_(last.at) + forces_(now.at)).dot(way)};

@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-/// NLopt asks for the function and for its limits one after the other, at the same point.
+/// NLopt requests the function and its limits separately at the same point: both are evaluated once.
 class SearchedFunction {
  public:
   SearchedFunction(const SearchProblem& problem, nlopt_opt optimiser) : problem_(problem), optimiser_(optimiser) {}
@@ -35,7 +35,7 @@ class SearchedFunction {
   }
 
  private:
-  /// Exceptions do not pass through C.
+  /// Exceptions must not propagate through C.
   void at(unsigned n, const double* x) noexcept try {
     const Eigen::VectorXd here = Eigen::Map<const Eigen::VectorXd>(x, n);
     if (stopped_ || (x_ && *x_ == here)) return;

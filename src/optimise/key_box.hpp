@@ -7,11 +7,10 @@
 
 namespace bumpfoil {
 
-/// Values of the keys that are chosen, SI, in the order of the settings.
+/// Values of the chosen keys, SI, in the order of the settings.
 using KeyValues = std::vector<double>;
 
-/// The box that searches run in: every key in parts of the way from its lower to its upper bound, of logarithms where
-/// the key asks for them.
+/// The box of the searches: every key scaled from its lower to its upper bound, logarithmically if requested.
 class KeyBox {
  public:
   explicit KeyBox(const std::vector<OptimisedKey>& keys) : keys_(keys) {}
@@ -19,7 +18,7 @@ class KeyBox {
   [[nodiscard]] Eigen::Index dimensions() const { return std::ssize(keys_); }
   [[nodiscard]] Eigen::VectorXd place_of(const KeyValues& values) const;
   [[nodiscard]] KeyValues values_at(const Eigen::VectorXd& place) const;
-  /// With so few digits that they come back from their place in the box the same, and are found again.
+  /// Rounded to few enough digits that conversion to the box and back is exact, so that they are found again.
   [[nodiscard]] KeyValues short_values(const KeyValues& values) const;
 
  private:

@@ -19,24 +19,24 @@
 namespace bumpfoil {
 namespace {
 
-/// Places for each key among which the further starts are the best, and the part of all evaluations that they take at
-/// most.
+/// Number of sample points per key, of which the best are further starts, and their maximum fraction of all
+/// evaluations.
 constexpr std::size_t places_per_key = 4;
 constexpr double part_of_places = 1.0 / 3.0;
-/// Of two aims the part of the other evaluations that the ends of the front take.
+/// With two aims, the fraction of the other evaluations for the ends of the front.
 constexpr double part_of_ends = 0.5;
-/// First steps of searches in parts of the way between the bounds: from given starts, and from a neighbour on the
+/// First steps of searches relative to the distance between bounds: from given starts, and from a neighbour on the
 /// front.
 constexpr double wide_step = 0.25;
 constexpr double near_step = 0.08;
-/// Starts lie farther apart than this in some key, where there are such.
+/// Minimum distance between starts in at least one key, if possible.
 constexpr double least_apart = 0.15;
-/// Searches keep their limits by this part of their tolerance, so that they end where limits are met.
+/// Searches satisfy their constraints with this fraction of their tolerance as margin, so that they end within limits.
 constexpr double part_of_tolerance = 0.1;
-/// A limit is active that is met by less than this part of its bound.
+/// A limit is active if its margin is below this fraction of its bound.
 constexpr double active_part = 0.01;
 
-/// Points that are known, in the order of their evaluation.
+/// Evaluated points, in the order of their evaluation.
 class KnownPoints {
  public:
   [[nodiscard]] const OptimisePoint* find(const KeyValues& values) const {
@@ -44,7 +44,7 @@ class KnownPoints {
     return found == numbers_.end() ? nullptr : &points_[found->second];
   }
 
-  /// Points that are known keep their numbers.
+  /// Known points keep their indices.
   void add(OptimisePoint point) {
     if (numbers_.try_emplace(point.values, points_.size()).second) points_.push_back(std::move(point));
   }
@@ -56,12 +56,12 @@ class KnownPoints {
   std::map<KeyValues, std::size_t> numbers_;
 };
 
-/// A search, and where it comes to.
+/// A search and its result.
 struct SearchRun {
   SearchGoal goal;
   KeyValues start;
   double step{wide_step};
-  std::size_t budget{};  ///< evaluations at most
+  std::size_t budget{};  ///< maximum number of evaluations
   std::size_t number{};
   std::vector<OptimisePoint> evaluated{};
   OptimiseSearch record{};
@@ -106,7 +106,7 @@ class Optimiser {
     return std::min(1 + places_per_key * settings_.keys.size(), most);
   }
 
-  /// Runs some points, or searches, on all threads. @param run  (number, goes_on)
+  /// Executes several points, or searches, on all threads. @param run  (number, goes_on)
   void run_all(std::size_t runs, std::size_t budget, const NumberedRun& run) {
     const auto before = static_cast<double>(known_.all().size());
     const ProgressCallback part = [&](double fraction) {
@@ -138,7 +138,7 @@ class Optimiser {
     merits_.take_sizes(known_.all());
   }
 
-  /// The given start, and the best places that lie apart.
+  /// The given start, and the best sample points that are far enough apart.
   [[nodiscard]] std::vector<KeyValues> starts_for(const SearchGoal& goal) const {
     std::vector<const OptimisePoint*> order;
     for (const OptimisePoint& point : known_.all()) {
@@ -170,7 +170,7 @@ class Optimiser {
     return runs;
   }
 
-  /// From the best of an aim, where it is not the end of a search for that aim: another search met it on its way.
+  /// Searches from the best point of an aim, if another search found it.
   [[nodiscard]] std::vector<SearchRun> last_searches() {
     std::vector<SearchRun> runs;
     for (std::size_t aim = 0; aim < result_.aims.size(); ++aim) {
@@ -181,13 +181,13 @@ class Optimiser {
     return runs;
   }
 
-  /// Evaluations of such searches together.
+  /// Total evaluations of such searches.
   [[nodiscard]] std::size_t part_of_first() const {
     const double part = two_aims() && settings_.front > 0 ? part_of_ends : 1.0;
     return static_cast<std::size_t>(part * static_cast<double>(evaluations_left()));
   }
 
-  /// Points that a search asks for; those that it evaluates come to `run.evaluated`.
+  /// Performs a search; the points it evaluates are added to `run.evaluated`.
   void search(SearchRun& run, const ProgressCallback& goes_on) {
     KnownPoints own;
     double worst = 0.0;
@@ -209,7 +209,7 @@ class Optimiser {
         point = own.find(values);
       }
       if (point->status != PointStatus::converged) {
-        // Worse than all points of the search so far: its models lead away from there.
+        // Worse than all points of the search so far, so that its models lead away from here.
         aim = worst + 1.0;
         limits.setOnes();
         return true;
@@ -237,7 +237,7 @@ class Optimiser {
     }
   }
 
-  /// Evaluations that some searches leave go to those that lack some, which begin again: what they know costs nothing.
+  /// Unused evaluations of some searches go to those that need more. These restart: known points cost nothing.
   void run_searches(std::vector<SearchRun> runs, std::size_t budget) {
     if (budget < runs.size()) return;
     std::vector<SearchRun*> due;
@@ -259,7 +259,7 @@ class Optimiser {
     keep(runs);
   }
 
-  /// Two chains of searches from the ends of the front to its middle, each from the best of its neighbour.
+  /// Two chains of searches from the ends of the front to its middle, each starting from the best of its neighbour.
   void follow_front() {
     const OptimisePoint* const first = merits_.best_of(known_.all(), {0});
     const OptimisePoint* const last = merits_.best_of(known_.all(), {1});
@@ -293,7 +293,7 @@ class Optimiser {
     return static_cast<std::size_t>(point - result_.points.data());
   }
 
-  /// Whether the search that met the best of an aim ended by its tolerance.
+  /// Whether the search that found the best of an aim ended by its tolerance.
   [[nodiscard]] OptimiseStatus end_of(const OptimisePoint& best) const {
     OptimiseStatus status = OptimiseStatus::evaluations_spent;
     for (const OptimiseSearch& one : result_.searches) {

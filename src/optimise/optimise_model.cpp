@@ -45,7 +45,7 @@ std::vector<Fault> faults_of_model(Case input, OptimiseSettings settings) {
   return faults;
 }
 
-/// Quantities and limits that no result of the command has, whatever the bearing: its small runs have all there are.
+/// Errors in quantities and limits that no result of the command has for any bearing: a small run already has all.
 std::vector<Fault> faults_whatever_the_bearing(const Case& input, OptimiseSettings settings) {
   const bool ensemble = settings.command == OptimisedCommand::montecarlo;
   if (ensemble && !input.montecarlo) return {};
@@ -172,7 +172,7 @@ std::vector<Fault> optimise_faults(const Case& input) {
   Case bare = input;
   bare.settings.set(OptimiseSettings{});
   if (!find_faults(bare).empty()) return faults_whatever_the_bearing(input, std::move(settings));
-  // Errors of keys are those of [optimise] itself; the quantities do not depend on them.
+  // Errors of keys are reported by [optimise] itself; the quantities do not depend on them.
   std::erase_if(settings.keys,
                 [](const OptimisedKey& one) { return !is_fitted_key(one.key) || !(one.lower < one.upper); });
   return faults_of_model(std::move(bare), std::move(settings));

@@ -14,7 +14,7 @@ class PointRunner;
 /// The evaluation of a point: the case with values of the chosen keys, run by the command of [optimise].
 class OptimiseModel {
  public:
-  /// @throws Error (input) with every fault of aims, limits and starts
+  /// @throws Error (input) with every error of aims, limits and starts
   explicit OptimiseModel(const Case& input);
   ~OptimiseModel();
 
@@ -22,13 +22,13 @@ class OptimiseModel {
   [[nodiscard]] const std::vector<OptimiseAim>& aims() const { return aims_; }
   [[nodiscard]] const std::vector<OptimiseLimit>& limits() const { return limits_; }
   [[nodiscard]] const std::vector<std::string>& key_units() const { return key_units_; }
-  /// Values that searches start from.
+  /// Start of the searches.
   [[nodiscard]] const std::vector<double>& start() const { return start_; }
 
-  /// The case with these values, without [optimise]. @throws Error (input) if there is no such bearing
+  /// The case with these values, without [optimise]. @throws Error (input) if it is invalid
   [[nodiscard]] Case case_with(const std::vector<double>& values) const;
 
-  /// Runs a point, for several threads at once. @param warnings  those of its run are put there, unless it is null
+  /// Evaluates a point. Thread-safe. @param warnings  receives those of its run, unless null
   /// @return nothing if `progress` stopped it
   [[nodiscard]] std::optional<OptimisePoint> evaluate(const std::vector<double>& values,
                                                       const ProgressCallback& progress,
@@ -40,7 +40,7 @@ class OptimiseModel {
   void find_start(const Case& bare, std::vector<Fault>& faults);
 
   OptimiseSettings settings_;
-  std::string text_;  ///< of the case without [optimise]
+  std::string text_;  ///< the case without [optimise]
   std::unique_ptr<const PointRunner> runner_;
   std::vector<std::string> key_units_;
   std::vector<OptimiseAim> aims_;

@@ -148,7 +148,7 @@ std::string front_lines(const OptimiseResult& result) {
   return out;
 }
 
-/// A column of CSV: "bearing_radial_clearance_m".
+/// A CSV column name: "bearing_radial_clearance_m".
 std::string column_of_key(const std::string& key, const std::string& unit) {
   std::string name = key;
   std::erase(name, ']');
@@ -168,7 +168,7 @@ std::vector<double> margins_of(const OptimiseResult& result, const OptimisePoint
   return margins;
 }
 
-/// Entries of a list that there may be none of.
+/// Adds the names of a list that may be empty.
 void add_names(Dataset& data, const std::string& dim, std::string meaning, const std::vector<std::string>& names,
                const std::vector<std::string>& units) {
   data.add_dimension({dim, "1", std::move(meaning), whole_number}, numbers_from(1.0, names.size()));

@@ -9,25 +9,25 @@
 
 namespace bumpfoil {
 
-/// A line on what kept the optimisation from converging; none where nothing did.
+/// The reason why the optimisation did not converge, in one line; none if it did.
 std::vector<std::string> optimise_failures(const OptimiseResult& result);
 
-/// Warnings of the best point, and points that have no result.
+/// Warnings of the best point, and of points without a result.
 std::vector<std::string> optimise_warnings(const OptimiseResult& result);
 
-/// For the terminal.
+/// The result as text for the terminal.
 std::string optimise_table(const OptimiseResult& result);
 
-/// Contents of result.nc. @param result  lives as long as it
+/// Contents of result.nc. @param result  must outlive it
 Dataset optimise_dataset(const OptimiseResult& result);
 
-/// Contents of points.csv: a line for each point.
+/// Contents of points.csv: one line per point.
 std::string points_csv(const OptimiseResult& result);
 
 /// Entries of summary.json.
 nlohmann::ordered_json optimise_lists(const OptimiseResult& result);
 
-/// Contents of case.toml: the case with the best values, and where they come from. @pre  there is a best point
+/// Contents of case.toml: the case with the best values, and their source. @pre  there is a best point
 std::string optimised_case_text(const OptimiseResult& result);
 
 }  // namespace bumpfoil

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Of a quantity: its size at the first point that has it.
+/// Magnitude of a quantity at the first point that has it.
 double size_at_first(const std::vector<OptimisePoint>& points, std::vector<double> OptimisePoint::*numbers,
                      std::size_t i) {
   for (const OptimisePoint& point : points) {

@@ -15,33 +15,33 @@ struct SearchGoal {
   std::optional<OptimiseLimit> other{};
 };
 
-/// How good points are, with aims and limits in parts of their sizes.
+/// Ranks points, with aims and limits scaled by their sizes.
 class PointMerits {
  public:
-  /// @param problem  has aims and limits, and lives as long as this
+  /// @param problem  defines aims and limits; must outlive this
   explicit PointMerits(const OptimiseResult& problem) : problem_(problem) {}
 
-  /// Takes the sizes of quantities from the first of the points that has them; of limits whose bound is not zero that
-  /// of the bound. Due before all else.
+  /// Sets the scale of each quantity from the first point that has it; that of a limit with a nonzero bound is the
+  /// bound. Call before all else.
   void take_sizes(const std::vector<OptimisePoint>& points);
 
   [[nodiscard]] bool meets(const OptimisePoint& point, const SearchGoal& goal) const;
 
-  /// An aim, to be minimised. @pre of all that follow: the point converged
+  /// An aim, to be minimised. @pre for this and the following functions: the point converged
   [[nodiscard]] double scaled_aim(const OptimisePoint& point, std::size_t aim) const;
-  /// Limits of a goal, not to be positive.
+  /// Limits of a goal, which must not be positive.
   [[nodiscard]] Eigen::VectorXd scaled_limits(const OptimisePoint& point, const SearchGoal& goal) const;
-  /// Smaller is better: first the violation of limits, then the aim.
+  /// Smaller is better: first by violation of limits, then by aim.
   [[nodiscard]] std::pair<double, double> merit(const OptimisePoint& point, const SearchGoal& goal) const;
 
-  /// The best of those that meet a goal; null where none does.
+  /// The best of the points that meet a goal; null if there is none.
   [[nodiscard]] const OptimisePoint* best_of(const std::vector<OptimisePoint>& points, const SearchGoal& goal) const;
 
-  /// Goals between the ends of a front, from the best of the first aim on: the second is to be better and better.
+  /// Goals between the ends of a front, starting from the best of the first aim: the second improves from goal to goal.
   [[nodiscard]] std::vector<SearchGoal> goals_between(const OptimisePoint& first, const OptimisePoint& last,
                                                       int count) const;
-  /// Numbers of the best points of both aims and of `goals`, without those that another is no worse than in both aims;
-  /// from the best of the first aim on.
+  /// Indices of the best points of both aims and of `goals`, without those dominated in both aims; starting from the
+  /// best of the first aim.
   [[nodiscard]] std::vector<std::size_t> front_of(const std::vector<OptimisePoint>& points,
                                                   const std::vector<SearchGoal>& goals) const;
 
@@ -51,7 +51,7 @@ class PointMerits {
   std::vector<double> limit_scales_;
 };
 
-/// The point of a front that is nearest to the best of both aims, each in parts of its range along the front.
+/// The point of a front that is closest to the best of both aims, each scaled by its range along the front.
 std::size_t middle_of_front(const std::vector<OptimisePoint>& points, const std::vector<std::size_t>& front);
 
 }  // namespace bumpfoil

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view yield_name = "yield";
 
-/// The worst of some numbers. @param largest  whether that is the largest
+/// The worst of some numbers. @param largest  whether the largest is the worst
 double worst_of(const std::vector<double>& numbers, bool largest) {
   double worst = absent;
   for (const double number : numbers) {
@@ -34,14 +34,14 @@ double worst_of(const std::vector<double>& numbers, bool largest) {
   return worst;
 }
 
-/// An experiment, as at the points of sweeps.
+/// Runs an experiment, as at the points of sweeps.
 class ExperimentRunner final : public PointRunner {
  public:
   ExperimentRunner(const ExperimentInfo& experiment, const Case& input) : experiment_(experiment) {
     const Dataset none = experiment.sweeping->not_begun(input).swept(false).dataset;
     for (const Variable& variable : none.variables) {
       const VariableMeaning& meaning = variable.meaning;
-      // What depends on the machine is no quantity of a design.
+      // Machine-dependent numbers are not quantities of a design.
       const bool of_run = (meaning.tags & tag::of_solver) != 0 || meaning.name == "wall_time";
       if (meaning.form.kind == Form::real && !of_run) meanings_.push_back(meaning);
     }
@@ -71,7 +71,7 @@ class ExperimentRunner final : public PointRunner {
   std::vector<VariableMeaning> meanings_;
 };
 
-/// A number that statistics have, by its name in summary.json.
+/// A statistic, by its name in summary.json.
 struct NamedStatistic {
   std::string name;
   std::function<double(const Statistics&)> value;
@@ -89,7 +89,7 @@ const std::vector<NamedStatistic>& named_statistics() {
   return all;
 }
 
-/// An ensemble: the same bearings of the seed at every point, so that points differ by their keys alone.
+/// Runs an ensemble: the same random samples at every point, so that points differ by their keys only.
 class EnsembleRunner final : public PointRunner {
  public:
   EnsembleRunner(const Case& input, const OptimiseSettings& settings, std::vector<Fault>& faults)
@@ -133,7 +133,7 @@ class EnsembleRunner final : public PointRunner {
       if (progress && !progress(fraction)) stopped = true;
       return !stopped;
     };
-    // Searches wait for their own samples alone.
+    // Isolated, so that a search only waits for its own samples.
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(std::size_t{0}, samples, [&](std::size_t i) {
         if (!stopped) rows[i] = sampler.run(i, goes_on);
@@ -174,7 +174,7 @@ class EnsembleRunner final : public PointRunner {
         run.values.push_back(static_cast<double>(yields.all.passed) / static_cast<double>(yields.all.samples));
         continue;
       }
-      // A bearing that fails counts against the yield; statistics of the others would be too good.
+      // A failed sample counts against the yield; statistics of the others would be too optimistic.
       if (failed > 0) run.status = RunStatus::failed;
       std::vector<double> places;
       places.reserve(layout.places.size());

@@ -15,7 +15,7 @@ namespace bumpfoil {
 /// Values of quantities in a run.
 struct PointRun {
   RunStatus status{};
-  std::vector<double> values{};  ///< of the quantities that were asked for, in their order; not a number where absent
+  std::vector<double> values{};  ///< of the requested quantities, in order; NaN if absent
   std::vector<std::string> failures{};
   std::vector<std::string> warnings{};
 };
@@ -28,16 +28,16 @@ class PointRunner {
   PointRunner& operator=(const PointRunner&) = delete;
   virtual ~PointRunner() = default;
 
-  /// Names and units of quantities that there are.
+  /// Names and units of the available quantities.
   [[nodiscard]] virtual std::vector<LimitedQuantity> quantities() const = 0;
-  /// How the terminal shows one of them; a size of 0 where it does not.
+  /// Format of a quantity on the terminal; size 0 if it is not shown.
   [[nodiscard]] virtual ShownUnit shown(std::size_t quantity) const = 0;
-  /// For several threads at once. @throws Error (input) if there is no such bearing
+  /// Thread-safe. @throws Error (input) if the bearing is invalid
   [[nodiscard]] virtual PointRun run(const Case& input, const std::vector<OptimisedQuantity>& wanted,
                                      const ProgressCallback& progress) const = 0;
 };
 
-/// The runner of the command of [optimise]. @param faults  receives those of the limits of bearings
+/// The runner of the command of [optimise]. @param faults  receives errors of the limits of bearings
 /// @throws Error (input) if the case cannot be built
 std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings,
                                                      std::vector<Fault>& faults);

@@ -77,7 +77,7 @@ Increment make_increment(const FormerModel& model, const Eigen::Vector2d& positi
   return next;
 }
 
-/// One direction of a case: push and pull, with the journal in the same places as in the present model.
+/// One direction of a case: push and pull, with the same journal positions as in the present model.
 Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double direction, const CycleSettings& settings,
                        const ProgressCallback& progress) {
   const auto begin = std::chrono::steady_clock::now();
@@ -129,7 +129,7 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
     return cycle.converged();
   };
   if (add(0.0, Branch::loading, false)) {
-    // Nothing but the position passes from one increment to the next.
+    // Only the position passes from one increment to the next.
     const auto take = [&](const Leg& leg, int taken, const BearingState&, Step&) {
       solution = solver.solve(line.place(leg.target(taken)));
     };

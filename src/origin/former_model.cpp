@@ -15,22 +15,22 @@ namespace bumpfoil {
 namespace {
 
 constexpr double least_displacement = 1e-13;  // m
-constexpr double force_tolerance = 1e-11;     // of the largest normal force, or of least_reference_force()
-constexpr double balance_tolerance = 1e-6;    // of the same, where forces only lead to modes
+constexpr double force_tolerance = 1e-11;     // relative to the largest normal force, or least_reference_force()
+constexpr double balance_tolerance = 1e-6;    // the same if forces only determine modes
 constexpr int rounds_at_first = 12;
 constexpr int rounds_after_approach = 6;
 constexpr int max_outer_iterations = 200;
 constexpr int max_newton_steps = 100;
 
-/// Slip mode of a contact from the signs of its normal force and of its displacement. The modes of the linear system
+/// Slip mode of a contact from the signs of its normal force and its displacement. The modes of the linear system
 /// assume compression, t = -+f N: under tension they are exchanged.
 ContactMode mode_of_system(bool forward, double normal_force) {
   return forward == (normal_force > 0.0) ? ContactMode::slip_forward : ContactMode::slip_backward;
 }
 
-/// Penalty of the augmented Lagrangian: the stiffness of the stiffest crest between held feet, N/m. It sets the pace,
-/// not the result. One that is much stiffer than the foil lets the friction bounds follow their normal forces at once,
-/// oscillating endlessly where friction is strong, and its round-off exceeds the smaller forces of soft foils.
+/// Penalty of the augmented Lagrangian: the stiffness of the stiffest crest between held feet, N/m. It affects speed,
+/// not the result. If it is much larger than the stiffness of the foil, friction bounds follow their normal forces
+/// immediately and oscillate endlessly at strong friction, and round-off exceeds the smaller forces of soft foils.
 double make_penalty(const FoilStructure& structure) {
   double stiffest = 0.0;
   for (const Matrix& block : structure.K.diagonal) {
@@ -44,7 +44,7 @@ Vector list_or_zeros(const std::vector<double>& list, int size) {
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 
-/// Gaps that the contacts have to close; infinite for crests that the journal does not reach.
+/// Gaps that the contacts must close; infinite for crests that the journal does not reach.
 ContactLoading loading_under(const FormerModel& model, const Eigen::Vector2d& position) {
   ContactLoading loading{.initial_gap = Vector(model.problem.contacts()), .load = Vector::Zero(model.problem.K.rows())};
   const Vector gap = former_crest_gaps(model, position);
@@ -99,7 +99,7 @@ ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2
                            Vector::Zero(state.x.size()), judged);
 }
 
-/// Unknowns, multipliers and friction bounds of the augmented Lagrangian, and what follows from them.
+/// Unknowns, multipliers and friction bounds of the augmented Lagrangian, and derived quantities.
 struct FormerSolver::TrescaState {
   TrescaState(Eigen::Index contacts, Eigen::Index rows)
       : x(Vector::Zero(rows)),
@@ -142,8 +142,8 @@ FormerSolution FormerSolver::solve(const Eigen::Vector2d& position) {
   return solution;
 }
 
-/// Exact solves from the modes and the signs of normal forces in the solution, changing what contradicts. Leaves them
-/// as they were and the last iterate in all else where the rounds are spent.
+/// Exact solves from the modes and the signs of normal forces in the solution, with changes of contradicting ones. If
+/// the rounds are used up, restores these and keeps the last iterate of all else.
 bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, FormerSolution& solution) {
   ContactState& state = solution.state;
   const Vector unstressed = Vector::Zero(state.x.size());
@@ -192,8 +192,8 @@ bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, Form
   return false;
 }
 
-/// Proximal augmented Lagrangian with the friction bounds held while the displacements are found: an energy that is
-/// convex whatever the bounds are. Its modes lead the exact solves, which decide.
+/// Proximal augmented Lagrangian with fixed friction bounds in the displacement solve: this energy is convex for any
+/// bounds. Its modes are the guess for the exact solves, which decide.
 bool FormerSolver::approach(const ContactLoading& loading, FormerSolution& solution) {
   TrescaState s(model_.problem.contacts(), model_.problem.K.rows());
   for (int outer = 0; outer < max_outer_iterations; ++outer) {
@@ -223,7 +223,7 @@ bool FormerSolver::minimise(const ContactLoading& loading, TrescaState& s, Solve
     Vector step = -s.gradient;
     penalties_->solve_in_place(step);
     ++cost.iterations;
-    // The slope of the energy along the step rises: halve until it is not far above zero.
+    // The slope of the energy along the step is positive: halve until it is close to zero.
     const double slope = step.dot(s.gradient);
     for (double length = 1.0; length > 1e-9; length *= 0.5) {
       s.x = start + length * step;

@@ -12,16 +12,16 @@
 namespace bumpfoil {
 namespace {
 
-/// A contact that changed between stick and slip this often is left slipping.
+/// A contact that changed between stick and slip this often stays slipping.
 constexpr int max_changes = 6;
-/// Multiplier updates that each find the sticking contacts anew. Where they go on, stick and slip follow the
-/// multipliers in turn; from then on a contact that slips is left slipping.
+/// Multiplier updates with free choice of sticking contacts. Beyond them, stick and slip may alternate with the
+/// multipliers; from then on a slipping contact stays slipping.
 constexpr int free_updates = 20;
-/// Sets of closed contacts that are changed as a whole; after them one contact at a time.
+/// Updates that change all closed contacts at once; later ones change one contact at a time.
 constexpr int whole_updates = 12;
 
-/// Stiffness of what meets at a contact with friction, across it, N/m: the mean of all of them. Unknowns that K says
-/// nothing of on its diagonal (a top foil in moments) are as stiff as their partner.
+/// Tangential stiffness at a contact with friction, N/m: the mean over all of them. Unknowns without a diagonal entry
+/// in K (a top foil in moments) take the stiffness of their partner.
 double mean_contact_stiffness(const ContactProblem& problem) {
   const auto stiffness = [&problem](int block, int unknown) {
     return unknown < 0 ? 0.0 : problem.K.diagonal[static_cast<std::size_t>(block)](unknown, unknown);
@@ -55,7 +55,7 @@ struct UzawaSolver::Workspace {
   /// Friction of one contact inside the friction loop.
   struct FrictionState {
     bool sticks{};
-    int changes{};  ///< between stick and slip, for the current multipliers
+    int changes{};  ///< between stick and slip, at the current multipliers
   };
 
   Workspace(const ContactProblem& contact_problem, const UzawaOptions& uzawa_options)
@@ -101,13 +101,13 @@ struct UzawaSolver::Workspace {
   std::vector<FrictionState> friction;
   Vector x, lambda;                               // unknowns, multipliers of the contacts
   Vector normal_stiffness, tangential_stiffness;  // of the contacts at x
-  Vector p, t, gradient;                          // contact forces at x, and what they leave unbalanced
+  Vector p, t, gradient;                          // contact forces at x, and the residual of the balance
   Vector step, x_start;
 };
 
 UzawaSolver::UzawaSolver(const ContactProblem& problem, const UzawaOptions& options)
     : workspace_(std::make_unique<Workspace>(problem, options)) {
-  BUMPFOIL_ASSERT(!problem.law);  // linear elastic forces only
+  BUMPFOIL_ASSERT(!problem.law);  // linear elastic forces required
 }
 
 UzawaSolver::~UzawaSolver() = default;
@@ -127,7 +127,7 @@ SolveReport UzawaSolver::solve(const ContactLoading& loading, const ContactState
   return report;
 }
 
-/// First guess: the last increment, with every contact closed that the new loading closes.
+/// First guess: the last increment, with all contacts closed that the new loading closes.
 void UzawaSolver::Workspace::begin(const ContactLoading& loading, const ContactState& previous) {
   x = previous.x;
   lambda = previous.normal_force;
@@ -139,7 +139,7 @@ void UzawaSolver::Workspace::begin(const ContactLoading& loading, const ContactS
   });
 }
 
-/// Opens the contacts that pull and closes those that penetrate: all of them, or the one that is most at fault.
+/// Opens contacts in tension and closes penetrating ones: all of them, or the worst one.
 /// @return false if there are none
 bool UzawaSolver::Workspace::update_contacts(const ContactLoading& loading, bool one_at_a_time) {
   const double force_tolerance = options.multiplier_tolerance * force_scale();
@@ -169,7 +169,7 @@ bool UzawaSolver::Workspace::update_contacts(const ContactLoading& loading, bool
   return changed;
 }
 
-/// Moves the multipliers of closed contacts until the gaps vanish.
+/// Updates the multipliers of closed contacts until the gaps vanish.
 bool UzawaSolver::Workspace::find_normal_forces(const ContactLoading& loading, const ContactState& previous,
                                                 SolveCost& cost) {
   for (int update = 0; update < options.max_multiplier_updates; ++update) {
@@ -180,7 +180,7 @@ bool UzawaSolver::Workspace::find_normal_forces(const ContactLoading& loading, c
     }
     if (!find_friction(loading, previous, cost)) return false;
     ++cost.outer_iterations;
-    // p = lambda - eps_alm g are the forces in balance with x, and the next multipliers.
+    // p = lambda - eps_alm g are the forces in equilibrium at x, and the next multipliers.
     double moved = 0.0;
     for_each_contact(problem, [&](const CoulombContact& c) {
       if (c.site.tangential >= 0) moved = std::max(moved, std::abs(p[c.index] - lambda[c.index]));
@@ -191,7 +191,7 @@ bool UzawaSolver::Workspace::find_normal_forces(const ContactLoading& loading, c
   return false;
 }
 
-/// Finds which contacts stick, for the current multipliers.
+/// Determines the sticking contacts for the current multipliers.
 bool UzawaSolver::Workspace::find_friction(const ContactLoading& loading, const ContactState& previous,
                                            SolveCost& cost) {
   for (int update = 0; update < options.max_friction_updates; ++update) {
@@ -201,7 +201,7 @@ bool UzawaSolver::Workspace::find_friction(const ContactLoading& loading, const 
   return false;
 }
 
-/// @return how many contacts changed between stick and slip
+/// @return number of contacts that changed between stick and slip
 int UzawaSolver::Workspace::update_friction(const ContactState& previous) {
   int changed = 0;
   for_each_contact(problem, [&](const CoulombContact& c) {
@@ -210,7 +210,7 @@ int UzawaSolver::Workspace::update_friction(const ContactState& previous) {
     if (state.changes >= max_changes) return;
     const double du = slip(c, previous);
     bool sticks = std::abs(trial_friction(c, previous, du)) <= bound(c) * (1.0 + options.cone_tolerance);
-    // A contact that slips against its trial force creeps inside the cone: only as stuck can it carry that force.
+    // A contact that slips against its trial force creeps inside the cone: it can carry this force only by sticking.
     if (!state.sticks && std::abs(du) < options.tau_f) sticks = bound(c) > 0.0;
     if (sticks == state.sticks) return;
     state.sticks = sticks;
@@ -239,9 +239,9 @@ bool UzawaSolver::Workspace::newton(const ContactLoading& loading, const Contact
   return false;
 }
 
-/// Part of `step` from `x_start` that brings the slope of the energy along it down well enough. Leaves x at the start.
+/// Fraction of `step` from `x_start` that reduces the slope of the energy sufficiently. Leaves x at the start.
 double UzawaSolver::Workspace::step_length(const ContactLoading& loading, const ContactState& previous) {
-  constexpr double enough = 0.5;  // of the slope at the start: Newton's next step finds the rest
+  constexpr double enough = 0.5;  // relative to the slope at the start: Newton's next step corrects the rest
   constexpr int halvings = 40;
   const double at_start = step.dot(gradient);
   double length = 1.0;

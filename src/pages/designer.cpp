@@ -40,17 +40,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Stands for the case in messages, which it does not need: there is one alone.
+/// Empty name of the case in messages: there is only one.
 const std::string no_name;
 
-/// @param commands  that answer alike
+/// @param commands  with the same results
 Case read(const Json& request, std::vector<std::string> commands) {
   return parse_case(request.at("text").get<std::string>(), no_name, {.overrides = {}, .commands = std::move(commands)});
 }
 
 // What the page begins with -----------------------------------------------------------------------------------------
 
-/// Units that people write each dimension in, the SI one among them.
+/// Display units of each dimension, including the SI unit.
 struct OfferedUnits {
   Dimension dimension;
   std::vector<const char*> units;
@@ -126,7 +126,7 @@ Json answer_keys() {
 
 // Results -----------------------------------------------------------------------------------------------------------
 
-/// Of several parts of about the same size one, in the order of the whole. @param part  number from 0, and how many
+/// Selects one of several nearly equal parts of a list, in order. @param part  index from 0, and number of parts
 std::vector<double> part_of(const std::vector<double>& all, const std::array<std::size_t, 2>& part) {
   const auto end = [&](std::size_t parts) {
     return all.begin() + static_cast<std::ptrdiff_t>(parts * all.size() / part[1]);
@@ -139,7 +139,7 @@ Json answer_cycles(const Json& request) {
   Case own = input;
   const std::array<std::size_t, 2> whole{0, 1};
   own.cycle.directions = part_of(input.cycle.directions, request.value("part", whole));
-  // Where there are fewer directions than parts.
+  // There may be fewer directions than parts.
   if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.chosen(), .cycles = {}})}};
   return {{"run", shown_run(input, run_cycles(own))}};
 }
@@ -181,7 +181,7 @@ Json answer_vibration(const Json& request) {
   return json;
 }
 
-/// Films on a mesh that is no finer than this, but for columns that crests stand on.
+/// Limits the film mesh to this resolution, except for columns required by crests.
 void coarsen(Case& input, const std::array<int, 2>& mesh) {
   const int step = input.bump_foil.least_columns_per_pitch();
   const int columns = (mesh[0] + step - 1) / step * step;
@@ -195,7 +195,7 @@ void coarsen(Case& input, const std::array<int, 2>& mesh) {
   }
 }
 
-/// The settings of the case, where it has any, at speeds with loads or at positions.
+/// The settings of the case, if any, at speeds with loads or at positions.
 EquilibriumSettings operating_points(const Json& request, const Case& input) {
   EquilibriumSettings settings = input.equilibrium.value_or(EquilibriumSettings{});
   const auto vectors = [&request](const char* key) {
@@ -208,7 +208,7 @@ EquilibriumSettings operating_points(const Json& request, const Case& input) {
   settings.loads = vectors("loads");
   settings.positions = vectors("positions");
   settings.limits = false;
-  // Positions have no load to ramp.
+  // Positions have no load for a ramp.
   if (settings.loads.empty() && settings.path == FilmPath::load_ramp) settings.path = FilmPath::position_ray;
   return settings;
 }
@@ -216,7 +216,7 @@ EquilibriumSettings operating_points(const Json& request, const Case& input) {
 Json answer_equilibrium(const Json& request) {
   Case input = read(request, {});
   if (request.contains("sample")) {
-    // Ensembles of cycles have another solver by default.
+    // Ensembles of cycles have a different default solver.
     const SolverSettings solver = input.solver;
     input = read(request, {"montecarlo"});
     input = sampled_case(input, draw_sample(input, request.at("sample").get<std::uint64_t>()));
@@ -240,7 +240,7 @@ Json answer_stability(const Json& request) {
   return {{"run", shown_rotor(input, run_stability(input))}};
 }
 
-/// Whether ensembles are shown by it.
+/// Whether the page shows this quantity for ensembles.
 bool is_shown_of_samples(const CycleQuantity& quantity) {
   return quantity.is(tag::sampled) && quantity.form.kind == Form::real && quantity.shown.size > 0.0 &&
          !quantity.is(tag::of_solver);

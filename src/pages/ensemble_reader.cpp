@@ -11,11 +11,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Bars of a histogram.
+/// Minimum number of bars of a histogram.
 constexpr double fewest_bars = 8.0;
 constexpr double most_bars = 60.0;
 
-/// How many bars show what values are like: of the width 2 IQR / n^(1/3), the rule of Freedman and Diaconis.
+/// Number of bars of a histogram: width 2 IQR / n^(1/3), the rule of Freedman and Diaconis.
 std::size_t bars_of(const std::vector<double>& sorted) {
   const std::size_t n = sorted.size();
   const double quartiles = sorted[3 * n / 4] - sorted[n / 4];
@@ -25,7 +25,7 @@ std::size_t bars_of(const std::vector<double>& sorted) {
                                                       : fewest_bars);
 }
 
-/// The numbers of a quantity: sample by sample, of each one per place.
+/// The numbers of a quantity: sample by sample, one per place each.
 class Values {
  public:
   Values(std::vector<double> values, std::size_t places) : values_(std::move(values)), places_(places) {}
@@ -38,7 +38,7 @@ class Values {
     return known;
   }
 
-  /// One after the other of a place, as many as are asked for.
+  /// Visits the numbers of a place in order, up to the requested count.
   template <typename Visitor>
   void for_each(std::size_t place, std::size_t samples, Visitor&& visit) const {
     for (std::size_t i = 0; i < std::min(samples, values_.size() / places_); ++i) {
@@ -51,7 +51,7 @@ class Values {
   std::size_t places_;
 };
 
-/// The same bars at all places, so that these can be compared.
+/// All places share the same bars, for comparison.
 Json distribution_json(const Values& values, std::size_t places, std::size_t samples) {
   const std::vector<double> known = values.known();
   Json json{{"from", nullptr}, {"to", nullptr}, {"counts", Json::array()}, {"first", Json::array()}};

@@ -19,10 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rows of variables with many of them that are in memory at a time.
+/// Rows read at a time of variables with many.
 constexpr std::size_t grid_rows_at_once = 10'000;
 
-/// A variable, and what of it is read.
+/// A variable, and the rows to read.
 struct GridPart {
   const StoredVariable* variable{};
   const std::vector<std::size_t>* rows{};  ///< null: all
@@ -34,14 +34,14 @@ struct GridPart {
   }
 };
 
-/// Not as a whole number: damaged files declare any.
+/// As floating point: damaged files may declare any size.
 double size_of(const GridPart& part) {
   const std::vector<std::size_t> extents = part.extents();
   return std::accumulate(extents.begin(), extents.end(), 1.0, std::multiplies<>());
 }
 
-/// As few of the largest as it takes are left out, and with them those of the same size: one coordinate of a loop says
-/// nothing without the other.
+/// Omits as few of the largest variables as necessary, together with all others of the same size: one coordinate of a
+/// loop is useless without the other.
 std::vector<GridPart> those_that_fit(std::vector<GridPart> parts, std::size_t most_values) {
   std::stable_sort(parts.begin(), parts.end(),
                    [](const GridPart& a, const GridPart& b) { return size_of(a) < size_of(b); });
@@ -57,7 +57,7 @@ std::vector<GridPart> those_that_fit(std::vector<GridPart> parts, std::size_t mo
   return parts;
 }
 
-/// Stretch by stretch, none of them longer than some rows.
+/// Reads in stretches of a limited number of rows.
 std::vector<double> numbers_of(const NetcdfImage& file, const GridPart& part) {
   if (part.rows == nullptr) return file.numbers(*part.variable);
   std::vector<std::size_t> start(part.variable->extents.size());

@@ -13,25 +13,25 @@
 
 namespace bumpfoil {
 
-/// Dimensions of what single bumps, feet and pads do.
+/// Dimensions of results per bump, foot and pad.
 inline constexpr std::array<std::string_view, 3> node_dimensions{"bump", "foot", "pad"};
 
 bool is_node(std::string_view dimension);
 
-/// Whether a variable is of bumps or feet, which are many; pads are not.
+/// Whether a variable has values per bump or foot, which are many; pads are not.
 bool is_of_nodes(const StoredVariable& variable);
 
-/// What of a file is read.
+/// Selection of the contents of a file.
 struct GridParts {
-  std::function<bool(const StoredVariable&)> has;  ///< whether a variable is
-  /// By names of first dimensions, entries in rising order: of variables over these no others are.
+  std::function<bool(const StoredVariable&)> has;  ///< whether a variable is selected
+  /// Selected entries in increasing order, by name of the first dimension: variables over it are read at these entries
+  /// only.
   std::map<std::string, std::vector<std::size_t>> rows{};
 };
 
-/// What a report shows of results that are numbers over some dimensions, such as those of a sweep over its keys:
-/// `dimensions` (sizes by name, of what is read), `variables` and `left_out`, see report_json.
-///
-/// @param most_values  numbers in all; the largest variables are left out where they are more
+/// Contents of a report for results that are numbers over some dimensions, such as those of a sweep over its keys:
+/// `dimensions` (sizes by name, as read), `variables` and `left_out`, see report_json.
+/// | @param most_values  total count of numbers above which the largest variables are omitted
 /// @throws Error (file) naming file and variable if it is damaged
 nlohmann::ordered_json read_grid(const NetcdfImage& file, std::size_t most_values, const GridParts& parts);
 

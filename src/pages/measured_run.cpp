@@ -87,7 +87,7 @@ std::vector<std::string> remarks_on(const LastCycle& loop) {
   return remarks;
 }
 
-/// The cycle that a loop is of.
+/// The cycle to which a loop belongs.
 double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::vector<double>& cycles, bool strip) {
   const std::string_view column = strip ? "cycle" : "direction";
   std::vector<std::string> names;
@@ -99,7 +99,7 @@ double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::ve
            fmt::format("add a column {0}, or name it after the file, FILE:{1}: the results have {2}", column,
                        names.front(), fmt::join(names, ", ")));
   }
-  // Of directions a turn more is the same.
+  // Directions are equal modulo a full turn.
   const auto same = [&loop, strip](double at) {
     const double turns = (*loop.at - at) / 360.0;
     return at == *loop.at || (!strip && std::abs(turns - std::round(turns)) < 1e-9);

@@ -8,16 +8,16 @@
 
 namespace bumpfoil {
 
-/// Measured loops as one more run of a report, so that they are drawn and listed like those that they are compared
-/// with. It has what was measured and what follows from it: displacement, force, work, and the quantities of these; no
-/// fields, an empty case, and `measured` where other runs have none.
+/// Measured loops as an additional run of a report, drawn and listed like those they are compared with. It contains the
+/// measurement and derived quantities: displacement, force, work, and their quantities; no fields, an empty case, and
+/// `measured`, which other runs lack.
 /// @param file     see read_measured_loops()
 /// @param columns  see parse_measured_columns()
 /// @param name     of the run
-/// @param runs     the others; of the first kind among them that has cycles are these
-/// @param warn     called, where there is one, with what is to be known of a loop: of how many it is the last, and that
-///                 it does not close
-/// @throws Error (input) if the file cannot be understood, or has loops of no cycle that runs have
+/// @param runs     the others; the loops belong to the first kind among them that has cycles
+/// @param warn     unless empty, called with remarks on a loop: that it is the last of several, and that it is not
+///   closed
+/// @throws Error (input) if the file is invalid, or has loops of cycles that no run has
 nlohmann::ordered_json measured_run(const MeasuredFile& file, const std::string& columns, const std::string& name,
                                     const nlohmann::ordered_json& runs,
                                     const std::function<void(const std::string&)>& warn);

@@ -39,31 +39,31 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* folder_advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
 
-/// What a report shows of the summary of numbers that result.nc or sweep.nc has.
+/// Keys of the summary of result.nc or sweep.nc that a report shows.
 constexpr std::array shown_of_summary{"schema", "command", "case", "version", "commit", "solver", "status"};
-/// And of that of an ensemble, whose statistics stand nowhere else.
+/// Also those of an ensemble, whose statistics are only in the summary.
 constexpr std::array ensemble_summary_parts{"samples_due",   "samples", "statistics", "bump_loads",
                                             "sensitivities", "limits",  "yield"};
 
 constexpr const char* advice_on_damage = "restore it from a backup or rerun; --unchecked reads what is readable";
 
-/// What a variable is, in the words of the file that it is in.
+/// Description of a variable in its file.
 std::string meaning_of(const Json& result, const std::string& name) {
   const Json& variables = result.contains("meanings") ? result["meanings"] : result["variables"];
   return variables.contains(name) ? variables[name]["text"].get<std::string>() : "";
 }
 
-/// A quantity in the words of the file.
+/// A quantity as described in its file.
 Json quantity_json(VariableMeaning meaning, const Json& result) {
   meaning.long_name = meaning_of(result, meaning.name);
   return shown_quantity(meaning);
 }
 
-/// Rubs that a report lists; a rotor that rubs in every revolution has many.
+/// Maximum number of rubs in a report; a rotor that rubs in every revolution has many.
 constexpr std::size_t most_shown_rubs = 1000;
 
-/// What tables tell of the results of an experiment; of a rotor, of the whole run, of each speed or revolution, and of
-/// each motion or orbit.
+/// Table quantities of an experiment; for a rotor, of the whole run, of each speed or revolution, and of each motion or
+/// orbit.
 std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment) {
   if (has_onsets(experiment.name)) return stability_meanings();
   std::vector<VariableMeaning> meanings = experiment.quantities;
@@ -84,7 +84,7 @@ std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment
   return meanings;
 }
 
-/// Those of the experiment of a result; a sweep has those of what it ran.
+/// Those of the experiment of a result; a sweep has those of its command.
 Json quantities_json(const Json& result) {
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
   const auto found = std::find_if(experiments().begin(), experiments().end(),
@@ -93,16 +93,16 @@ Json quantities_json(const Json& result) {
   const bool of_cycles = has_cycles(experiment.name) || experiment.name == name_of(Experiment::path);
   Json json = Json::array();
   for (const VariableMeaning& meaning : meanings_in_tables(experiment)) {
-    // Of cycles those are shown that have a label, of others all that the result has.
+    // For cycles, shows labelled quantities; for others, all in the result.
     if (of_cycles ? meaning.label.empty() : !result.at("variables").contains(meaning.name)) continue;
-    // What varies over the width is explained where a result has it.
+    // Quantities that vary over the width are explained if the result has them.
     if (of_cycles && (meaning.tags & tag::of_width_alone) != 0 && meaning_of(result, meaning.name).empty()) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
   return json;
 }
 
-/// Those that an optimisation has aims or limits of; of an ensemble, without the statistic.
+/// Quantities with aims or limits in an optimisation; for an ensemble, without the statistic.
 Json optimised_quantities_json(const Json& summary) {
   Json json = Json::array();
   for (const char* list : {"aims", "limits"}) {
@@ -120,10 +120,10 @@ Json optimised_quantities_json(const Json& summary) {
   return json;
 }
 
-/// Of what a report may hold, the part that the bearings of an ensemble take: their page is to stay small.
+/// Fraction of the size of a report for the bearings of an ensemble: the page should stay small.
 constexpr std::size_t part_of_samples = 4;
 
-/// The quantities and the first bearings of an ensemble.
+/// The quantities and the first samples of an ensemble.
 /// @param name  of ensemble.nc in messages
 Json ensemble_json(const Json& result, const std::string& name, std::size_t samples, std::size_t most_values) {
   const auto input = [&] {
@@ -143,15 +143,15 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
   if (layout.command == EnsembleCommand::cycle) {
     json["samples"] = run_shown_samples(input, std::min(samples, most_shown_samples), most_values / part_of_samples);
   } else {
-    // Not run again, which would take minutes.
+    // Not run again, as this would take minutes.
     json["states"] = Json::array();
     for (const EnsemblePlace& place : layout.places) json["states"].push_back(place.name);
   }
   return json;
 }
 
-/// Of the bearing that results are of; null where it is round, where they are of a strip, and of a case of a version
-/// that had other keys.
+/// Deviations of the bearing of a result; null if it is round, for a strip, and for a case of a version with other
+/// keys.
 Json deviations_json(const Json& result) {
   const Json& attributes = result["attributes"];
   for (const std::string& command : {result["kind"].get<std::string>(), attributes.value("swept_command", "")}) {
@@ -188,7 +188,7 @@ Json summary_shown(const Json& summary, const std::string& kind) {
   return shown;
 }
 
-/// The file of numbers in a folder: each command has one.
+/// The data file in a folder: each command has one.
 const char* result_name_in(const fs::path& folder) {
   std::error_code code;
   for (const char* name : {"ensemble.nc", "sweep.nc", "fit.nc"}) {
@@ -211,7 +211,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   Json result = read_result(std::move(bytes), result_path.string(), most_values);
   match_runs(summary, result, (folder / "summary.json").string(), result_name);
   Json& attributes = result["attributes"];
-  attributes.erase("history");  // the date and the command line again
+  attributes.erase("history");  // duplicates the date and the command line
   attributes["command_line"] = without_machine_paths(attributes.value("command_line", ""));
   const auto kind = result["kind"].get<std::string>();
   Json run{{"summary", summary_shown(summary.json, kind)}};
@@ -265,7 +265,7 @@ std::string fill_report(std::string_view page, std::string_view json) {
   std::string out(page.substr(0, place));
   out.reserve(page.size() + json.size());
   for (const char letter : json) {
-    // In JSON it stands in texts alone, where an escape means the same.
+    // In JSON, this character only occurs in texts, where an escape is equivalent.
     if (letter == '<') {
       out += "\\u003c";
     } else {

@@ -22,7 +22,7 @@ fs::path last_parts(const fs::path& path, std::ptrdiff_t count) {
   return last;
 }
 
-/// Without a slash at its end.
+/// Removes a trailing slash.
 fs::path normal(const fs::path& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
   return path.has_filename() ? path : path.parent_path();

@@ -26,13 +26,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Flag = signed char;
 
-/// NaN where none of them is known.
+/// NaN if all are unknown.
 double largest(std::vector<double>::const_iterator begin, std::vector<double>::const_iterator end) {
   return std::accumulate(begin, end, std::numeric_limits<double>::quiet_NaN(),
                          [](double most, double number) { return std::fmax(most, number); });
 }
 
-/// Of the cycles: a bearing has one per direction.
+/// The dimension of cycles: a bearing has one per direction.
 std::string cycle_dimension(std::string_view kind) {
   return kind == "strip" ? "cycle" : "direction";
 }
@@ -43,7 +43,7 @@ bool is_field(const StoredVariable& variable, std::string_view cycle) {
   });
 }
 
-/// Reads one cycle after the other.
+/// Reads the cycles one by one.
 class CycleReader {
  public:
   CycleReader(const NetcdfImage& file, const std::string& cycle_dimension, std::size_t most_values)
@@ -66,7 +66,7 @@ class CycleReader {
   [[nodiscard]] std::size_t last_increment() const { return increments_ - 1; }
 
   [[nodiscard]] Json read(std::size_t cycle) const {
-    // Of an increment that failed the displacement is known, the force is not.
+    // A failed increment has a displacement, but no force.
     const std::vector<double> force = file_.numbers(force_, {cycle, 0}, {1, increments_});
     const auto end = std::find_if(force.begin(), force.end(), [](double f) { return std::isnan(f); });
     const std::vector<std::size_t> kept = kept_of(static_cast<std::size_t>(end - force.begin()), branches_[cycle]);
@@ -85,12 +85,12 @@ class CycleReader {
   }
 
  private:
-  /// Increments per branch of every cycle; 0 of one that was not begun.
+  /// Increments per branch of every cycle; 0 if it was not started.
   [[nodiscard]] std::vector<std::size_t> read_branches() const {
     const std::vector<double> steps = file_.numbers(file_.variable("steps", {cycle_}));
     std::vector<std::size_t> branches;
     for (const double number : steps) {
-      // Out and back; a swing also to the other side and back.
+      // Loading and unloading; fully reversed cycles also on the other side.
       const auto all = static_cast<double>(increments_) - 1.0;
       const bool fits = number == std::floor(number) && (number * 2.0 == all || number * 4.0 == all);
       if (!std::isnan(number) && !fits) {
@@ -111,7 +111,7 @@ class CycleReader {
     return count;
   }
 
-  /// Every n-th increment of each branch; those at which branches end are kept themselves, and so is the last one.
+  /// Every n-th increment of each branch, plus the ends of branches and the last one.
   [[nodiscard]] std::vector<std::size_t> kept_of(std::size_t reached, std::size_t branch) const {
     if (reached > 0 && branch == 0) file_.refuse("steps", "is missing for a started cycle");
     std::vector<std::size_t> kept;
@@ -121,7 +121,7 @@ class CycleReader {
     return kept;
   }
 
-  /// The values at the increments kept, `width` of each.
+  /// Values at the kept increments, `width` for each.
   [[nodiscard]] std::vector<double> numbers(const StoredVariable& variable, std::size_t cycle,
                                             const std::vector<std::size_t>& kept, std::size_t width) const {
     if (kept.empty()) return {};
@@ -179,7 +179,7 @@ Json geometry_of(const NetcdfImage& file) {
   return geometry;
 }
 
-/// What the variables of cycles and increments are, in the words of the file.
+/// Descriptions of the variables of cycles and increments in the file.
 Json meanings_of(const NetcdfImage& file, const std::string& cycle) {
   Json meanings = Json::object();
   for (const auto& [name, variable] : file.variables()) {
@@ -189,7 +189,7 @@ Json meanings_of(const NetcdfImage& file, const std::string& cycle) {
   return meanings;
 }
 
-/// The command that wrote the file, one of those that reports can show.
+/// The command that wrote the file; reports must be able to show it.
 std::string kind_of(const NetcdfImage& file) {
   const std::map<std::string, std::string>& texts = file.texts();
   const auto text = [&texts](const char* name) {
@@ -213,7 +213,7 @@ Json read_cycles(const NetcdfImage& file, const std::string& kind, std::size_t m
   const CycleReader reader(file, cycle_dimension(kind), most_values);
   Json nodes = Json::object();
   for (const std::string_view node : node_dimensions) {
-    // Bearings of one pad have no dimension of pads.
+    // Bearings with one pad lack the dimension of pads.
     if (node != "pad" || file.variables().contains("pad")) nodes[node] = file.size_of(std::string(node));
   }
   Json cycles = Json::array();

@@ -18,15 +18,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Revolutions, spectra and steps have this part of all numbers each: a page of some megabytes.
+/// Fraction of all numbers for each of revolutions, spectra and steps: a page of some megabytes.
 constexpr std::size_t part_of_rows = 8;
-/// Steps of a revolution that draw an orbit.
+/// Maximum number of steps per revolution of an orbit plot.
 constexpr std::size_t most_steps_of_orbit = 200;
-/// Where orbits are left out, so many stay together: whirl at half of the speed takes two revolutions.
+/// Number of consecutive orbits kept if others are omitted: whirl at half the speed takes two revolutions.
 constexpr std::size_t orbits_together = 4;
-/// What is read of the steps: energies are those of revolutions.
+/// Variables read per step; energies are read per revolution.
 constexpr std::array<std::string_view, 6> read_of_steps{"time", "speed", "x", "y", "h_min", "asperity_load"};
-/// Angles in radians beyond this are none.
+/// Larger angles in radians are invalid.
 constexpr double largest_angle = 1e12;
 
 bool is_over(const StoredVariable& variable, std::string_view dimension) {
@@ -38,10 +38,10 @@ bool is_read(const StoredVariable& variable) {
          std::find(read_of_steps.begin(), read_of_steps.end(), variable.name) != read_of_steps.end();
 }
 
-/// Entries of a dimension, and numbers of each.
+/// Number of entries of a dimension, and numbers per entry.
 struct RowSize {
   std::size_t rows{};
-  double width{};  ///< not as a whole number: damaged files declare any
+  double width{};  ///< floating point: damaged files may declare any size
 };
 
 RowSize row_size(const NetcdfImage& file, std::string_view dimension) {
@@ -54,7 +54,7 @@ RowSize row_size(const NetcdfImage& file, std::string_view dimension) {
   return size;
 }
 
-/// Every how many of some rows are read where they are too many.
+/// Stride at which rows are read if they are too many.
 std::size_t stride_of(std::size_t rows, double width, std::size_t most_values) {
   const double values = static_cast<double>(rows) * width;
   return values <= static_cast<double>(most_values)
@@ -62,19 +62,19 @@ std::size_t stride_of(std::size_t rows, double width, std::size_t most_values) {
              : static_cast<std::size_t>(std::ceil(values / static_cast<double>(most_values)));
 }
 
-/// Of `first` to `last` every so many-th and the last one.
+/// Adds every n-th from `first` to `last`, and the last.
 void add_every(std::size_t first, std::size_t last, std::size_t stride, std::vector<std::size_t>& rows) {
   for (std::size_t row = first; row < last; row += stride) rows.push_back(row);
   rows.push_back(last);
 }
 
-/// Steps of some revolutions, and where each of these begins among them.
+/// Steps of the selected revolutions, and the start of each among them.
 struct OrbitSteps {
   std::vector<std::size_t> rows;
   Json orbits = Json::array();
 };
 
-/// All steps that led through some of the revolutions, the last one with them, be it whole or not.
+/// All steps of the selected revolutions, including the last one, complete or not.
 OrbitSteps orbit_steps(const NetcdfImage& file, const RowSize& size, std::size_t most_values) {
   const StoredVariable& stored = file.variable("angle", {"step"});
   const std::vector<std::size_t> ends = ends_of_turns(size.rows, [&](std::size_t first, std::size_t count) {
@@ -84,7 +84,7 @@ OrbitSteps orbit_steps(const NetcdfImage& file, const RowSize& size, std::size_t
     }
     return angles;
   });
-  std::vector<std::pair<std::size_t, std::size_t>> all;  // first and last step
+  std::vector<std::pair<std::size_t, std::size_t>> all;  // first and last step of each revolution
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const std::size_t last = i + 1 < ends.size() ? ends[i + 1] : size.rows - 1;
     if (last > ends[i]) all.emplace_back(ends[i], last);
@@ -100,7 +100,7 @@ OrbitSteps orbit_steps(const NetcdfImage& file, const RowSize& size, std::size_t
   for (std::size_t i = 0; i < all.size(); ++i) {
     if ((all.size() - 1 - i) / orbits_together % stride != 0) continue;
     const auto& [first, last] = all[i];
-    // Where the one before was read, too, it ended with the step with which this one begins.
+    // If the previous revolution was read, too, its last step is the first of this one.
     if (!found.rows.empty() && found.rows.back() == first) found.rows.pop_back();
     const std::size_t begin = found.rows.size();
     add_every(first, last, stride_in(all[i]), found.rows);

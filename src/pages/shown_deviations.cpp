@@ -11,10 +11,10 @@
 namespace bumpfoil {
 namespace {
 
-/// Half a degree: waves of any number that a bearing is drawn with stay smooth.
+/// Half a degree: smooth for waves of any order drawn on a bearing.
 constexpr std::size_t parts = 720;
 
-/// What the taper adds to the radius of the sleeve at a polar angle, m; NaN where no foils lie.
+/// Increase of the sleeve radius by its taper at a polar angle, m; NaN between foils.
 double taper_at(const Case& input, const std::vector<PlacedPad>& pads, double phi) {
   for (const PlacedPad& pad : pads) {
     const double turns = pad.sense() * (phi - pad.alone.bearing.weld_angle) / turn;

@@ -6,8 +6,8 @@
 
 namespace bumpfoil {
 
-/// How sleeve and journal of the bearing of a case differ from circles, as report_json describes it; null where they
-/// are circles, or where there is no bearing. The case must be valid.
+/// Deviations of sleeve and journal from circles in a case, as described by report_json; null if there are none, or no
+/// bearing. The case must be valid.
 nlohmann::ordered_json shown_deviations(const Case& input);
 
 }  // namespace bumpfoil

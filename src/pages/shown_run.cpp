@@ -101,7 +101,7 @@ Json nodes_of(const ResultLayout& layout) {
   return nodes;
 }
 
-/// Of quantities that have no label of their own, those whose names are no words.
+/// Words for quantities without a label whose names are not words.
 constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"h_min_theta", "angle of the minimum film thickness"},
     {"h_min_z", "distance of the minimum film thickness from the mid-plane"},

@@ -27,7 +27,7 @@ const std::string& contents_of(const std::vector<ResultFile>& files, const char*
   return found->contents;
 }
 
-/// As if it had been run by itself, and its files read back.
+/// Identical to a separate run whose files are read back.
 Json run_json(const Case& sampled, const std::string& name, std::size_t most_values) {
   const CycleResult result = run_cycles(sampled);
   const std::vector<ResultFile> files = cycle_files(sampled, result, status_of(result), {});
@@ -49,7 +49,7 @@ Json run_shown_samples(const Case& input, std::size_t count, std::size_t most_va
       runs.push_back(run_json(sampled, fmt::format("Sample {}", i), std::max<std::size_t>(1, most_values / count)));
       runs.back()["sample"] = i;
     } catch (const Error&) {
-      // An invalid sample, which the ensemble reports.
+      // An invalid sample is reported by the ensemble.
     }
   }
   return runs;

@@ -7,13 +7,11 @@
 
 namespace bumpfoil {
 
-/// Cycles of the first samples of an ensemble, run again for a report, which is to show their loops and bearings: as
-/// report_json describes cycles, by the names "Sample 0", "Sample 1", ..., with their number as `sample`.
-///
-/// Numerical failures are in the results, as in those of `bumpfoil cycle`; samples whose numbers make no bearing are
-/// left out.
+/// Cycles of the first samples of an ensemble, run again so that a report can show their loops and bearings: as
+/// described by report_json, with names "Sample 0", "Sample 1", ..., and their number as `sample`.
+/// | Numerical failures are in the results, as in those of `bumpfoil cycle`; invalid samples are omitted.
 /// @param input  the case of the ensemble   @param count  samples
-/// @param most_values  numbers of all of them beyond which increments are left out
+/// @param most_values  total count of numbers above which increments are omitted
 nlohmann::ordered_json run_shown_samples(const Case& input, std::size_t count, std::size_t most_values);
 
 }  // namespace bumpfoil

@@ -60,7 +60,7 @@ Json rotor_quantities_json() {
   return each(stability_meanings(), [](const VariableMeaning& meaning) { return shown_quantity(labelled(meaning)); });
 }
 
-/// Numbers of a run. @param summary  what summary.json begins with, and more
+/// Numbers of a run. @param summary  the common header of summary.json, and further entries
 template <typename Result>
 Json shown_numbers(const Case& input, const Result& result, const Dataset& data, Json summary, Json quantities) {
   return {{"kind", summary.at("command")},

@@ -8,8 +8,8 @@
 
 namespace bumpfoil {
 
-/// A running bearing as report_json describes it, out of memory: the same as if it had been written and read back, but
-/// for attributes of the file.
+/// A running bearing as described by report_json, directly from memory: identical to writing and reading files, except
+/// for file attributes.
 nlohmann::ordered_json shown_states(const Case& input, const EquilibriumResult& result);
 
 /// Free motions of a rotor over speed in the same way.

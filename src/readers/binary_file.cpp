@@ -19,7 +19,7 @@ std::string read_binary_file(const std::filesystem::path& path) try {
     return Error(ErrorKind::file, {{path.string(), 0, "", "", std::move(what), std::move(advice)}});
   };
   const auto unreadable = [&] { return fault("cannot be read: " + std::generic_category().message(errno)); };
-  // A pipe without a writer must not block the program before it is rejected.
+  // Opening a pipe without a writer must not block before it is rejected.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0) throw unreadable();
@@ -30,7 +30,7 @@ std::string read_binary_file(const std::filesystem::path& path) try {
     const ssize_t count = ::read(file.get(), bytes.data() + size, bytes.size() - size);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw unreadable();
-    if (count == 0) break;  // became shorter meanwhile
+    if (count == 0) break;  // truncated in the meantime
     size += static_cast<std::size_t>(count);
   }
   bytes.resize(size);

@@ -5,8 +5,8 @@
 
 namespace bumpfoil {
 
-/// All bytes of a file, whatever they are.
-/// @throws Error (file) if it cannot be read, is not a regular file, or is larger than the memory that is to be had
+/// All bytes of a file.
+/// @throws Error (file) if it cannot be read, is not a regular file, or exceeds memory
 std::string read_binary_file(const std::filesystem::path& path);
 
 }  // namespace bumpfoil

@@ -10,13 +10,13 @@
 namespace bumpfoil {
 namespace {
 
-/// Points of an arc on either side of its crest, and of the journal over a pad.
+/// Number of points of an arc on either side of its crest, and of the journal over a pad.
 constexpr int half_arc = 4;
 constexpr std::size_t journal_points = 73;
-/// Lines over the width of foils that vary where there is no film.
+/// Number of lines over the width of foils that vary without a film.
 constexpr int dry_lines = 9;
 
-/// Fields that shapes are made of, and the last dimension of each.
+/// Fields from which shapes are built, and the last dimension of each.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 29> used_fields{{
     {"film_thickness", "column"},
     {"pressure", "column"},
@@ -60,7 +60,7 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
         variable.dims.size() >= states.size() && std::equal(states.begin(), states.end(), variable.dims.begin());
     if (!of_states) continue;
     std::vector<double> values = image.numbers(variable);
-    // What foils do not vary by over the width has no numbers.
+    // Variables over the width exist only if the foils vary there.
     const bool over_width = name.ends_with("_slope") || name.ends_with("_parabola");
     if (over_width && std::none_of(values.begin(), values.end(), [](double one) { return std::isfinite(one); }))
       continue;
@@ -73,7 +73,7 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
     if (field != image.variables().end() && field->second.dims.back() != node)
       image.refuse(name, "is over other places");
   }
-  // Without a film the tilt is the same in all states.
+  // Without a film, all states have the same tilt.
   const auto of_states = [this](const std::string& name) {
     if (has(name)) return fields_.at(name);
     return std::vector<double>(x_.size(), image_.variables().contains(name) ? constant(name).front() : 0.0);
@@ -94,7 +94,7 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
     const std::vector<double> z = constant("z");
     if (image_.variables().contains("pad_z")) half_foil_ = z.back();
     for (std::size_t row = 0; row < z.size(); ++row) rows_.emplace_back(z[row], row);
-    // Half the width is mirrored.
+    // Results on half the width are mirrored.
     if (z.front() >= 0.0) {
       for (std::size_t row = 0; row < z.size(); ++row) {
         if (z[row] > 0.0) rows_.emplace_back(-z[row], row);
@@ -112,7 +112,7 @@ FoilShapes::FoilShapes(const NetcdfImage& image) : image_(image) {
   make_pads();
 }
 
-/// Of all states; a single number, or one per node.
+/// A scalar for all states, or one number per node.
 std::vector<double> FoilShapes::constant(const std::string& name) const {
   const auto found = image_.variables().find(name);
   if (found == image_.variables().end()) image_.refuse(name, "is missing");
@@ -165,7 +165,7 @@ void FoilShapes::make_pads() {
     pad.lobe = lobes[k];
     pad.z = middles[k];
     if (pad.bumps.empty() || pad.feet.empty()) image_.refuse("pad", "has one without bumps");
-    // Two places that are less than half a turn apart tell where the foils run.
+    // Two positions less than half a turn apart determine the foil direction.
     const Node& crest = bumps_[pad.bumps.front()];
     const Node& foot = feet_[pad.feet.front()];
     pad.sense = std::sin(foot.polar - crest.polar) * std::sin(foot.along - crest.along) < 0.0 ? -1.0 : 1.0;
@@ -206,7 +206,7 @@ double FoilShapes::journal_radius(std::size_t state, double polar, double z) con
          (x_[state] + tilt_x_[state] * z) * std::cos(polar) + (y_[state] + tilt_y_[state] * z) * std::sin(polar);
 }
 
-/// Of a place of the film; of what is the same over the width its column.
+/// Value at a point of the film; a field uniform over the width has one per column.
 double FoilShapes::film_at(const std::string& name, std::size_t state, std::size_t row, std::size_t column) const {
   const bool over_rows = widths_.at(name) > columns_.size();
   return at(name, state, over_rows ? row * columns_.size() + column : column);
@@ -220,7 +220,7 @@ double FoilShapes::across(const std::string& stem, const std::string& mean, std:
   return part(stem + mean) + part(stem + "_slope") * zeta + part(stem + "_parabola") * (1.5 * zeta * zeta - 0.5);
 }
 
-/// Lines along the foils over the width. @param line  (z) -> its points
+/// Lines along the foils at positions over the width. @param line  (z) -> its points
 template <typename Line>
 ShapedGrid FoilShapes::over_width(ShapedPart part, const ShapedPad& pad, bool varies, const Line& line) const {
   ShapedGrid grid{.part = part, .points = {}};
@@ -256,12 +256,13 @@ ShapedGrid FoilShapes::top_foil_of_film(std::size_t state, const ShapedPad& pad)
   return grid;
 }
 
-/// Of the top foil of a pad before it is deflected.
+/// Radius of the undeflected top foil of a pad.
 double FoilShapes::undeformed_radius(const ShapedPad& pad, double polar) const {
   return radius_ - pad.lobe * std::cos(polar - pad.middle);
 }
 
-/// The top foil over a crest. Its gap is the least over the width: where it varies, it lies as it is deflected.
+/// The top foil over a crest. The stored gap is the minimum over the width: if it varies, the deflection is used
+/// instead.
 ShapedPoint FoilShapes::top_over_bump(std::size_t state, const ShapedPad& pad, std::size_t bump, double z) const {
   const Node& crest = bumps_[bump];
   const double journal = journal_radius(state, crest.polar, z);
@@ -271,7 +272,7 @@ ShapedPoint FoilShapes::top_over_bump(std::size_t state, const ShapedPad& pad, s
   return {.along = crest.along, .radius = journal + gap, .outward = outward, .film_thickness = gap};
 }
 
-/// From the weld over the crests to the free end, which moves as the last crest does.
+/// From the weld over the crests to the free end, which moves like the last crest.
 ShapedGrid FoilShapes::top_foil_of_bumps(std::size_t state, const ShapedPad& pad) const {
   return over_width(ShapedPart::top_foil, pad, has_curved_top(), [&](double z) {
     std::vector<ShapedPoint> line;
@@ -299,7 +300,7 @@ double FoilShapes::crest_radius(std::size_t state, const ShapedPad& pad, std::si
   return middle_crest_radius(state, pad, bump) + moved - across("crest_v", "", state, bump, 0.0);
 }
 
-/// In the middle of the foils, off the top foil by the gap.
+/// Crest radius in the mid-plane, below the top foil by the gap.
 double FoilShapes::middle_crest_radius(std::size_t state, const ShapedPad& pad, std::size_t bump) const {
   const Node& crest = bumps_[bump];
   const double gap = at("gap_top_bump", state, bump);
@@ -322,7 +323,7 @@ ShapedGrid FoilShapes::bump_foil(std::size_t state, const ShapedPad& pad) const 
                     [&](double z) { return bump_foil_at(state, pad, z); });
 }
 
-/// From the weld through the arcs of all bumps; flats lie between them.
+/// From the weld through the arcs of all bumps, with flats in between.
 std::vector<ShapedPoint> FoilShapes::bump_foil_at(std::size_t state, const ShapedPad& pad, double z) const {
   std::vector<ShapedPoint> line{{.along = 0.0, .radius = foot_radius(state, pad, pad.bumps.front(), 0.0)}};
   const bool two_feet = pad.feet.size() == 2 * pad.bumps.size();
@@ -354,8 +355,8 @@ std::vector<ShapedPoint> FoilShapes::bump_foil_at(std::size_t state, const Shape
   return line;
 }
 
-/// Forces on the foils: on the top foil at the journal, on the bump foil at its crests and feet; in the middle, of
-/// the whole width.
+/// Forces on the foils: on the top foil at the journal, on the bump foil at its crests and feet; in the mid-plane,
+/// summed over the width.
 std::vector<ShapedGrid> FoilShapes::contacts(std::size_t state, const ShapedPad& pad) const {
   std::vector<ShapedGrid> all;
   const auto add = [&](ShapedPart part, const std::string& name, const std::vector<std::size_t>& members,

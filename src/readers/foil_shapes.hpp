@@ -11,18 +11,18 @@
 
 namespace bumpfoil {
 
-/// A place of a deformed bearing, and what is there.
+/// A point of a deformed bearing, with its field values.
 struct ShapedPoint {
   double along{};    ///< angle from the weld of its pad along the foils, rad
   double radius{};   ///< from the axis of the bearing, m
   double z{};        ///< from the mid-plane, m
-  double outward{};  ///< displacement, along the radius, m
-  double forward{};  ///< and along the foils, m
+  double outward{};  ///< radial displacement, m
+  double forward{};  ///< displacement along the foils, m
   double film_thickness{absent};
   double pressure{absent};
   double force_outward{};  ///< of a contact, N
   double force_forward{};
-  double contact{absent};  ///< its state, as the result numbers them
+  double contact{absent};  ///< its state, as numbered in the result
 };
 
 /// The part that a point belongs to.
@@ -31,47 +31,46 @@ enum class ShapedPart { top_foil, bump_foil, journal, journal_top, top_bump, bum
 /// A surface, or single points.
 struct ShapedGrid {
   ShapedPart part{};
-  std::size_t columns{};            ///< of a surface; 0: single points
-  std::vector<ShapedPoint> points;  ///< of a surface row by row, along the foils
+  std::size_t columns{};            ///< of a surface; 0 for single points
+  std::vector<ShapedPoint> points;  ///< of a surface, row by row along the foils
 };
 
 /// Foils between a weld and a free end.
 struct ShapedPad {
   double weld{};    ///< polar angle, rad
-  double sense{};   ///< 1: the foils run counterclockwise from it, -1: clockwise
-  double lobe{};    ///< displacement of its circle away from its middle, m
+  double sense{};   ///< 1: the foils run counterclockwise from the weld, -1: clockwise
+  double lobe{};    ///< pad offset towards its middle, m
   double middle{};  ///< polar angle half way between its weld and its end, rad
   double length{};  ///< angle from the weld to the free end, rad
-  double z{};       ///< of its middle, m: that of a strip where they have films of their own
+  double z{};       ///< axial position of its middle, m: that of a strip with its own film
   std::vector<std::size_t> bumps{}, feet{}, columns{};
 };
 
-/// Shapes of a bearing in the states of its result.nc: of `cycle`, `path`, `equilibrium` and `film`.
-///
-/// Foils are surfaces without thickness: the top foil lies off the journal by the gap or the film thickness of the
-/// result, or as it is deflected where it varies over the width without a film; the crests lie off the top foil by
-/// their gap. Between foot and crest nothing is known: the arc of a bump is drawn as one, flatter or higher. Lengths
-/// are added to the radius as if they were small, as in the models.
+/// Shapes of a bearing in the states of its result.nc: for `cycle`, `path`, `equilibrium` and `film`.
+/// | Foils are surfaces without thickness. The top foil is offset from the journal by the gap or the film thickness of
+/// the result, or follows its deflection if it varies over the width without a film. The crests are offset from the top
+/// foil by their gap. The shape between foot and crest is unknown: each bump is drawn as an arc, flatter or higher.
+/// Displacements are added to the radius as small quantities, as in the models.
 class FoilShapes {
  public:
-  /// The image must outlive it. @throws Error (file) if it lacks what that takes
+  /// The image must outlive it. @throws Error (file) if it lacks the required variables
   explicit FoilShapes(const NetcdfImage& image);
 
   [[nodiscard]] std::size_t states() const { return x_.size(); }
-  /// Whether a state that was asked for was computed.
+  /// Whether a requested state was computed.
   [[nodiscard]] bool is_reached(std::size_t state) const;
   [[nodiscard]] const std::vector<ShapedPad>& pads() const { return pads_; }
   [[nodiscard]] double radius() const { return radius_; }
-  /// Of the sleeve under the tallest bump, m.
+  /// Radius of the sleeve under the tallest bump, m.
   [[nodiscard]] double sleeve_radius() const;
 
   /// Foils and contacts of a pad.
   [[nodiscard]] std::vector<ShapedGrid> foils(std::size_t state, const ShapedPad& pad) const;
 
-  /// The journal over the foils of a pad.
+  /// The journal surface over the foils of a pad.
   [[nodiscard]] ShapedGrid journal(std::size_t state, const ShapedPad& pad) const;
 
-  /// Numbers that the result has for each state, by name.
+  /// Scalar results of each state, by name.
   [[nodiscard]] std::map<std::string, double> numbers_of(std::size_t state) const;
 
  private:
@@ -108,7 +107,7 @@ class FoilShapes {
 
   const NetcdfImage& image_;
   std::map<std::string, std::vector<double>> fields_{};  ///< of all states, by name
-  std::map<std::string, std::size_t> widths_{};          ///< numbers of each state
+  std::map<std::string, std::size_t> widths_{};          ///< count of numbers per state
   std::vector<double> x_, tilt_x_, y_, tilt_y_;          ///< of each state
   double radius_{}, clearance_{}, half_width_{};
   double half_foil_{};  ///< half the width of foils and film of a pad, m
@@ -116,7 +115,7 @@ class FoilShapes {
   std::vector<Node> bumps_, feet_, columns_;
   std::vector<double> rises_, half_lengths_, height_errors_;
   std::vector<std::pair<double, std::size_t>>
-      rows_;  ///< places over the width of a pad's foils, m, and their rows in the film
+      rows_;  ///< positions over the width of a pad's foils, m, and their rows in the film
   std::vector<ShapedPad> pads_;
 };
 

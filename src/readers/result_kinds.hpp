@@ -7,29 +7,29 @@ namespace bumpfoil {
 /// Whether reports show the results of the command of this name.
 bool is_shown(std::string_view command);
 
-/// Whether these are cycles, increment by increment.
+/// Whether the results are cycles, increment by increment.
 bool has_cycles(std::string_view command);
 
-/// Whether these are numbers of many samples, of which distributions are shown; of all other commands they are numbers
+/// Whether the results are numbers of many samples, shown as distributions; those of all other commands are numbers
 /// over some dimensions.
 bool has_distributions(std::string_view command);
 
-/// Whether these are states of a running bearing, of which single bumps and feet are drawn.
+/// Whether the results are states of a running bearing, with drawings of single bumps and feet.
 bool has_states(std::string_view command);
 
-/// Whether these are free motions of a rotor over speed, with the onsets of its whirl in the summary.
+/// Whether the results are free motions of a rotor over speed, with the onsets of whirl in the summary.
 bool has_onsets(std::string_view command);
 
-/// Whether these are revolutions of a rotor in time, with its rubs and the balance of its energy in the summary.
+/// Whether the results are revolutions of a rotor in time, with rubs and the energy balance in the summary.
 bool has_revolutions(std::string_view command);
 
-/// Whether these are parameters of a case with what they were found from, in the summary as well.
+/// Whether the results are fitted parameters of a case with the data, also in the summary.
 bool has_parameters(std::string_view command);
 
-/// Whether these are points that were evaluated to choose keys of a case, with the best in the summary as well.
+/// Whether the results are evaluated points of an optimisation, with the best also in the summary.
 bool has_points(std::string_view command);
 
-/// Whether these are responses of a rotor to unbalance over speed, with their peaks in the summary.
+/// Whether the results are unbalance responses of a rotor over speed, with their peaks in the summary.
 bool has_peaks(std::string_view command);
 
 }  // namespace bumpfoil

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads what was drawn for a sample.
+/// Reads the random numbers of a sample.
 Sample read_sample(const NetcdfImage& image, std::size_t number, const Case& stored) {
   const auto numbers = [&](const std::string& name) {
     return image.numbers(image.variable(name, {"sample"}), {number}, {1}).front();
@@ -52,11 +52,11 @@ Sample read_sample(const NetcdfImage& image, std::size_t number, const Case& sto
 
 constexpr std::array<std::string_view, 5> bearing_tables{"bearing", "bump_foil", "top_foil", "pad", "friction"};
 
-/// The bearing, its foils and their friction must be those that the deviations are from.
+/// Requires the same bearing, foils and friction: the reference of the deviations.
 void require_same_bearing(const Case& stored, const Case& input, const std::string& file) {
   std::vector<Fault> faults;
   for (const CaseDifference& difference : case_differences(stored, input)) {
-    // Those of a list are numbered: pad[2].
+    // Tables of a list are numbered: pad[2].
     const std::string table = difference.key.substr(0, difference.key.find_first_of(".["));
     const bool is_of_bearing = std::find(bearing_tables.begin(), bearing_tables.end(), table) != bearing_tables.end();
     if (!is_of_bearing && !difference.key.starts_with("rotor.bearing[")) continue;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Verifies a file beside summary.json.
+/// Verifies a file listed in summary.json.
 void require_intact(const fs::path& path, const StoredResult& result, const std::string& advice) {
   const auto refuse = [&](std::string what) { refuse_damaged(path, std::move(what), advice); };
   const auto listed = result.summary.files.find(path.filename().string());
@@ -46,7 +46,7 @@ StoredResult read_stored_result(const fs::path& folder, const std::string& name,
   const fs::path summary_path = folder / "summary.json";
   std::string text = read("summary.json");
   StoredResult result{.summary = {}, .bytes = read(name)};
-  // Another set may have been published between the two.
+  // Another set may have been published between both reads.
   for (std::string now = read("summary.json"); now != text; now = read("summary.json")) {
     text = std::move(now);
     result.bytes = read(name);

@@ -17,14 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Summaries have five levels. Some JSON code uses stack for every level.
+/// Maximum nesting; summaries have five levels. JSON code may use stack for every level.
 constexpr int most_levels = 16;
 
 Experiment experiment_of(std::string_view command) {
   return command == "strip" ? Experiment::strip : Experiment::cycle;
 }
 
-/// Verifies the parts of a summary; every failure is an Error that names its key.
+/// Verifies the parts of a summary; every error names its key.
 class SummaryChecker {
  public:
   explicit SummaryChecker(const std::string& name) : name_(name) {}
@@ -70,7 +70,7 @@ class SummaryChecker {
     const std::string place_key(cycle_key(experiment));
     if (!at(cycle, place_key).is_number()) refuse(place_key, "is not a number");
     for (const char* key : {"amplitude_m", "steps", "converged", "max_force_N"}) static_cast<void>(at(cycle, key));
-    // Versions differ in what else they have; numbers that are not known are null.
+    // Versions have different additional keys; unknown numbers are null.
     for (const CycleQuantity& quantity : cycle_quantities(experiment, true)) {
       const std::string key = key_of(quantity.name, quantity.unit);
       if (cycle.contains(key)) check_value(key, cycle[key], quantity.form);
@@ -78,12 +78,12 @@ class SummaryChecker {
     for (const char* key : {"clearances", "warnings", "loop_energies_J"}) {
       if (cycle.contains(key) && !cycle[key].is_array()) refuse(key, "is not a list");
     }
-    // They are known for an existing cycle.
+    // Known for every cycle that exists.
     if (cycle["steps"].is_null()) refuse("steps", "is not an integer");
     if (cycle["converged"].is_null()) refuse("converged", "is neither true nor false");
   }
 
-  /// Statistics by direction, and how many samples keep which limits.
+  /// Statistics by direction, and the number of samples within which limits.
   void check_ensemble(const Json& summary) const {
     for (const char* key : {"samples", "samples_due"}) {
       if (!at(summary, key).is_number_unsigned()) refuse(key, "is not an integer");
@@ -104,7 +104,7 @@ class SummaryChecker {
     if (summary.contains("yield")) check_yield(summary["yield"]);
   }
 
-  /// Lift-off speeds and load capacities, between two points each.
+  /// Lift-off speeds and load capacities, each between two points.
   void check_running_limits(const Json& limits) const {
     if (!limits.is_array()) refuse("limits", "is not a list");
     for (const Json& limit : limits) {
@@ -114,7 +114,7 @@ class SummaryChecker {
           if (!at(at(limit, side), key).is_number()) refuse(key, "is not a number");
         }
       }
-      // Earlier versions did not have them.
+      // Absent in earlier versions.
       if (!limit.contains("unstable")) continue;
       if (!at(limit, "bounded_by").is_null()) static_cast<void>(text(limit, "bounded_by"));
       if (!limit["unstable"].is_array()) refuse("unstable", "is not a list");
@@ -127,7 +127,7 @@ class SummaryChecker {
     }
   }
 
-  /// Where whirl begins or ends.
+  /// Onsets and ends of whirl.
   void check_onsets(const Json& onsets) const {
     if (!onsets.is_array()) refuse("onsets", "is not a list");
     for (const Json& onset : onsets) {
@@ -150,7 +150,7 @@ class SummaryChecker {
     }
   }
 
-  /// Where the response of a rotor to unbalance is largest.
+  /// Maxima of the unbalance response of a rotor.
   void check_peaks(const Json& summary) const {
     if (!at(summary, "peaks").is_array()) refuse("peaks", "is not a list");
     for (const Json& peak : summary["peaks"]) {
@@ -161,7 +161,7 @@ class SummaryChecker {
     }
   }
 
-  /// Best values of parameters; what is not known of them is null.
+  /// Best values of parameters; unknown ones are null.
   void check_parameters(const Json& summary) const {
     for (const char* key : {"reduced_chi_square", "degrees_of_freedom", "collinearity"}) {
       check_value(key, at(summary, key), {});
@@ -183,7 +183,7 @@ class SummaryChecker {
     }
   }
 
-  /// Keys, aims and limits of an optimisation, and what the best point has; null where there is none.
+  /// Keys, aims and limits of an optimisation, and values of the best point; null if there is none.
   void check_points(const Json& summary) const {
     static_cast<void>(text(summary, "ended_by"));
     const auto& count = at(summary, "point_count");
@@ -216,7 +216,7 @@ class SummaryChecker {
     }
   }
 
-  /// The balance of energy of a run in time, and where its journals rub.
+  /// The energy balance of a run in time, and the rubs of its journals.
   void check_revolutions(const Json& summary) const {
     if (!at(summary, "revolutions").is_number_unsigned()) refuse("revolutions", "is not an integer");
     const Json& energy = at(summary, "energy");
@@ -326,13 +326,13 @@ void match_runs(const StoredSummary& summary, Json& result, const std::string& n
   require(cycles.size() <= stored.size(), "cycles");
   require(summary.json["status"] != "complete" || cycles.size() == stored.size(), "cycles");
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    // Directions are sorted in result.nc, and in the order of the case here.
+    // Directions are sorted in result.nc, but in the order of the case here.
     const auto first = stored.begin() + static_cast<std::ptrdiff_t>(i);
     const auto same =
         std::find_if(first, stored.end(), [&](const Json& one) { return one["at"] == cycles[i][place_key]; });
     require(same != stored.end(), place_key);
     std::rotate(first, same, same + 1);
-    // Out and back; a swing also to the other side and back.
+    // Loading and unloading; fully reversed cycles also on the other side.
     const Json& last = result["last_increment"];
     const auto steps = cycles[i]["steps"].get<double>();
     require(2.0 * steps == last.get<double>() || 4.0 * steps == last.get<double>(), "steps");

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> layout_words{"cylinder", "unwrapped"};
 
-/// Between pads that are laid flat one behind the other, in parts of the radius.
+/// Distance between unwrapped pads, relative to the radius.
 constexpr double between_pads = 0.1;
 
 std::string vtu_text(const FoilShapes& shapes, std::size_t state, ShapeLayout layout) {
@@ -65,7 +65,7 @@ std::size_t write_vtk(std::string bytes, const std::string& name, const std::fil
       list += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", state, file);
       ++count;
     }
-    // Last, so that it lists what is there.
+    // Written last, so that it only lists existing files.
     write_file(folder / fmt::format("{}.pvd", word), list + "</Collection>\n</VTKFile>\n", existing);
   }
   return count;

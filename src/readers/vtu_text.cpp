@@ -14,11 +14,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Types of cells of VTK.
+/// VTK cell types.
 constexpr signed char vtk_vertex = 1;
 constexpr signed char vtk_quad = 9;
 
-/// A column of numbers as the format has it: their size in bytes and the numbers, in base64.
+/// A column of numbers in VTK format: size in bytes, then the numbers, in base64.
 template <typename Number>
 std::string data_array(std::string_view type, std::string_view name, std::size_t components,
                        const std::vector<Number>& numbers) {
@@ -31,7 +31,7 @@ std::string data_array(std::string_view type, std::string_view name, std::size_t
                      base64_of(bytes));
 }
 
-/// Enough digits for pictures.
+/// Single precision suffices for pictures.
 std::string field(std::string_view name, std::size_t components, const std::vector<double>& numbers) {
   return data_array("Float32", name, components, std::vector<float>(numbers.begin(), numbers.end()));
 }
@@ -89,7 +89,7 @@ std::string VtuText::text(const std::map<std::string, double>& numbers) const {
       "header_type=\"UInt32\">\n<UnstructuredGrid>\n<FieldData>\n",
       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
   for (const auto& [name, number] : numbers) {
-    if (!std::isfinite(number)) continue;  // what is absent has no form in it
+    if (!std::isfinite(number)) continue;  // VTK has no form for absent numbers
     out += fmt::format(
         "<DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">{:.17g}</DataArray>\n", name,
         number);

@@ -8,7 +8,7 @@
 #include <new>
 #include <vector>
 
-// All of the library is in its header this way: whoever links ours needs no other.
+// Header-only use of the library, so that dependents need not link it.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 

@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// Adds a value of a CSV file: all digits of a number, true or false, a word; nothing where it is not known.
+/// Appends a value of a CSV file: all digits of a number, true or false, or a word; nothing if it is unknown.
 void append_csv(std::string& out, double value, const Form& form = {});
 
 }  // namespace bumpfoil

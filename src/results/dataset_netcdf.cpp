@@ -9,16 +9,16 @@
 namespace bumpfoil {
 namespace {
 
-/// Numbers of a chunk of a compressed variable, a megabyte, unless its last dimension alone has more. Of variables that
-/// are written some rows at a time, whose last chunks are all in memory, half of it.
+/// Numbers in a chunk of a compressed variable, a megabyte, unless its last dimension alone is longer. Variables
+/// written in rows use half of it, as their last chunks all stay in memory.
 constexpr std::size_t most_in_chunk = 131'072;
 constexpr std::size_t most_in_chunk_of_rows = most_in_chunk / 2;
 
-/// Entries of the first dimension of a variable with rows that are in memory at a time; entries of a chunk along a
+/// Entries of the first dimension in memory at a time, for a variable written in rows; also entries of a chunk along a
 /// dimension of unknown size.
 constexpr std::size_t entries_at_once = 10'000;
 
-/// One chunk holds whole rows of the last dimensions, as many as fit. @param by_rows  some are written at a time
+/// A chunk holds whole rows of the last dimensions, as many as fit. @param by_rows  written in rows
 std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& extents, bool by_rows) {
   std::vector<std::size_t> chunk(extents.size(), 1);
   std::size_t room = by_rows ? most_in_chunk_of_rows : most_in_chunk;
@@ -49,7 +49,7 @@ void put_all(const netCDF::NcVar& added, const Variable& variable, std::vector<s
   }
 }
 
-/// It grows, and nobody knows how far.
+/// Whether it grows to an unknown size.
 bool is_open(const Dataset& dataset, const Variable& variable) {
   return dataset.grows(variable) && dataset.size_of(variable.dims.front()) == 0;
 }

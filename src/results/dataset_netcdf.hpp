@@ -15,11 +15,11 @@ class DatasetNetcdf {
   /// @param file  outlives this
   explicit DatasetNetcdf(NewNetcdf& file) : file_(file) {}
 
-  /// Adds the attributes, dimensions and variables of a dataset that are not there, with the values of all that do not
-  /// grow. A dimension of which it is not known how far it will grow comes with its first entries.
+  /// Adds missing attributes, dimensions and variables of a dataset, with the values of all that do not grow. A
+  /// dimension of unknown final size is added with its first entries.
   void add(const Dataset& dataset);
 
-  /// Appends the entries in memory of all variables that grow.
+  /// Appends the entries in memory of all growing variables.
   void append(const Dataset& dataset);
 
  private:
@@ -28,7 +28,7 @@ class DatasetNetcdf {
   NewNetcdf& file_;
   std::map<std::string, netCDF::NcDim> dims_;
   std::map<std::string, netCDF::NcVar> variables_;
-  std::map<std::string, std::size_t> written_;  ///< entries of dimensions that grow
+  std::map<std::string, std::size_t> written_;  ///< entries of growing dimensions
 };
 
 }  // namespace bumpfoil

@@ -53,7 +53,7 @@ FileDescriptor FolderClaim::open_locked() const {
     if (::mkdir(work_folder(folder_).c_str(), 0777) != 0 && errno != EEXIST) throw_unwritable(folder_, errno);
     FileDescriptor file(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (file.get() < 0) {
-      if (errno == ENOENT) continue;  // the one before has just removed its work folder
+      if (errno == ENOENT) continue;  // the previous owner has just removed its work folder
       throw_unwritable(folder_, errno);
     }
     if (try_to_lock(file) == Lock::held_by_another) {
@@ -61,7 +61,7 @@ FileDescriptor FolderClaim::open_locked() const {
                                      fmt::format("another run writes to this folder ({})", printable(read_start(file))),
                                      "wait until it ends, or use another folder"}});
     }
-    if (file.is_at(path_)) return file;  // otherwise the one before has removed it
+    if (file.is_at(path_)) return file;  // otherwise the previous owner has removed it
   }
 }
 

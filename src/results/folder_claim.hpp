@@ -7,17 +7,16 @@
 
 namespace bumpfoil {
 
-/// Hidden inside a folder of results, as long as something is being written to it.
+/// Hidden subfolder of a results folder that exists while results are written.
 std::filesystem::path work_folder(const std::filesystem::path& folder);
 
-/// The right to write to a folder: a locked file in its work folder. It lasts as long as its owner, and no longer than
-/// the process. Where the file system has no locks, the last one who claims a folder has it, and is_held() tells the
-/// others.
+/// The exclusive right to write to a folder: a locked file in its work folder, released with its owner or the process.
+/// On file systems without locks, the last claim wins, and is_held() tells the others.
 class FolderClaim {
  public:
-  /// @throws Error (file) if somebody else has it, or nothing can be written
+  /// @throws Error (file) if another process holds it, or the folder is not writable
   explicit FolderClaim(const std::filesystem::path& folder);
-  /// Removes the work folder, unless it still holds something.
+  /// Removes the work folder if it is empty.
   ~FolderClaim();
   FolderClaim(const FolderClaim&) = delete;
   FolderClaim& operator=(const FolderClaim&) = delete;
@@ -29,7 +28,7 @@ class FolderClaim {
 
   std::filesystem::path folder_;
   std::filesystem::path path_;
-  std::string owner_;  ///< contents of the file: who this is
+  std::string owner_;  ///< contents of the file: identifies this owner
   FileDescriptor file_;
 };
 

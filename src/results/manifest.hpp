@@ -7,10 +7,10 @@
 
 namespace bumpfoil {
 
-/// 128 bits from the system, 32 hexadecimal digits.
+/// 128 random bits from the system, as 32 hexadecimal digits.
 std::string make_run_id();
 
-/// The entry of a summary on the files beside it.
+/// The summary entry that lists the files beside it.
 Manifest make_manifest(std::string run_id, const std::vector<ResultFile>& files);
 
 }  // namespace bumpfoil

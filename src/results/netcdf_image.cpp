@@ -20,11 +20,11 @@ namespace {
 constexpr const char* fill_attribute = "_FillValue";
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
-/// Deflate, which result files are compressed with, makes nothing smaller than by this factor
-/// (https://zlib.net/zlib_tech.html): more bytes than this times those of a file were never written to it.
+/// Maximum compression ratio of deflate, which compresses result files (https://zlib.net/zlib_tech.html): data larger
+/// than this times the file were never in it.
 constexpr std::size_t largest_deflation = 1032;
 
-/// Bytes of a number; 0 for types that are none.
+/// Size of a number in bytes; 0 for other types.
 std::size_t size_of_type(int type) {
   switch (type) {
     case NC_BYTE:
@@ -40,7 +40,7 @@ std::size_t size_of_type(int type) {
   }
 }
 
-/// Whether `bytes_each` times all of the factors is at most `limit`.
+/// Whether `bytes_each` times all factors is at most `limit`.
 bool fits(std::size_t bytes_each, const std::vector<std::size_t>& factors, std::size_t limit) {
   if (std::find(factors.begin(), factors.end(), 0U) != factors.end()) return true;
   for (const std::size_t factor : factors) {
@@ -57,7 +57,7 @@ bool StoredVariable::has_dims(const std::vector<std::string_view>& names) const 
 }
 
 NetcdfImage::NetcdfImage(std::string bytes, std::string name) : bytes_(std::move(bytes)), name_(std::move(name)) {
-  // netCDF would try its other formats, which results never have.
+  // netCDF would also try other formats, which results never have.
   if (!bytes_.starts_with(hdf5_signature)) refuse("", "is not a result: not a netCDF-4 file");
   check(nc_open_mem("result.nc", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_));
   try {
@@ -91,7 +91,7 @@ void NetcdfImage::read_dimensions() {
     std::array<char, NC_MAX_NAME + 1> name{};
     std::size_t size = 0;
     check(nc_inq_dim(id_, dimension, name.data(), &size));
-    // Each has a coordinate variable that is stored without compression, in four bytes a value or more.
+    // Each has an uncompressed coordinate variable with at least four bytes per value.
     if (!fits(sizeof(int), {size}, bytes_.size())) {
       refuse(name.data(),
              fmt::format("is declared with {} values, more than a file of {} bytes can hold", size, bytes_.size()));
@@ -167,7 +167,7 @@ void NetcdfImage::check_chunks(const StoredVariable& variable) const {
   int storage = 0;
   std::vector<std::size_t> chunk(variable.extents.size());
   check(nc_inq_var_chunking(id_, variable.id, &storage, chunk.data()), variable.name);
-  // To read one number of a chunk all of it is unpacked.
+  // Reading one number of a chunk unpacks all of it.
   if (storage == NC_CHUNKED && !fits(size_of_type(variable.type), chunk, largest_deflation * bytes_.size())) {
     refuse(variable.name, fmt::format("is declared in chunks of {} numbers, more than a file of {} bytes can hold",
                                       fmt::join(chunk, " x "), bytes_.size()));
@@ -185,7 +185,7 @@ std::optional<double> NetcdfImage::read_fill(const StoredVariable& variable) con
                                       type == variable.type ? "its type" : "another type", fill_attribute));
   }
   double fill = 0.0;
-  // Integers of 32 bits are exact in binary64.
+  // 32-bit integers are exact in binary64.
   check(nc_get_att_double(id_, variable.id, fill_attribute, &fill), variable.name);
   return fill;
 }
@@ -208,7 +208,7 @@ std::size_t NetcdfImage::size_of(const std::string& dimension) const {
 
 std::vector<double> NetcdfImage::numbers(const StoredVariable& variable, const std::vector<std::size_t>& start,
                                          const std::vector<std::size_t>& count) const {
-  // Flags, too, take the room of numbers here; no file holds flags alone.
+  // Flags are also expanded to numbers here; no file consists of flags alone.
   if (!fits(sizeof(double), count, largest_deflation * bytes_.size())) {
     refuse(variable.name, fmt::format("is declared with {} numbers in a loop, more than a file of {} bytes can hold",
                                       fmt::join(count, " x "), bytes_.size()));

@@ -9,28 +9,26 @@
 
 namespace bumpfoil {
 
-/// A variable as a file declares it.
+/// A variable as declared by a file.
 struct StoredVariable {
   std::string name;
   int id{};
-  int type{};                        ///< of netCDF: NC_DOUBLE, ...
-  std::vector<std::string> dims;     ///< their names
-  std::vector<std::size_t> extents;  ///< their sizes
-  std::optional<double> fill;        ///< what stands for a value that is absent
-  std::string units;                 ///< empty where it says none
-  std::string long_name;             ///< what it is, in words; empty where it says nothing
-  std::string flag_meanings;         ///< words for 0, 1, ..., with spaces between; empty where it holds no flags
+  int type{};                        ///< netCDF type: NC_DOUBLE, ...
+  std::vector<std::string> dims;     ///< names of its dimensions
+  std::vector<std::size_t> extents;  ///< sizes of its dimensions
+  std::optional<double> fill;        ///< value that marks absent entries
+  std::string units;                 ///< empty if not given
+  std::string long_name;             ///< description; empty if not given
+  std::string flag_meanings;         ///< space-separated words for 0, 1, ...; empty if it holds no flags
 
   [[nodiscard]] bool has_dims(const std::vector<std::string_view>& names) const;
 };
 
-/// A netCDF-4 file in memory whose declarations are not believed. A few bytes can declare any rank, size and attribute:
-/// nothing is allocated or read before it was compared with what a file of this size can hold.
-///
-/// That holds for what netCDF tells of a file. What it is made of is read by libhdf5, which a damaged file can crash:
-/// files with a checksum are to be verified before they come here.
-///
-/// netCDF is not thread-safe: to be used by one thread at a time.
+/// A netCDF-4 file in memory whose declarations are not trusted. A few bytes can declare any rank, size and attribute:
+/// before each allocation or read, sizes are compared with what a file of this size can hold.
+/// | This covers what netCDF reports about a file. libhdf5 parses its structure and may crash on a damaged file: verify
+/// checksums first where available.
+/// | netCDF is not thread-safe: use from one thread at a time.
 class NetcdfImage {
  public:
   /// @param bytes  of the file   @param name  of the file in messages
@@ -40,10 +38,10 @@ class NetcdfImage {
   NetcdfImage(const NetcdfImage&) = delete;
   NetcdfImage& operator=(const NetcdfImage&) = delete;
 
-  /// Global attributes that are texts.
+  /// Global text attributes.
   [[nodiscard]] const std::map<std::string, std::string>& texts() const { return texts_; }
 
-  /// All that hold numbers; others are faults.
+  /// All numeric variables; others are errors.
   [[nodiscard]] const std::map<std::string, StoredVariable>& variables() const { return variables_; }
 
   /// A variable with these dimensions.
@@ -60,14 +58,14 @@ class NetcdfImage {
   /// All of a variable.
   [[nodiscard]] std::vector<double> numbers(const StoredVariable& variable) const;
 
-  /// Stops reading: what is wrong with the file, and with which of its variables.
+  /// Stops reading with an error of the file and of a variable.
   [[noreturn]] void refuse(std::string_view variable, std::string what) const;
 
  private:
   void check(int status, std::string_view variable = {}) const;
   void read_dimensions();
   void read_texts();
-  /// A text of a variable, or of the file (NC_GLOBAL); nothing where there is none or it is no text.
+  /// A text attribute of a variable, or of the file (NC_GLOBAL); nothing if it is missing or not a text.
   [[nodiscard]] std::optional<std::string> read_text(int variable, const char* name) const;
   void read_variables();
   [[nodiscard]] StoredVariable read_variable(int id) const;

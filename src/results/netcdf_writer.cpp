@@ -25,21 +25,21 @@ NcType type_of(const Form& form) {
   return form.kind == Form::whole ? NcType(netCDF::ncInt) : NcType(netCDF::ncByte);
 }
 
-/// What stands for an absent number: the default of netCDF, said aloud. All are exact in binary64.
+/// Fill value of absent numbers: the netCDF default, written explicitly. All are exact in binary64.
 double fill_of(const NcType& type) {
   if (type == netCDF::ncDouble) return NC_FILL_DOUBLE;
   return type == netCDF::ncInt ? NC_FILL_INT : NC_FILL_BYTE;
 }
 
-/// An empty file of HDF5 1.8 whose root group keeps variables and attributes in the order in which they are added. The
-/// files that nc_create_mem makes do not, and take no attributes beyond 64 kB.
+/// An empty HDF5 1.8 file whose root group keeps the order in which variables and attributes are added. Files from
+/// nc_create_mem do not, and reject attributes beyond 64 kB.
 std::string empty_hdf5() {
   constexpr std::size_t size = 239;
   using namespace std::string_literals;
   // Superblock: version 2, addresses and lengths of 8 bytes, end of the file, address of the root group, checksum.
   std::string bytes = "\x89HDF\r\n\x1a\n\x02\x08\x08\0"s + std::string(8, '\0') + std::string(8, '\xff') +
                       "\xef\0\0\0\0\0\0\0"s + "\x30\0\0\0\0\0\0\0"s + "\x94\x33\x45\x0f"s;
-  // Object header of the root group: links by order, group info, and room that is filled by zeros; checksum.
+  // Object header of the root group: links by order, group info, and zero padding; checksum.
   bytes += "OHDR\x02\x0c\xb4\x02\x22\0\0\0\0\0\x03\0\0\0\0\0\0\0\0"s + std::string(24, '\xff') +
            "\x0a\x02\0\x01\0\0\0\0\0\x7e"s;
   bytes.resize(size - 4, '\0');
@@ -53,7 +53,7 @@ NewNetcdf::NewNetcdf() {
   NC_memio image{empty.size(), std::malloc(empty.size()), 0};
   if (image.memory == nullptr) throw std::bad_alloc();
   std::copy(empty.begin(), empty.end(), static_cast<char*>(image.memory));
-  // The image is its own from here on. The name only has to be one.
+  // netCDF takes ownership of the image. Any name will do.
   netCDF::ncCheck(nc_open_memio("result.nc", NC_NETCDF4 | NC_WRITE, &image, &id_), __FILE__, __LINE__);
   root_ = netCDF::NcGroup(id_);
 }
@@ -61,7 +61,7 @@ NewNetcdf::NewNetcdf() {
 NewNetcdf::NewNetcdf(const std::filesystem::path& path)
     : file_(FileDescriptor(path, path, O_RDWR | O_CREAT | O_TRUNC)) {
   write_all(*file_, empty_hdf5(), path);
-  // netCDF reads paths its own way (URLs, backslashes, leading blanks): this one is a plain one, whatever the folder.
+  // netCDF interprets paths (URLs, backslashes, leading blanks): this one is always plain.
   const std::string name = fmt::format("/proc/self/fd/{}", file_->get());
   netCDF::ncCheck(nc_open(name.c_str(), NC_NETCDF4 | NC_WRITE, &id_), __FILE__, __LINE__);
   root_ = netCDF::NcGroup(id_);
@@ -112,8 +112,8 @@ void NewNetcdf::compress(const NcVar& variable, std::vector<std::size_t> chunk) 
   // By default netCDF keeps 16 MB of every variable.
   const std::size_t bytes =
       std::accumulate(chunk.begin(), chunk.end(), variable.getType().getSize(), std::multiplies<>());
-  constexpr std::size_t slots = 11;      // of the table of chunks: a prime
-  constexpr float written_first = 1.0F;  // what is written whole is dropped before others
+  constexpr std::size_t slots = 11;      // of the chunk hash table: a prime
+  constexpr float written_first = 1.0F;  // evicts completely written chunks first
   netCDF::ncCheck(nc_set_var_chunk_cache(id_, variable.getId(), bytes, slots, written_first), __FILE__, __LINE__);
 }
 

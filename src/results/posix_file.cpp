@@ -77,7 +77,7 @@ void write_all(const FileDescriptor& file, std::string_view contents, const fs::
 
 void flush(const fs::path& path, const fs::path& shown) {
   const FileDescriptor file(path, shown, O_RDONLY);
-  // Some file systems cannot flush folders, and say so by EINVAL.
+  // Some file systems cannot flush folders, and return EINVAL.
   if (::fsync(file.get()) != 0 && errno != EINVAL) throw_unwritable(shown, errno);
 }
 

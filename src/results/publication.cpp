@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of the folder of a set that counts as published, and in it the list of its files, one a line; behind a minus
-/// those that it makes stale.
+/// Name of the folder of a published set, and in it the list of its files, one per line; a leading minus marks files
+/// that it makes stale.
 fs::path set_folder(const fs::path& folder) {
   return work_folder(folder) / "set";
 }
@@ -66,7 +66,7 @@ void complete_publication(const fs::path& folder, const BeforeStep& before) {
         ::unlink((folder / line.substr(1)).c_str());
         continue;
       }
-      // What is not there any more was moved before.
+      // A missing file was moved earlier.
       if (::rename((set / line).c_str(), (folder / line).c_str()) != 0 && errno != ENOENT) {
         throw_unwritable(folder / line, errno);
       }

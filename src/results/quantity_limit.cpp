@@ -21,7 +21,7 @@ namespace {
   throw Error(ErrorKind::input, {{"", 0, words.key, text, std::move(what), std::move(advice)}});
 }
 
-/// The dimension of a quantity in this unit; absent where it has none, or one that cases know not.
+/// The dimension of a quantity in this unit; absent if it has none, or one that cases do not use.
 std::optional<Dimension> dimension_in(std::string_view unit) {
   for (const Dimension dimension :
        {Dimension::length, Dimension::force, Dimension::stiffness, Dimension::pressure, Dimension::frequency,
@@ -31,7 +31,7 @@ std::optional<Dimension> dimension_in(std::string_view unit) {
   return std::nullopt;
 }
 
-/// The text without this unit at its end, as of a power, which cases know not.
+/// The text without this trailing unit, such as that of a power, which cases do not use.
 std::string_view without_unit(std::string_view value, std::string_view unit) {
   return trimmed(unit != "1" && value.ends_with(unit) ? value.substr(0, value.size() - unit.size()) : value);
 }

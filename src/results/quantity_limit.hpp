@@ -7,28 +7,28 @@
 
 namespace bumpfoil {
 
-/// A number that limits can be on.
+/// A number on which limits can be set.
 struct LimitedQuantity {
   std::string name;
-  std::string unit;  ///< SI, as UDUNITS spells it; "1" where there is none
+  std::string unit;  ///< SI, in UDUNITS spelling; "1" if dimensionless
 };
 
 /// A limit on a quantity.
 struct QuantityLimit {
-  std::size_t quantity{};  ///< number of it
+  std::size_t quantity{};  ///< its index
   bool above{};            ///< it must be above the bound, else below
   double bound{};          ///< SI
 };
 
-/// Advice in messages about limits.
+/// Texts for messages about limits.
 struct LimitWords {
-  std::string key;      ///< of the case, or option
-  std::string whole;    ///< "the ensemble", whose quantities they are
-  std::string listing;  ///< where names of quantities are found
-  std::string example;  ///< of a limit
+  std::string key;      ///< key of the case, or option
+  std::string whole;    ///< owner of the quantities, "the ensemble"
+  std::string listing;  ///< where quantity names are listed
+  std::string example;  ///< an example limit
 };
 
-/// Number of the quantity of this name. @throws Error (input) with the nearest name
+/// Index of the quantity of this name. @throws Error (input) with the nearest name
 std::size_t parse_quantity_name(const std::string& name, const std::vector<LimitedQuantity>& quantities,
                                 const LimitWords& words);
 

@@ -5,13 +5,13 @@
 
 namespace bumpfoil {
 
-/// A unit that people read numbers in.
+/// A unit for display.
 struct ReadUnit {
   std::string name;
   double size{1.0};  ///< SI
 };
 
-/// That for keys of the case in an SI unit, "1" where they have none.
+/// The display unit of keys with a given SI unit, "1" if dimensionless.
 inline ReadUnit read_unit_of(const std::string& unit) {
   if (unit == "m") return {"um", 1e-6};
   if (unit == "rad") return {"deg", std::numbers::pi / 180.0};

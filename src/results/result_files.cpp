@@ -29,13 +29,13 @@
 namespace bumpfoil {
 namespace {
 
-/// At random, unless the files are to be the same every time.
+/// Random, unless files must be reproducible.
 std::string run_id_of(const RunRecord& run) {
   if (run.provenance.times) return make_run_id();
   return xxh3_128(fmt::format("{} {} {}\n{}", version(), commit(), run.command, case_to_toml(run.input)));
 }
 
-// What tells how long a part of a run took: the quantity wall_time.
+// The variable with the computing time of a part of a run: wall_time.
 
 void erase_times(Dataset& dataset) {
   std::erase_if(dataset.variables, [](const Variable& variable) { return variable.meaning.name == "wall_time"; });
@@ -47,14 +47,14 @@ void erase_times(nlohmann::ordered_json& json) {
   for (nlohmann::ordered_json& part : json) erase_times(part);
 }
 
-/// No cell has a comma.
+/// Requires that no cell contains a comma.
 void erase_times(std::string& csv) {
   const std::size_t place = csv.substr(0, csv.find('\n')).find(",wall_time_s");
   if (place == std::string::npos) return;
   const auto column = std::count(csv.begin(), csv.begin() + static_cast<std::ptrdiff_t>(place), ',') + 1;
   std::istringstream lines(std::exchange(csv, {}));
   for (std::string line; std::getline(lines, line);) {
-    std::size_t comma = std::string::npos;  // plus one is the first place
+    std::size_t comma = std::string::npos;  // incremented, it is the first position
     for (auto k = column; k > 0; --k) comma = line.find(',', comma + 1);
     csv += line.erase(comma, line.find(',', comma + 1) - comma) + '\n';
   }
@@ -85,21 +85,21 @@ void add_provenance(NewNetcdf& file, const RunRecord& run, std::string_view run_
   file.add_text("case_understood", case_to_toml(run.input));
 }
 
-/// Builds a netCDF file; that it fails is for want of memory. @param build  ()
+/// Builds a netCDF file; failure is due to lack of memory. @param build  ()
 template <typename Build>
 auto built(std::string_view name, std::string_view advice, const Build& build) try {
   return build();
 } catch (const netCDF::exceptions::NcException& error) {
-  // The first line says what went wrong, the second where in the library.
+  // The first line gives the error, the second its location in the library.
   const std::string_view reason = error.what();
   throw Error(ErrorKind::file,
               {{std::string(name), 0, "", "", fmt::format("cannot be built: {}", reason.substr(0, reason.find('\n'))),
                 fmt::format("possibly not enough memory: {}", advice)}});
 }
 
-/// netCDF does not survive a full disk.
+/// netCDF fails fatally on a full disk.
 void require_room(const ResultFolder& folder, const std::string& name, std::size_t numbers) {
-  constexpr std::size_t declarations = 20'000'000;  // with the text of the case
+  constexpr std::size_t declarations = 20'000'000;  // including the text of the case
   const std::size_t needed = declarations + numbers * sizeof(double);
   const auto refuse = [&](std::string_view place, std::uintmax_t room, std::string advice) {
     throw Error(ErrorKind::file,
@@ -118,7 +118,7 @@ void require_room(const ResultFolder& folder, const std::string& name, std::size
   }
 }
 
-/// Numbers of a dataset, as far as its dimensions are known.
+/// Numbers in a dataset, as far as its dimensions are known.
 std::size_t count_numbers(const Dataset& dataset) {
   std::size_t numbers = 0;
   for (const std::vector<Variable>* variables : {&dataset.coordinates, &dataset.variables}) {

@@ -21,12 +21,12 @@ namespace bumpfoil {
 class DatasetNetcdf;
 class NewNetcdf;
 
-/// A run, as all of its files tell of it.
+/// A run, in the form common to all of its files.
 struct RunRecord {
-  const Case& input;  ///< the case, or one of those, that were run
+  const Case& input;  ///< the case that was run, or one of several
   std::string_view command;
   RunStatus status;
-  std::string message;  ///< what keeps the results from being complete
+  std::string message;  ///< why the results are incomplete
   std::vector<std::string> warnings{};
   const Provenance& provenance;
 };
@@ -36,44 +36,43 @@ std::string message_of(std::vector<std::string> failures, RunStatus status);
 
 /// The files of a run.
 struct ResultContents {
-  std::vector<ResultFile> texts;  ///< beside the others
+  std::vector<ResultFile> texts;  ///< additional text files
   Dataset dataset;
-  std::function<nlohmann::ordered_json()> lists;  ///< of summary.json, behind what all summaries begin with
+  std::function<nlohmann::ordered_json()> lists;  ///< of summary.json, after the common header
 };
 
-/// The files of a run, with one new run id: its texts, its dataset as netCDF-4 after the CF conventions, and
-/// summary.json with their checksums.
-///
-/// netCDF is not thread-safe: to be called by one thread at a time.
+/// The files of a run, with one new run id: its texts, its dataset as netCDF-4 with CF conventions, and summary.json
+/// with their checksums.
+/// | netCDF is not thread-safe: call from one thread at a time.
 /// @param netcdf_name  such as result.nc
-/// @param advice       what takes less memory
-/// @param contents     (run id) -> what is written
-/// @throws Error (file) if the memory does not suffice
+/// @param advice       how to reduce memory
+/// @param contents     (run id) -> contents to write
+/// @throws Error (file) if memory does not suffice
 std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view netcdf_name, std::string_view advice,
                                           const std::function<ResultContents(const std::string&)>& contents);
 
-/// The same for a dataset that the memory may not hold: stages it in the folder piece by piece, and summary.json.
-/// @param texts  beside it
+/// The same for a dataset that may exceed memory: stages it in the folder piece by piece, and summary.json.
+/// @param texts  additional text files
 /// @param lists  of summary.json
-/// @throws Error (file), as soon as the disk has no room for it
+/// @throws Error (file), as soon as the disk is full
 void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
                         const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder,
                         const std::vector<ResultFile>& texts = {});
 
-/// Files of a result that is written as it comes.
+/// Files of a result that is written during the run.
 struct StreamedFiles {
   std::string netcdf;         ///< such as result.nc
-  std::string csv{};          ///< of the first dimension that grows: a line for each entry; empty for none
-  std::string_view advice{};  ///< what takes less memory
+  std::string csv{};          ///< over the first growing dimension: one line per entry; empty: none
+  std::string_view advice{};  ///< how to reduce memory
 };
 
-/// Stages the files of a run while it goes on, for results that the memory does not hold: what they have written need
-/// not be kept. An observer of march() that keeps some increments feeds it, a block of them at a time.
+/// Stages the files of a run in progress, for results larger than memory: written data need not be kept. An observer of
+/// march() that keeps some increments supplies them in blocks.
 class ResultStream {
  public:
-  /// @param dataset  all that is known before the run ends. Its values over dimensions that grow are read when they are
+  /// @param dataset  everything known before the end of the run. Values over growing dimensions are read when they are
   ///                 appended: those in memory.
-  /// @throws Error (file), as do all functions; here if the disk has no room for the dimensions that are known
+  /// @throws Error (file), as do all functions; here if the disk has no room for the known dimensions
   ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& folder);
   ~ResultStream();
   ResultStream(const ResultStream&) = delete;
@@ -83,7 +82,7 @@ class ResultStream {
   void append();
 
   /// Completes the files, and stages others and summary.json.
-  /// @param totals  what is known in the end; what is there already is left out
+  /// @param totals  final results; those already present are skipped
   /// @param lists   of summary.json
   void finish(const RunRecord& run, Dataset totals, const nlohmann::ordered_json& lists,
               const std::vector<ResultFile>& texts = {});

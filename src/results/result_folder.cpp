@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view staging_prefix = "staged-";
 
-/// Completes what a process left that was killed, and removes what it had not published. Takes the claim.
+/// Completes the publication of a killed process, and removes its unpublished files. Takes the claim.
 void clean_up(const fs::path& folder) {
   complete_publication(folder, [] {});
   std::error_code code;
@@ -120,7 +120,7 @@ void complete_publication_quietly(const fs::path& folder) {
     const FolderClaim claim(folder);
     clean_up(folder);
   } catch (const Error&) {
-    // Somebody else is about to do it, or the folder can only be read.
+    // Another process is about to do it, or the folder is read-only.
   }
 }
 

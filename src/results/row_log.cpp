@@ -20,13 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A log is the signature, a record with the identity, and a record for each block of rows, stored by columns. A record
-// is the number of its bytes, their checksum, and they.
+// A log consists of the signature, a record with the identity, and a record for each block of rows, stored by columns.
+// A record is the number of its bytes, their checksum, and the bytes.
 constexpr std::string_view signature = "bumpfoil-rows/1\n";
 constexpr std::size_t checksum_size = blank_checksum.size();
 constexpr std::size_t head_size = sizeof(std::uint64_t) + checksum_size;
 
-/// The checksum vouches for the size, too.
+/// The checksum includes the size.
 std::string head_of(std::string_view bytes) {
   const std::uint64_t size = bytes.size();
   std::string head(reinterpret_cast<const char*>(&size), sizeof size);
@@ -46,7 +46,7 @@ struct RowLog::Open {
     std::size_t offset;  ///< of its numbers in the file
   };
 
-  /// Reads up to `size` bytes at a place.
+  /// Reads up to `size` bytes at an offset.
   [[nodiscard]] std::string read(std::size_t offset, std::size_t size) const {
     std::string bytes(size, '\0');
     std::size_t have = 0;
@@ -61,14 +61,14 @@ struct RowLog::Open {
     return bytes;
   }
 
-  /// The identity, which comes first; nothing where this is no log, or it is torn.
+  /// The identity record, which comes first; nothing if this is not a log, or the record is incomplete.
   std::optional<std::string> begin() {
     file_size = static_cast<std::size_t>(fs::file_size(path));
     end = signature.size();
     return read(0, signature.size()) == signature ? next_record() : std::nullopt;
   }
 
-  /// The record at the end of what was read; nothing where it is torn.
+  /// The next record; nothing if it is incomplete.
   std::optional<std::string> next_record() {
     const std::string head = read(end, head_size);
     if (head.size() < head_size) return std::nullopt;
@@ -94,7 +94,7 @@ struct RowLog::Open {
     rows += count;
   }
 
-  /// Forgets the last block. @param before  where it begins in the file
+  /// Drops the last block. @param before  its offset in the file
   void drop_block(std::size_t before) {
     rows -= blocks.back().count;
     blocks.pop_back();
@@ -169,7 +169,7 @@ std::vector<double> RowLog::column(std::size_t column, std::size_t first, std::s
     if (from >= to) continue;
     const std::size_t place = column * block.count + (from - block.first);
     const std::string bytes = open_->read(block.offset + place * sizeof(double), (to - from) * sizeof(double));
-    // What was written is there, unless somebody else has cut the file.
+    // Written data are present, unless another process has truncated the file.
     if (bytes.size() != (to - from) * sizeof(double)) throw_unwritable(open_->path, EIO);
     values.resize(values.size() + (to - from));
     std::memcpy(values.data() + values.size() - (to - from), bytes.data(), bytes.size());

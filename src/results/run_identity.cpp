@@ -17,8 +17,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The mathematical library chooses among its functions by what the processor has, as our inner loops do, and their
-/// roundings differ.
+/// Like our inner loops, the mathematical library selects functions by processor features, with different round-off.
 std::string instruction_set() {
 #if defined(__x86_64__)
   return fmt::format("x86-64{}{}{}", __builtin_cpu_supports("fma") != 0 ? " fma" : "",
@@ -37,7 +36,7 @@ Case nameless(Case input) {
   return input;
 }
 
-/// Takes the first line off a text.
+/// Removes and returns the first line of a text.
 std::string take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string line(text.substr(0, end));
@@ -70,7 +69,7 @@ void require_same_run(const std::string& identity, const Case& input, const std:
     const std::string now = take_line(our_text);
     if (theirs != now) faults.push_back({file, 0, what, theirs, fmt::format("is {} now", now), std::string(advice)});
   }
-  // Another version may write what this one cannot read: then the version says all.
+  // Another version may write cases that this one cannot read: then the version explains the difference.
   if (their_text != our_text && faults.empty()) {
     for (const CaseDifference& difference : case_differences(parse_case(their_text, file), nameless(input))) {
       faults.push_back(

@@ -40,7 +40,7 @@ Json value_json(double value, const Form& form) {
 Json summary_head(std::string_view command, const Case& input, RunStatus status, const Manifest& manifest) {
   Json json;
   json["schema"] = "bumpfoil-summary/2";
-  // Before all texts of users, which could hold the same.
+  // Placed before all user texts, which could contain the same string.
   json["xxh3_128"] = blank_checksum;
   json["command"] = command;
   json["case"] = case_json(input);

@@ -11,14 +11,14 @@
 
 namespace bumpfoil {
 
-/// A number; null where it is not finite.
+/// A number; null if not finite.
 nlohmann::ordered_json value_json(double value, const Form& form = {});
 
-/// The head of every summary. @param input  the case, or one of those, that were run
+/// The common header of all summaries. @param input  the case that was run, or one of several
 nlohmann::ordered_json summary_head(std::string_view command, const Case& input, RunStatus status,
                                     const Manifest& manifest);
 
-/// Text of a summary, with its checksum in it.
+/// Text of a summary, including its checksum.
 std::string sealed_summary(const nlohmann::ordered_json& json);
 
 }  // namespace bumpfoil

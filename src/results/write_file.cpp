@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file under a temporary name, hidden beside the file that it becomes. It is locked as long as its process lives:
-/// by that others know whether it is still wanted.
+/// A hidden file under a temporary name next to its final path. Its process keeps it locked, which tells others that it
+/// is in use.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)
       : target_(target), path_(folder() / (prefix() + random_digits() + suffix)), file_(open()) {}
   ~TemporaryFile() {
     std::error_code code;
-    fs::remove(path_, code);  // it is not there any more where it became the file
+    fs::remove(path_, code);  // missing if it was renamed to the final file
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -45,7 +45,7 @@ class TemporaryFile {
     while (true) {
       FileDescriptor file(path_, target_, O_WRONLY | O_CREAT | O_EXCL);
       try_to_lock(file);
-      // Before it was locked, another one that cleans up may have taken it for left.
+      // Before it was locked, a cleanup may have taken it for abandoned.
       if (file.is_at(path_)) return file;
     }
   }

@@ -17,15 +17,16 @@ namespace {
 
 using Entries = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
 
-/// Part of the diagonal entries of both unknowns by which entries may miss those opposite: files have fewer digits.
+/// Accepted asymmetry of opposite entries, relative to the diagonal entries of both unknowns: files have limited
+/// digits.
 constexpr double same_entry = 1e-6;
-/// Least eigenvalue of a matrix scaled to ones on its diagonal: round-off of a semidefinite one, and what a definite
-/// one has at least. (A beam of 75 elements that is held has 1e-7.)
+/// Smallest eigenvalues of a matrix scaled to a unit diagonal: round-off of a semidefinite one, and the minimum of a
+/// definite one. (A held beam of 75 elements has 1e-7.)
 constexpr double least_eigenvalue = -1e-9;
 constexpr double least_positive = 1e-13;
-/// Energy of a rigid motion over that of its parts.
+/// Energy of a rigid motion, relative to that of its parts, that counts as zero.
 constexpr double no_energy = 1e-7;
-/// Part of the distance of the bearings by which a place may miss that of its tilt.
+/// Accepted error of a position relative to that of its tilt, as fraction of the distance of the bearings.
 constexpr double same_place_of_tilt = 1e-5;
 
 Eigen::Index unknowns_of(const RotorMatrices& matrices) {
@@ -36,7 +37,7 @@ Entries entries_of(const std::vector<double>& rows, Eigen::Index n) {
   return {rows.data(), n, n};
 }
 
-/// 1 / sqrt of the diagonal, by which a matrix gets ones there; 1 where it has none.
+/// 1 / sqrt of the diagonal, which scales it to ones; 1 for zero entries.
 Eigen::VectorXd diagonal_scale(const Eigen::MatrixXd& A) {
   return A.diagonal().unaryExpr([](double entry) { return entry > 0.0 ? 1.0 / std::sqrt(entry) : 1.0; });
 }
@@ -49,7 +50,7 @@ double least_scaled_eigenvalue(const Eigen::MatrixXd& A) {
       .eigenvalues()[0];
 }
 
-/// Numbers of the unknowns of the bearings, x and y of one after the other, and of all others.
+/// Indices of the bearing unknowns, x and y of each bearing in turn, and of all others.
 std::pair<std::vector<Eigen::Index>, std::vector<Eigen::Index>> split_unknowns(const RotorMatrices& matrices) {
   std::vector<Eigen::Index> held;
   for (const MatrixPlace& bearing : matrices.bearings) {
@@ -63,7 +64,7 @@ std::pair<std::vector<Eigen::Index>, std::vector<Eigen::Index>> split_unknowns(c
   return {held, rest};
 }
 
-/// Rigid motions, see Rotor::rigid: the bearings go where these have them, and the rest follows.
+/// Rigid motions, see Rotor::rigid: prescribed at the bearings, and the other unknowns follow.
 Eigen::MatrixXd rigid_motions(const RotorMatrices& matrices) {
   const Eigen::MatrixXd K = entries_of(matrices.stiffness, unknowns_of(matrices));
   const auto [held, rest] = split_unknowns(matrices);
@@ -83,7 +84,7 @@ Eigen::MatrixXd rigid_motions(const RotorMatrices& matrices) {
   return rigid;
 }
 
-/// Checks matrices step by step: what is wrong in itself is not checked with others.
+/// Checks matrices step by step: an invalid matrix is excluded from comparisons with others.
 class MatrixCheck {
  public:
   explicit MatrixCheck(const RotorMatrices& matrices) : matrices_(matrices), n_(unknowns_of(matrices)) {}
@@ -160,10 +161,10 @@ class MatrixCheck {
     return right;
   }
 
-  /// @param sign  of an entry over that opposite
+  /// @param sign  of an entry relative to its opposite
   bool symmetric(std::string_view key, const std::vector<double>& rows, double sign) {
     const Entries A = entries_of(rows, n_);
-    // Of a matrix without a diagonal the largest entry is what there is to compare with.
+    // For a matrix without a diagonal, the largest entry is the reference.
     const double largest = A.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < n_; ++i) {
       for (Eigen::Index j = 0; j <= i; ++j) {
@@ -229,7 +230,7 @@ class MatrixCheck {
                 "give the number of its displacement, and its z");
       }
     }
-    // M and the sense of G: the polar inertia, which a rotor from X to Y has with this sign.
+    // M and the sign of G: for a rotor from X to Y, the polar inertia has this sign.
     const Eigen::MatrixXd G = entries_of(matrices_.gyroscopic, n_);
     const double polar_inertia = moved.col(2).dot(Eigen::VectorXd(G * moved.col(3)));
     require(polar_inertia >= 0.0, "G", "", fmt::format("has a polar inertia of {:.6g} kg m2", polar_inertia),

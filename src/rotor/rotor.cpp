@@ -13,14 +13,14 @@
 namespace bumpfoil {
 namespace {
 
-/// A frequency below this part of the highest one is a rigid motion.
+/// Frequencies below this fraction of the highest are those of rigid motions.
 constexpr double rigid_frequency = 1e-6;
 
 Eigen::MatrixXd transformed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& T) {
   return T.transpose() * A * T;
 }
 
-/// The part of a matrix that is symmetric but for round-off.
+/// The symmetric part of a matrix that is symmetric up to round-off.
 Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& A) {
   return 0.5 * (A + A.transpose());
 }
@@ -31,7 +31,7 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_of(const Eigen::
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric_part(stiffness), symmetric_part(mass));
 }
 
-/// Matrices of all bearings below one another.
+/// Stacks matrices of all bearings.
 template <typename MatrixOf>
 Eigen::MatrixXd stacked(const Rotor& rotor, const MatrixOf& matrix_of) {
   Eigen::MatrixXd all(0, rotor.size());
@@ -107,7 +107,7 @@ Eigen::VectorXd free_frequencies(const Rotor& rotor) {
 }
 
 ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
-  // y = lift q + rest r: lift moves the bearings by q, rest leaves them where they are.
+  // y = lift q + rest r: lift moves the bearings by q, rest does not move them.
   const Eigen::MatrixXd B = stacked(rotor, [](const RotorStation& bearing) { return bearing.journal(); });
   const Eigen::Index n = rotor.size();
   const Eigen::Index held = B.rows();
@@ -124,7 +124,7 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   const Eigen::Index count =
       std::count_if(squares.begin(), squares.end(), [&](double square) { return square <= highest * highest; });
   Eigen::MatrixXd T(n, held + count);
-  // Where the bearings are displaced, the rest follows as it does at rest.
+  // With the bearings displaced, the other unknowns follow statically.
   T.leftCols(held) = lift - rest * inner_stiffness.ldlt().solve(rest.transpose() * rotor.stiffness * lift);
   T.rightCols(count) = rest * modes.eigenvectors().leftCols(count);
 
@@ -140,7 +140,7 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   };
   for (const RotorStation& bearing : rotor.bearings) reduced.rotor.bearings.push_back(placed(bearing));
   for (const RotorStation& station : rotor.stations) reduced.rotor.stations.push_back(placed(station));
-  // Rigid motions are among those of the bearings: T holds them exactly.
+  // Rigid motions are static responses to bearing motions: T represents them exactly.
   reduced.rotor.rigid = T.colPivHouseholderQr().solve(rotor.rigid);
 
   const Eigen::VectorXd before = free_frequencies(rotor);

@@ -11,10 +11,9 @@
 namespace bumpfoil {
 namespace {
 
-/// Places that are this much closer than the shaft is long are one.
+/// Positions closer than this fraction of the shaft length are equal.
 constexpr double same_place = 1e-9;
-/// Of Gauss's rule, exact for polynomials of degree 7: places on [0, 1] and weights. The products of shape functions
-/// have degree 6.
+/// Gauss points on [0, 1] and weights, exact for polynomials of degree 7. Products of shape functions have degree 6.
 constexpr std::array<std::pair<double, double>, 4> gauss_points{{{0.06943184420297371, 0.17392742256872693},
                                                                  {0.33000947820757187, 0.32607257743127307},
                                                                  {0.66999052179242813, 0.32607257743127307},
@@ -103,7 +102,7 @@ ShaftElement shaft_element(const ShaftSection& section, double length) {
   element.transverse_inertia.setZero();
   element.stiffness.setZero();
   for (const auto& [x, weight] : gauss_points) {
-    // Displacement, rotation of the cross-section and its derivative by z, and shear strain.
+    // Displacement, rotation of the cross-section and its derivative with respect to z, and shear strain.
     Eigen::RowVector4d displacement;
     Eigen::RowVector4d rotation;
     Eigen::RowVector4d curvature;
@@ -142,7 +141,7 @@ Rotor make_flexible_rotor(const ShaftDesign& design) {
         rotor.mass(first + in_y[i], first + in_y[j]) += inertia;
         rotor.stiffness(first + in_x[i], first + in_x[j]) += element.stiffness(i, j);
         rotor.stiffness(first + in_y[i], first + in_y[j]) += element.stiffness(i, j);
-        // The polar inertia of a circle is twice the transverse one.
+        // The polar inertia of a circular section is twice the transverse one.
         rotor.gyroscopic(first + in_x[i], first + in_y[j]) += 2.0 * element.transverse_inertia(i, j);
         rotor.gyroscopic(first + in_y[i], first + in_x[j]) -= 2.0 * element.transverse_inertia(i, j);
       }

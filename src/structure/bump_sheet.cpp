@@ -7,19 +7,19 @@
 namespace bumpfoil {
 namespace {
 
-/// Where the bump foil has a tangential displacement, with the piece before it.
+/// A tangential degree of freedom of the bump foil, and the piece before it.
 struct SheetNode {
-  int bump{};            ///< from 0
-  int unknown{-1};       ///< among BumpDofs; -1: clamped
+  int bump{};            ///< index from 0
+  int unknown{-1};       ///< index in BumpDofs; -1: clamped
   double length{};       ///< X, m
   double developed{};    ///< S, m
   double flexibility{};  ///< S/t
 };
 
-/// From the weld on.
+/// Nodes from the weld on.
 std::vector<SheetNode> nodes_of(const FoilDesign& foils, const BumpDofs& dofs) {
   std::vector<SheetNode> nodes(1);
-  double flat_before = 0.0;  // half of the flat behind the bump before
+  double flat_before = 0.0;  // half flat behind the previous bump
   double thickness_before = foils.bumps.front().thickness;
   for (std::size_t n = 0; n < foils.bumps.size(); ++n) {
     const double thickness = foils.bumps[n].thickness;
@@ -64,7 +64,7 @@ BlockTridiagonal bump_sheet_stiffness(const FoilDesign& foils, const std::vector
   const std::size_t end = nodes.size() - 1;  // where f = 0
   const int first = modes * dofs.size;
   BlockTridiagonal K(static_cast<int>(foils.bumps.size()), first + modes * sheet_nodes(dofs));
-  // f of a node is unknown in the block of the next one.
+  // f of a node is an unknown in the block of the next node.
   std::vector<int> place(end);  // of the first mode
   std::vector<int> begun(foils.bumps.size(), 0);
   for (std::size_t i = 0; i < end; ++i) place[i] = first + modes * begun[static_cast<std::size_t>(nodes[i + 1].bump)]++;
@@ -80,7 +80,7 @@ BlockTridiagonal bump_sheet_stiffness(const FoilDesign& foils, const std::vector
     }
   };
   for (std::size_t i = 0; i < end; ++i) {
-    const SheetNode& here = nodes[i + 1];  // where the piece from node i ends
+    const SheetNode& here = nodes[i + 1];  // end of the piece from node i
     const double slope = here.flexibility / (here.length * here.length);
     add(i, i, slope, by_slope);
     add(i, i + 1, -slope, by_slope);

@@ -15,7 +15,7 @@ struct DisplacedElement {
     const Eigen::Vector2d displaced = chord + relative;
     length = displaced.norm();
     tangent = displaced / length;
-    // Differences of nearly equal lengths and directions, without loss of digits.
+    // Differences of nearly equal lengths and directions, free of cancellation.
     const double turned = std::atan2(chord.x() * relative.y() - chord.y() * relative.x(), chord.dot(displaced));
     deformations = {relative.dot(chord + displaced) / (length + chord.norm()), displacements[2] - turned,
                     displacements[5] - turned};
@@ -26,7 +26,7 @@ struct DisplacedElement {
   Natural deformations;
 };
 
-/// Columns: what stretch and rotations are among the displacements of the ends of the undisplaced element.
+/// Columns: displacements of the ends of the undisplaced element under unit stretch and rotations.
 Eigen::Matrix<double, 6, 3> natural_basis(const Eigen::Vector2d& chord) {
   Eigen::Matrix<double, 6, 3> basis = Eigen::Matrix<double, 6, 3>::Zero();
   basis.block<2, 1>(3, 0) = chord.normalized();
@@ -39,13 +39,13 @@ ElementVector scale_of(const ElementChain& chain) {
   return ElementVector{{1.0, 1.0, 1.0 / chain.rotation_scale, 1.0, 1.0, 1.0 / chain.rotation_scale}};
 }
 
-/// Place of the unknown i of the element in the whole system; negative where it is clamped.
+/// Index of unknown i of the element in the whole system; negative if clamped.
 Eigen::Index place_of(const PlacedElement& placed, int i) {
   if (i >= 3) return placed.end + i - 3;
   return placed.start < 0 ? -1 : placed.start + i;
 }
 
-/// Adds one of the stiffnesses of every element.
+/// Adds one stiffness contribution of every element.
 void add_stiffness(const ElementChain& chain, const Vector& x, ElementMatrix CorotationalResponse::*stiffness,
                    BlockTridiagonal& K) {
   const ElementVector scale = scale_of(chain);

@@ -20,7 +20,7 @@ void assemble_top_foil(const TopFoilMoments& form, double moment_scale, const Bu
   const double compliance_scale = moment_scale * moment_scale;
   const int n = K.blocks() - first;
   const auto block = [first](int crest) { return first + crest - 1; };
-  // The moment over a free end is zero: its place is kept, coupled to nothing.
+  // The moment at a free end is zero: its unknown remains, uncoupled.
   for (int j = 1; j <= n; ++j) {
     K.add(block(j), m, block(j), m, -compliance_scale * form.compliance_diagonal[std::min(j, n - 1)]);
   }
@@ -47,7 +47,7 @@ void assemble_top_foil(const TopFoilMoments& form, double moment_scale, const Bu
   }
 }
 
-/// Adds what the forming of the top foil adds to the right-hand side of K x.
+/// Adds the forming of the top foil to the right-hand side of K x.
 /// @param rotations  forming_rotations()
 void add_forming(const TopFoilMoments& form, double moment_scale, const Vector& rotations, FoilStructure& structure) {
   const Eigen::Index size = structure.dofs.size;
@@ -64,7 +64,7 @@ void add_forming(const TopFoilMoments& form, double moment_scale, const Vector& 
   structure.forming_energy += 0.5 * rotations[0] * moment;
 }
 
-/// Holds unknowns without meaning: nothing has been coupled to them.
+/// Fixes unused unknowns, which are uncoupled.
 void hold_unused(const FoilStructure& structure, double stiffness, BlockTridiagonal& K) {
   const BumpDofs& dofs = structure.dofs;
   for (int b = 0; b < K.blocks(); ++b) {
@@ -76,7 +76,7 @@ void hold_unused(const FoilStructure& structure, double stiffness, BlockTridiago
   }
 }
 
-/// Keeps a bump foil without a weld from drifting.
+/// Prevents rigid motion of a bump foil without a weld.
 void hold_feet(const BumpDofs& dofs, BlockTridiagonal& K) {
   for (int b = 0; b < K.blocks(); ++b) {
     for (const int u : dofs.foot_u) K.add(b, u, b, u, loose_hold);
@@ -84,7 +84,7 @@ void hold_feet(const BumpDofs& dofs, BlockTridiagonal& K) {
   }
 }
 
-/// `x` with the moments that belong to its displacements: the rows of moments of K solved for them.
+/// `x` with compatible moments: the moment rows of K solved for them.
 Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
   const Eigen::Index m = structure.dofs.top_moment;
   if (m < 0) return x;
@@ -111,8 +111,7 @@ Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
   return x;
 }
 
-/// Forces of all that is linear on the displacements alone, and their energy: with compatible moments, whose rows are
-/// zero then.
+/// Forces and energy of the linear part, from displacements alone: compatible moments make the moment rows zero.
 ElasticResponse linear_response(const FoilStructure& structure, const Vector& x) {
   const BlockTridiagonal& K = structure.large_displacements ? structure.large_displacements->rest : structure.K;
   const Vector compatible = with_compatible_moments(structure, x);

@@ -26,10 +26,10 @@ CorotationalElement flat_before(const FrameModel& model, std::size_t n) {
                                                        frame_element_stiffness(model.sections[n], second)));
 }
 
-/// An element of a foil with the forces that its displacements take.
+/// An element with the forces at its displacements.
 class LoadedElement {
  public:
-  /// @param unknowns  of its ends, as frame_dofs() scales them
+  /// @param unknowns  of its ends, as scaled by frame_dofs()
   LoadedElement(const FrameModel& model, const Section& section, const FrameElement& element, ElementVector unknowns)
       : element_(element), modulus_(section.modulus) {
     unknowns[2] /= model.rotation_scale;
@@ -127,7 +127,7 @@ FrameStress frame_stress(const FrameModel& model, const Vector& x) {
     } else if (n == 0 && model.welded) {
       ElementVector flat_ends = ElementVector::Zero();
       flat_ends.tail<3>() = ends.head<3>();
-      // The stress of a flat is largest at its ends, and those are the weld or ends of arcs.
+      // The stress in a flat is largest at its ends, which are the weld or ends of arcs.
       stress.weld = LoadedElement(model, section, flat_element(0.5 * arc.flat), flat_ends).stress(-0.5);
     }
   }

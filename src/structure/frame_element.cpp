@@ -15,8 +15,8 @@ double sinc(double x) {
   return 1.0 - x * x * sine_remainder(x);
 }
 
-/// Relative displacement of the ends, each carried rigidly to the elastic centre, in the axes of the chord; and what a
-/// unit of force or moment there makes of it.
+/// Relative displacement of the ends, each carried rigidly to the elastic centre, in the axes of the chord, and its
+/// flexibilities.
 struct ElasticCentre {
   Eigen::Matrix<double, 3, 6> relative;
   Eigen::Vector3d flexibility;
@@ -35,7 +35,7 @@ ElasticCentre elastic_centre(const Section& section, const FrameElement& element
                         bending * 0.5 * sine_remainder(x) + stretching * 0.5 * x * x * sine_remainder(x),
                         l / section.bending_stiffness};
 
-  // The centroid stands beside the middle of the chord, on the outer side of the curve.
+  // The centroid is offset from mid-chord to the outer side of the curve.
   const Eigen::Vector2d from_start = 0.5 * element.chord - 0.25 * l * x * sine_moment(0.5 * x) * n;
   const Eigen::Vector2d from_end = from_start - element.chord;
   const auto carry = [&](const Eigen::Vector2d& arm) {
@@ -90,7 +90,8 @@ ElementForces element_forces(const Section& section, const FrameElement& element
 double bending_moment(const FrameElement& element, const ElementForces& forces, double s) {
   const double x = element.turning;
   const double l = element.length();
-  // Place of the cut from the elastic centre. With R = l / x: xi = R sin(s x), eta = R (sin(x/2) / (x/2) - cos(s x)).
+  // Position of the section relative to the elastic centre. With R = l / x: xi = R sin(s x), eta = R (sin(x/2) / (x/2)
+  // - cos(s x)).
   const double xi = l * s * sinc(s * x);
   const double half_sinc = sinc(0.5 * s * x);
   const double eta = l * x * (0.5 * s * s * half_sinc * half_sinc - 0.25 * sine_remainder(0.5 * x));
@@ -101,7 +102,7 @@ double largest_moment(const FrameElement& element, const ElementForces& forces) 
   double largest = std::max(std::abs(bending_moment(element, forces, -0.5)),  //
                             std::abs(bending_moment(element, forces, 0.5)));
   if (element.turning == 0.0) return largest;
-  // dM/ds = l (along sin(s x) - across cos(s x)) vanishes at most three times below a full circle.
+  // dM/ds = l (along sin(s x) - across cos(s x)) has at most three zeros below a full circle.
   const double stationary = forces.along == 0.0 ? 0.5 * std::numbers::pi : std::atan(forces.across / forces.along);
   for (const double angle : {stationary - std::numbers::pi, stationary, stationary + std::numbers::pi}) {
     const double s = angle / element.turning;

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Places in a block of what is neither displacement nor moment: rotations of the frame.
+/// Indices in a block of unknowns that are neither displacement nor moment: rotations of the frame.
 std::vector<int> rotations(const BumpDofs& dofs) {
   std::vector<int> places;
   for (int i = 0; i < dofs.size - dofs.unused; ++i) {

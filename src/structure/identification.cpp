@@ -15,16 +15,16 @@
 namespace bumpfoil {
 namespace {
 
-/// Rotational stiffness of half a bump between crest and mid-flat, with both held in place.
+/// Stiffness of half a bump between crest and mid-flat against rotation, with both displacements held.
 struct HalfBump {
   double at_crest{};       ///< moment at the crest per rotation there, N m
   double at_flat{};        ///< moment at mid-flat per rotation there, N m
-  double crest_to_flat{};  ///< moment at one per rotation of the other, N m
-  double pull_on_crest{};  ///< moment at the crest per displacement u there, N
+  double crest_to_flat{};  ///< moment at one end per rotation of the other, N m
+  double pull_on_crest{};  ///< moment at the crest per its displacement u, N
   double pull_on_flat{};   ///< moment at mid-flat per displacement u of the crest, N
 };
 
-/// The same from crest to mid-flat as from mid-flat to crest: in the mirror u and rotations both change their sign.
+/// Equal from crest to mid-flat and back: reflection changes the sign of u and of rotations.
 HalfBump make_half_bump(const BumpArc& arc, const Section& section) {
   PlanarFrame half(3);
   half.add(0, 1, section, falling_half(arc));
@@ -38,10 +38,10 @@ HalfBump make_half_bump(const BumpArc& arc, const Section& section) {
 }
 
 /// Coupling of u between neighbouring crests of a row of equal bumps. The effect of the ends decays by a factor of
-/// seven per bump: 1e-7 with five on either side.
+/// seven per bump: to 1e-7 with five on either side.
 double crest_to_crest(const HalfBump& own) {
   constexpr Eigen::Index row = 5;
-  // Rotations in turn of the first mid-flat, the first crest, the next mid-flat, ...; u and v of all of these are held.
+  // Rotations in sequence: first mid-flat, first crest, next mid-flat, ...; their u and v are held.
   constexpr Eigen::Index last = 4 * row;
   Vector diagonal = Vector::Zero(last + 1);
   const Vector off = Vector::Constant(last, own.crest_to_flat);
@@ -50,7 +50,7 @@ double crest_to_crest(const HalfBump& own) {
     diagonal[half] += rises ? own.at_flat : own.at_crest;
     diagonal[half + 1] += rises ? own.at_crest : own.at_flat;
   }
-  // Moments that the rotations must balance where one crest moves along the foil, around the mid-flat at 2 * row.
+  // Moments to be balanced by the rotations if one crest moves along the foil, around the mid-flat at 2 * row.
   const auto pulled = [&own](Eigen::Index crest) {
     Vector moments = Vector::Zero(last + 1);
     moments.segment<3>(crest - 1) << own.pull_on_flat, 2.0 * own.pull_on_crest, own.pull_on_flat;
@@ -70,22 +70,22 @@ double first_crest_stiffness(const BumpArc& arc, const Section& section) {
   return bump.condense({7}, {0, 1, 2, 4, 10, 14})(0, 0);
 }
 
-/// k4 such that the truss of one bump, its foot sliding, has the stiffness `target` at its crest.
+/// k4 that gives the truss of one bump with a sliding foot the stiffness `target` at its crest.
 double weld_stiffness(const TrussConstants& constants, double target) {
   const double c = std::cos(constants.theta_d);
   const double s = std::sin(constants.theta_d);
-  // Order u_c, u_f, v_c; without k4.
+  // Order u_c, u_f, v_c; excludes k4.
   const Eigen::RowVector3d front(c, 0.0, -s);
   const Eigen::RowVector3d back(-c, c, -s);
   Eigen::Matrix3d K = constants.k1 * (front.transpose() * front + back.transpose() * back);
   K(1, 1) += constants.k2;
-  // A spring k4 on u_c takes k4 S_uv^2 / (1 + k4 S_uu) off the compliance S_vv.
+  // A spring k4 on u_c reduces the compliance S_vv by k4 S_uv^2 / (1 + k4 S_uu).
   const Eigen::Matrix3d S = K.inverse();
   const double excess = S(2, 2) - 1.0 / target;
   return excess / (S(0, 2) * S(0, 2) - excess * S(0, 0));
 }
 
-/// Constants of each bump in a uniform row of its own shape. Neighbours of one shape share the work.
+/// Constants of each bump in a uniform row of its shape. Neighbours of equal shape share the result.
 std::vector<TrussConstants> constants_of_shapes(const FoilDesign& foils) {
   std::vector<TrussConstants> shapes;
   shapes.reserve(foils.bumps.size());
@@ -99,7 +99,7 @@ std::vector<TrussConstants> constants_of_shapes(const FoilDesign& foils) {
   return shapes;
 }
 
-/// Constants of each bump among its neighbours; where there is none it counts as one of the same shape.
+/// Constants of each bump among its neighbours; a missing neighbour counts as one of the same shape.
 std::vector<TrussConstants> identified_constants(const FoilDesign& foils) {
   const std::vector<TrussConstants> shapes = constants_of_shapes(foils);
   std::vector<TrussConstants> constants = shapes;
@@ -108,7 +108,7 @@ std::vector<TrussConstants> identified_constants(const FoilDesign& foils) {
     const double before = n > 0 ? 0.5 * (shapes[n - 1].k3 + own) : own;
     const double after = n + 1 < shapes.size() ? 0.5 * (own + shapes[n + 1].k3) : own;
     constants[n].k3 = before;
-    constants[n].k2 -= 0.5 * (before + after) - own;  // feet carry what crests do not: the cell keeps its sum
+    constants[n].k2 -= 0.5 * (before + after) - own;  // keeps the sum over the cell
   }
   return constants;
 }
@@ -144,7 +144,7 @@ std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussCon
                              uniform ? std::string("this shape of bump")
                                      : fmt::format("bump {} among its neighbours", worst - constants.begin() + 1));
     fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
-    // The sum determines the stiffness of a bump: a larger k2 alone would make it stiffer.
+    // The sum determines the stiffness of a bump: an increase of k2 alone would stiffen it.
     const double sum = (*worst).k2 + (*worst).k3;
     if (value == &TrussConstants::k2 && !foils.truss.k3 && sum > 0.0) {
       fault.advice =
@@ -155,14 +155,14 @@ std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussCon
   judge("k1", &TrussConstants::k1, constants.size());
   judge("k2", &TrussConstants::k2, constants.size());
   judge("k3", &TrussConstants::k3, constants.size());
-  judge("k4", &TrussConstants::k4, 1);  // the others have no weld before them
+  judge("k4", &TrussConstants::k4, 1);  // other bumps have no weld before them
   return faults;
 }
 
 }  // namespace
 
 BumpCell make_bump_cell(const BumpArc& arc, const Section& section) {
-  // Half of it from crest (0) over the arc's end (1) to mid-flat (2), where u is half the growth of the pitch.
+  // Half bump from crest (0) via the end of the arc (1) to mid-flat (2), where u is half the growth of the pitch.
   PlanarFrame half(3);
   half.add(0, 1, section, falling_half(arc));
   half.add(1, 2, section, flat_element(0.5 * arc.flat));

@@ -17,7 +17,7 @@ LegendreSum slope_of_chi(int k) {
   return {{k - 1, -scale}, {k + 1, scale}};
 }
 
-/// chi_k for a = 1: the integral of that.
+/// chi_k for a = 1: the integral of chi_k'.
 LegendreSum chi(int k) {
   LegendreSum sum;
   for (const auto& [order, factor] : slope_of_chi(k)) {
@@ -83,7 +83,8 @@ std::vector<MembraneRows> membrane_rows(const Membrane& membrane, const Vector& 
     row.before = row.own = row.after = Matrix::Zero(2 * m, 2 * m);
     const auto F = Eigen::seqN(0, m);
     const auto g = Eigen::seqN(m, m);
-    // What curves across, m = A g + nu B F, of this column and its neighbours. None at the weld, which takes all of it.
+    // Adds the transverse curvature source, m = A g + nu B F, of this column and its neighbours. None at the weld,
+    // which suppresses it.
     const auto add_bow = [&](Matrix& block, double factor) {
       block(F, g) += factor * A;
       block(F, F) += factor * nu_B;
@@ -91,7 +92,7 @@ std::vector<MembraneRows> membrane_rows(const Membrane& membrane, const Vector& 
     if (i > 1) add_bow(row.before, to_before);
     if (!weld) add_bow(row.own, -(to_before + to_after));
     if (i < last) add_bow(row.after, to_after);
-    // At the end F = 0, and its g is 2 F / interval^2 of the column before.
+    // At the end F = 0, and its g is 2 F / interval^2 of the previous column.
     if (i == last) row.own(F, F) += 2.0 * to_after * to_after * to_after * A;
     row.own(F, F) += row.length * Matrix(membrane.by_load.asDiagonal());
     row.own(F, g) += row.length * nu_B;

@@ -16,7 +16,7 @@ class PlanarFrame {
 
   void add(int start_node, int end_node, const Section& section, const FrameElement& element);
 
-  /// Stiffness felt at the unknowns `kept`, in their order, when `fixed` ones are zero and all others are free.
+  /// Stiffness at the unknowns `kept`, in their order; `fixed` ones are zero, all others free.
   [[nodiscard]] Matrix condense(const Unknowns& kept, const Unknowns& fixed) const;
 
  private:

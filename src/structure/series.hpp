@@ -2,8 +2,8 @@
 
 namespace bumpfoil {
 
-/// Combinations of trigonometric functions whose leading terms cancel, divided by what is left: even functions of x, to
-/// full precision for all x.
+/// Combinations of trigonometric functions whose leading terms cancel, divided by the leading power of x: even
+/// functions, to full precision for all x.
 
 /// (x - sin(x)) / x^3 = 1/6 - ...
 double sine_remainder(double x);

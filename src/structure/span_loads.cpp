@@ -23,7 +23,7 @@ Vector crest_loads(const TopFoilBeam& beam, const TopFoilMoments& form, double e
   const double overhang = end_angle - beam.theta[n - 1];
   BUMPFOIL_ASSERT(form.welded && form.size() == n && line_load.size() == n + 1 && overhang >= 0.0);
   Vector loads = Vector::Zero(n);
-  Vector rotations = Vector::Zero(n);  // of the moments at the weld and at all crests but the last
+  Vector rotations = Vector::Zero(n);  // of the moments at the weld and at all crests except the last
   for (Eigen::Index k = 0; k < n; ++k) {
     const double d = beam.theta[k] - (k > 0 ? beam.theta[k - 1] : 0.0);
     const double reaction = line_load[k] * R * std::tan(0.5 * d);
@@ -34,7 +34,7 @@ Vector crest_loads(const TopFoilBeam& beam, const TopFoilMoments& form, double e
     loads[k] += reaction;
   }
 
-  // The overhang prescribes the moment over the last crest.
+  // The overhang determines the moment at the last crest.
   const double end_moment = line_load[n] * R * R * 2.0 * std::pow(std::sin(0.5 * overhang), 2);
   const double last = beam.theta[n - 1] - (n > 1 ? beam.theta[n - 2] : 0.0);
   const double flexibility = R * std::pow(last / std::sin(last), 2) * last / beam.bending_stiffness;

@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Moment at the weld from those over the first crest and its displacement: the first row of T M + r = D' u.
+/// Weld moment from the moment and displacement at the first crest: the first row of T M + r = D' u.
 double weld_moment(const StressModel& model, double first_displacement, double first_moment) {
   const TopFoilMoments& form = *model.top_foil;
   const double coupling = form.size() > 1 ? form.compliance_off[0] * first_moment : 0.0;

@@ -19,7 +19,7 @@ Matrix top_foil_compliance(const TopFoilBeam& beam) {
   Matrix S(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
-      // The closed form with the addition theorem applied: nothing cancels near the weld.
+      // Closed form rewritten with the addition theorem: no cancellation near the weld.
       const double a = beam.theta[i];
       const double b = beam.theta[j];
       S(i, j) = S(j, i) = scale * (b * std::sin(a) * std::sin(b) - std::cos(a) * b * b * b * sine_moment(b));
@@ -108,7 +108,7 @@ Vector solve_tridiagonal(Vector diagonal, const Vector& off, Vector right) {
 Vector top_foil_moments(const TopFoilMoments& form, const Vector& u) {
   const Eigen::Index n = form.size();
   BUMPFOIL_ASSERT(u.size() == n);
-  // Differences first: u is smooth where the foil is soft, and its curvature is all that counts.
+  // Differences first: u is smooth if the foil is soft, and only its curvature matters.
   Vector kink = Vector::Zero(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const double before = k > 0 ? u[k - 1] : 0.0;  // crest k is entry k - 1; the weld does not move

@@ -17,17 +17,17 @@
 namespace bumpfoil {
 namespace {
 
-/// As the film's by default. With eight times as many w_2 on crests that are held differs by 0.003 um of 2.8.
+/// The film's default. Eight times as many change w_2 at held crests by 0.003 um of 2.8.
 constexpr int columns_of_pitch = 6;
 
-/// The foil on its columns: equations of each in the unknowns of its own and, as they are symmetric, of the next one,
-/// and their right-hand sides. What a column has no unknown for stands alone.
+/// The foil by columns: equations of each in its own unknowns and, as they are symmetric, in those of the next, and
+/// their right-hand sides. Unused unknowns are uncoupled.
 struct Columns {
   std::vector<Matrix> own, after;
   std::vector<Vector> load;
 };
 
-/// Adds bending, a beam for each line. @param rotations  by its forming @param pitch  unit of lengths, m
+/// Adds bending, one beam per line. @param rotations  by its forming @param pitch  unit of lengths, m
 void add_beams(const TopFoilMoments& form, const Vector& rotations, double bending_stiffness, double pitch,
                const WidthLines& lines, Columns& columns) {
   const auto end = static_cast<std::size_t>(form.size());
@@ -93,10 +93,11 @@ void add_membrane(const Membrane& membrane, const Vector& intervals, const Width
 struct Equations {
   Matrix A;
   Vector load;
-  double energy{};  ///< that unknowns have which were eliminated, where x is zero
+  double energy{};  ///< of eliminated unknowns, at x = 0
 };
 
-/// Some columns in a row, with their couplings, and the equations of all but the first unless that is the weld's.
+/// Consecutive columns with their couplings, and the equations of all but the first; also of the first if it is the
+/// weld.
 Equations joined(const Columns& columns, int first, int last) {
   const Eigen::Index size = columns.own.front().rows();
   const Eigen::Index all = size * (last - first + 1);
@@ -115,7 +116,7 @@ Equations joined(const Columns& columns, int first, int last) {
   return joint;
 }
 
-/// The equations without all but some of their unknowns.
+/// The equations with some unknowns eliminated.
 Equations condensed(const Equations& all, const std::vector<Eigen::Index>& kept) {
   std::vector<Eigen::Index> other;
   for (Eigen::Index i = 0; i < all.A.rows(); ++i) {
@@ -175,15 +176,15 @@ TopFoilOnLines top_foil_on_lines(const FoilDesign& foils, const WidthLines& line
   double forming_energy = 0.0;
   std::vector<Eigen::Index> all(static_cast<std::size_t>(size));
   std::iota(all.begin(), all.end(), Eigen::Index{0});
-  const int held = bumps * of_block;  // columns where a crest is
-  int before = 0;                     // the one before, or the weld
+  const int held = bumps * of_block;  // column of a crest
+  int before = 0;                     // the previous crest, or the weld
   for (int k = 0; k < held; ++k) {
     const bool last = k + 1 == held;
     const int column =
         columns_of_pitch / 2 + columns_of_pitch * (k / of_block) + stations[static_cast<std::size_t>(k % of_block)];
     std::vector<Eigen::Index> kept;
     if (k > 0) kept = all;
-    std::vector<Eigen::Index> own;  // of this column
+    std::vector<Eigen::Index> own;  // unknowns of this column
     for (const Eigen::Index i : all) {
       if (last && is_moment(i)) continue;
       own.push_back(i);
@@ -194,7 +195,7 @@ TopFoilOnLines top_foil_on_lines(const FoilDesign& foils, const WidthLines& line
     const Vector load = stiffness * part.load;
     forming_energy += stiffness * part.energy;
     const auto n = std::ssize(own);
-    const auto place = [&](int of) { return size * (of % of_block); };  // in its block
+    const auto place = [&](int of) { return size * (of % of_block); };  // index in its block
     for (Eigen::Index& i : own) i += place(k);
     const auto block = static_cast<std::size_t>(k / of_block);
     K.diagonal[block](own, own) += A.bottomRightCorner(n, n);

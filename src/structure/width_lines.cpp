@@ -13,10 +13,10 @@ double scaled_slope(int n, double x) {
   return x * legendre(n, x) - legendre(n - 1, x);
 }
 
-/// Root i of P_n from the largest on, by Newton's method.
+/// Root i of P_n in descending order, by Newton's method.
 double gauss_point(int n, int i) {
   double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
-  constexpr int enough = 6;  // the first guess is good to a hundredth, and the error is squared each time
+  constexpr int enough = 6;  // the first guess is accurate to 0.01; convergence is quadratic
   for (int iteration = 0; iteration < enough; ++iteration)
     x -= (x * x - 1.0) * legendre(n, x) / (n * scaled_slope(n, x));
   return x;
@@ -56,7 +56,7 @@ Matrix WidthLines::to_stretching_modes() const {
 WidthLines make_width_lines(int modes, WidthPart width) {
   const bool half = width == WidthPart::half;
   const int count = half ? (modes + 1) / 2 : modes;
-  const int points = half ? 2 * count : count;  // on the whole width, mirrored
+  const int points = half ? 2 * count : count;  // on the whole width, by symmetry
   WidthLines lines{.orders = {}, .zeta = Vector(count), .weight = Vector(count), .to_modes = Matrix(count, count)};
   for (int s = 0; s < count; ++s) {
     const double x = gauss_point(points, count - 1 - s);
@@ -65,7 +65,7 @@ WidthLines make_width_lines(int modes, WidthPart width) {
     lines.weight[s] = 2.0 * (1.0 - x * x) / (slope * slope);
     lines.orders.push_back(half ? 2 * s : s);
   }
-  lines.weight /= lines.weight.sum();  // but for round-off 1 already, and exactly 1 for one line
+  lines.weight /= lines.weight.sum();  // 1 up to round-off already; exactly 1 for one line
   for (int i = 0; i < count; ++i) {
     const int k = lines.orders[static_cast<std::size_t>(i)];
     for (int s = 0; s < count; ++s) {

@@ -13,7 +13,7 @@ extern char** environ;
 namespace bumpfoil {
 namespace {
 
-/// In single quotes, where gnuplot doubles a quote that is meant.
+/// In single quotes; gnuplot doubles a literal quote.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
@@ -34,8 +34,8 @@ PlotStatus run_gnuplot(const std::filesystem::path& script, const std::map<std::
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
-  // Silent: it warns of curves without points, which are no faults. In a process group of its own: Ctrl-C is for the
-  // caller, which lets it finish.
+  // Silent: warnings about curves without points are no errors. In its own process group: Ctrl-C goes to the caller
+  // only, which lets it finish.
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view base_case = "gen1";
 
-/// Takes the values of a table of a description; missing or unknown keys are errors.
+/// Reads the values of a table of a description; missing or unknown keys are errors.
 class DescriptionReader {
  public:
   DescriptionReader(std::string_view study, const toml::table& table) : study_(study), table_(table) {}
@@ -46,7 +46,7 @@ class DescriptionReader {
     return readers;
   }
 
-  /// To be called last.
+  /// Call last.
   void finish() const {
     for (const auto& [key, node] : table_) {
       if (!known_.contains(key.str())) fail(key.str(), "is not known");
@@ -81,7 +81,7 @@ class DescriptionReader {
   std::set<std::string, std::less<>> known_;
 };
 
-/// @throws Error (input) at the first place that is not TOML.
+/// @throws Error (input) at the first syntax error.
 toml::table parse_description(std::string_view text, std::string_view study) {
   try {
     return toml::parse(text);
@@ -91,7 +91,7 @@ toml::table parse_description(std::string_view text, std::string_view study) {
   }
 }
 
-/// Overrides with their line breaks, which --set does not take, made spaces.
+/// Overrides with line breaks, which --set rejects, replaced by spaces.
 std::vector<std::string> overrides_of(DescriptionReader& reader, const std::vector<std::string>& common) {
   std::vector<std::string> overrides = common;
   for (std::string& one : reader.list<std::string>("set")) {
@@ -157,7 +157,7 @@ std::vector<StudyRun> runs_of_others(DescriptionReader& reader) {
   return runs;
 }
 
-/// The runs once for each variant, with its overrides; as they are if there is none.
+/// The runs once per variant, with its overrides; unchanged without variants.
 std::vector<StudyRun> in_variants(DescriptionReader& reader, std::vector<StudyRun> runs) {
   std::vector<DescriptionReader> variants = reader.tables("variant");
   if (variants.empty()) return runs;

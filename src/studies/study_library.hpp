@@ -7,16 +7,16 @@
 
 namespace bumpfoil {
 
-/// A study as it is compiled in.
+/// A compiled-in study.
 struct StudyText {
   std::string_view name;
   std::string_view description;  ///< TOML
-  std::string_view script;       ///< for gnuplot; empty where it is that of another
+  std::string_view script;       ///< for gnuplot; empty if it shares that of another
 };
 
 const std::vector<StudyText>& study_library();
 
-/// All tables that are compiled in.
+/// All compiled-in tables.
 const std::vector<StudyData>& study_data_library();
 
 /// Common start of all scripts.

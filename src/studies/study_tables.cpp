@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Columns of `quantities` for a cycle: numbers that say something about the bearing, not about how it was computed.
+/// Columns of `quantities` for a cycle: physical results, not solver statistics.
 std::vector<CycleQuantity> quantities_of_cycle() {
   std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::cycle);
   std::erase_if(quantities, [](const CycleQuantity& quantity) {
@@ -25,7 +25,7 @@ std::vector<CycleQuantity> quantities_of_cycle() {
   return quantities;
 }
 
-/// Of all studies: those of the reference bearing.
+/// Common to all studies: those of the reference bearing.
 const std::vector<double>& clearance_forces() {
   static const std::vector<double> forces = reference_case().cycle.clearance_forces;
   return forces;
@@ -33,7 +33,7 @@ const std::vector<double>& clearance_forces() {
 
 using Row = std::vector<TableCell>;
 
-/// Appends rows that begin with the name of a run and a direction.
+/// Appends rows that start with the name of a run and a direction.
 using RowWriter = void (*)(const Study&, const StudyRun&, const StudyRunResult&, StudyTable&);
 
 Row row_of(const StudyRun& run, const Cycle& cycle) {
@@ -87,7 +87,7 @@ double height_error(const Case& input, int bump) {
   return errors.empty() ? 0.0 : errors[static_cast<std::size_t>(bump)];
 }
 
-/// Height of the crests over the sleeve where they touch the undeformed top foil.
+/// Height of the crests above the sleeve where they touch the undeformed top foil.
 double foil_height(const Case& input) {
   const BumpShape bump = nominal_bump(input.bump_foil);
   return bump.rise + bump.thickness;
@@ -138,7 +138,8 @@ void write_foils(const Study& study, const StudyRun& run, const StudyRunResult& 
   }
 }
 
-/// Closed and slipping contacts of an interface, and those that opened and closed since the increment before.
+/// Numbers of closed and slipping contacts of an interface, and of those that opened and closed since the previous
+/// increment.
 void append_counts(const ModeMatrix& modes, Eigen::Index increment, Row& row) {
   int closed = 0;
   int slipping = 0;
@@ -179,7 +180,7 @@ std::vector<std::string> quantity_columns(const Study& study) {
   return columns;
 }
 
-/// Columns after run and direction, and the functions that fill them.
+/// Columns after run and direction, and the functions that write them.
 std::pair<std::vector<std::string>, RowWriter> layout(StudyTableKind kind, const Study& study) {
   switch (kind) {
     case StudyTableKind::loops:

@@ -21,14 +21,14 @@ namespace bumpfoil {
 namespace {
 
 constexpr std::string_view over_option = "--over";
-/// More faults are counted, not listed.
+/// Further errors are counted, not listed.
 constexpr std::size_t most_sweep_faults = 50;
-/// The list that is swept one value at a point.
+/// The list of which each point takes one value.
 constexpr std::string_view swept_list = "equilibrium.speeds";
-/// Common to all points: their spectra have one axis.
+/// Must be equal at all points: their spectra share an axis.
 constexpr std::string_view never_swept = "transient.revolutions_per_spectrum";
 
-/// The dimension of a value of a key that takes two.
+/// The dimension of a value of a key that accepts two.
 std::optional<Dimension> dimension_of_either(const std::string& value) {
   for (const Dimension dimension : {Dimension::length, Dimension::force}) {
     if (std::holds_alternative<double>(parse_quantity(value, dimension))) return dimension;
@@ -36,7 +36,7 @@ std::optional<Dimension> dimension_of_either(const std::string& value) {
   return std::nullopt;
 }
 
-/// Checks the options, each by itself and beside the others.
+/// Checks the options, individually and in combination.
 class OptionReader {
  public:
   explicit OptionReader(const SweepRequest& request) : request_(request) {}
@@ -102,7 +102,7 @@ class OptionReader {
   std::vector<Fault> faults_;
 };
 
-/// Faults of all points: each is told once, with the first point that has it.
+/// Errors of all points: each is reported once, with the first point that has it.
 class GridFaults {
  public:
   GridFaults(const Sweep& sweep, std::size_t points) : sweep_(sweep), points_(points) {}
@@ -131,7 +131,7 @@ class GridFaults {
       };
       if (fault.file == command_line && std::any_of(sweep_.axes.begin(), sweep_.axes.end(), swept))
         fault.file = over_option;
-      if (found.count == points_) continue;  // has nothing to do with the grid
+      if (found.count == points_) continue;  // independent of the grid
       fault.what += fmt::format(" (at {}{})", point_name(sweep_, found.first),
                                 found.count > 1 ? fmt::format(" and {} more points", found.count - 1) : "");
     }
@@ -158,7 +158,7 @@ double value_in(const Case& input, const std::string& key) {
   const nlohmann::ordered_json& held = find_key(keys, key)->value;
   const nlohmann::ordered_json& value = held.is_array() ? held.front() : held;
   if (value.is_number()) return value.get<double>();
-  double number = 0.0;  // in front of the unit that it is told apart by
+  double number = 0.0;  // number before the unit that determines the kind
   read_number(value.get<std::string>(), number);
   return number;
 }
@@ -177,7 +177,7 @@ std::size_t points_of(const std::vector<SweepAxis>& axes) {
   return points;
 }
 
-/// Reads the values of an axis out of the cases along it, the other keys at their first values.
+/// Reads the values of an axis from the cases along it, with all other keys at their first values.
 void take_values(Sweep& sweep) {
   std::size_t stride = sweep.cases.size();
   std::vector<Fault> faults;
@@ -198,7 +198,7 @@ void take_values(Sweep& sweep) {
   if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
 }
 
-/// Whether the loops are not too many to be kept.
+/// Whether the number of loops is small enough to store them.
 bool keeps_loops(const Sweep& sweep) {
   const auto& loop_values = sweep.experiment->sweeping->loop_values;
   std::size_t values = 0;
@@ -301,7 +301,7 @@ std::string bytes_of(const SweepPoint& point) {
   const auto all = nlohmann::json::array({point.status, point.extents, point.values, point.rows, point.coefficients,
                                           point.lists, point.failures, point.warnings, point.dims, point.variables});
   std::string bytes;
-  nlohmann::json::to_msgpack(all, bytes);  // numbers to the last bit, and those that are none
+  nlohmann::json::to_msgpack(all, bytes);  // bit-exact numbers, including NaN
   return bytes;
 }
 

@@ -28,7 +28,7 @@ std::vector<std::string> cells_of(const std::string& row) {
   return cells;
 }
 
-/// Rows of every point behind its keys, under the columns of all; what a point has not is left blank.
+/// Rows of every point preceded by its keys, under the union of all columns; missing values are blank.
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points, std::string SweepPoint::*lines) {
   std::string out;
   for (const SweepAxis& axis : sweep.axes) out += key_of(axis.name, axis.unit) + ',';
@@ -91,7 +91,7 @@ Json sweep_lists(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   return json;
 }
 
-/// Why the sweep is incomplete.
+/// The reason why the sweep is incomplete.
 std::string message_of(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const auto count = [&points](RunStatus status) {
     return std::count_if(points.begin(), points.end(), [=](const SweepPoint& point) { return point.status == status; });
@@ -108,7 +108,7 @@ std::string message_of(const Sweep& sweep, const std::vector<SweepPoint>& points
   return message;
 }
 
-/// Running bearings have coefficients of their own.
+/// Whether separate coefficients are written: running bearings have their own.
 bool has_coefficients(const Sweep& sweep) {
   return sweep.experiment->name == "equilibrium";
 }

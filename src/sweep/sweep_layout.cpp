@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Copies a block of numbers over some dimensions into a larger one. @param extents  of the block, and of the other
+/// Copies a block of numbers over some dimensions into a larger one. @param extents  of the block, and of the target
 void copy_block(const std::vector<double>& block, const std::vector<std::size_t>& extents,
                 const std::vector<std::size_t>& larger, std::vector<double>::iterator out) {
   const std::size_t width = extents.empty() ? 1 : extents.back();
@@ -29,7 +29,7 @@ void copy_block(const std::vector<double>& block, const std::vector<std::size_t>
   }
 }
 
-/// Adds what a dataset has besides, each behind what it follows there.
+/// Adds the additional entries of a dataset, each after its predecessor there.
 void merge(const Dataset& more, Dataset& data) {
   for (const DataDimension& dim : more.dims) {
     const auto same = [&dim](const DataDimension& one) { return one.name == dim.name; };
@@ -47,7 +47,7 @@ void merge(const Dataset& more, Dataset& data) {
   add(more.variables, data.variables);
 }
 
-/// Size of a dimension of a point; 0 where it has none of the name.
+/// Size of a dimension of a point; 0 if it has no such dimension.
 std::size_t extent_of(const SweepPoint& point, const std::string& name) {
   const auto dim = std::find(point.dims.begin(), point.dims.end(), name);
   return dim == point.dims.end() ? 0 : point.extents[static_cast<std::size_t>(dim - point.dims.begin())];
@@ -81,7 +81,7 @@ SweepLayout layout_of(const Sweep& sweep, const std::vector<SweepPoint>& points)
   const bool lists = std::any_of(sweep.axes.begin(), sweep.axes.end(), is_list);
   const auto not_begun = [&](std::size_t point) {
     Case input = sweep.cases[point];
-    if (lists) input.equilibrium->speeds = {absent};  // it stands for all points, whatever their speed
+    if (lists) input.equilibrium->speeds = {absent};  // represents all points, at any speed
     return sweep.experiment->sweeping->not_begun(input).swept(sweep.with_loops);
   };
   const auto first = static_cast<std::size_t>(largest - points.begin());

@@ -16,15 +16,15 @@
 namespace bumpfoil {
 namespace {
 
-/// More values than this are not listed.
+/// Maximum number of values listed.
 constexpr std::size_t most_listed = 50;
-/// More parts of a result than this are not shown.
+/// Maximum number of parts of a result shown.
 constexpr std::size_t most_parts = 24;
 constexpr std::size_t number_width = 12;
 
 /// A quantity of the table.
 struct SweptColumn {
-  std::size_t number;   ///< among the variables
+  std::size_t number;   ///< index among the variables
   std::string heading;  ///< "maximum force (N)"
   double size;          ///< of its unit, SI
 };
@@ -60,7 +60,7 @@ class Block {
     words_ = status->meaning.form.words;
   }
 
-  /// Whether any point has begun it.
+  /// Whether any point has started it.
   [[nodiscard]] bool begun() const {
     for (std::size_t point = 0; point < points_.size(); ++point) {
       const std::string_view word = status(point);
@@ -69,7 +69,7 @@ class Block {
     return false;
   }
 
-  /// A line for each value of a single key.
+  /// One line for each value of a single key.
   [[nodiscard]] std::string lines() const {
     const SweptKey& swept = sweep_.axes.front().swept;
     std::size_t width = swept.key.size();
@@ -108,7 +108,7 @@ class Block {
  private:
   static std::size_t width_of(const SweptColumn& column) { return std::max(number_width, column.heading.size()); }
 
-  /// Not a number where the point has not so many.
+  /// NaN if the point has fewer values.
   [[nodiscard]] double value(std::size_t variable, std::size_t point) const {
     const std::vector<double>& values = values_of(points_[point], names_[variable], variable);
     return place_ < values.size() ? values[place_] : absent;
@@ -136,7 +136,7 @@ class Block {
   std::span<const std::string_view> words_;
 };
 
-/// Lines of every point, behind its name.
+/// Lines of every point, preceded by its name.
 std::vector<std::string> named_lines(const Sweep& sweep, const std::vector<SweepPoint>& points,
                                      std::vector<std::string> SweepPoint::*lines) {
   std::vector<std::string> all;

@@ -26,7 +26,7 @@ using test_support::TemporaryFolder;
 /// A program that runs in the background; its output goes to files.
 class Running {
  public:
-  /// @param launcher  what starts it, with its own arguments
+  /// @param launcher  command that starts it, with its own arguments
   Running(const std::vector<std::string>& arguments, const std::string& output, std::vector<std::string> launcher = {})
       : output_(output) {
     posix_spawn_file_actions_t actions;

@@ -1,4 +1,4 @@
-// What the program says of command lines that it does not understand.
+// Messages of the program about invalid command lines.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST_F(Program, NamesTheOptionThatIsNone) {
   expect_says({"cycle", case_path_, "-o", results_, "--sovler", "newton"},
               "bumpfoil: unknown option '--sovler' of 'cycle'; did you mean '--solver'?");
   expect_says({"cycle", case_path_, "-o", results_, "--forse"}, "did you mean '--force'?");
-  // What is missing may be what was misspelt.
+  // A missing argument may be a misspelt one.
   expect_says({"cycle", case_path_, "--ouput=y"}, "unknown option '--ouput' of 'cycle'; did you mean '--output'?");
   expect_says({"--versoin"}, "unknown option '--versoin'; did you mean '--version'? 'bumpfoil --help' lists them");
   expect_says({"-v"}, "unknown option '-v'; did you mean '-V/--version'? 'bumpfoil --help' lists them");

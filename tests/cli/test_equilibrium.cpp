@@ -1,4 +1,4 @@
-// `bumpfoil equilibrium` and `bumpfoil film` as users and scripts meet them.
+// `bumpfoil equilibrium` and `bumpfoil film` from the command line.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 
   EXPECT_NE(folder_.read("results/coefficients.toml").find("[bearing.synchronous]"), std::string::npos);
-  EXPECT_EQ(run(command("equilibrium", {"equilibrium.loads=[[20, 0]]"})).exit_code, 4);  // there are results
+  EXPECT_EQ(run(command("equilibrium", {"equilibrium.loads=[[20, 0]]"})).exit_code, 4);  // results exist
   const auto for_ross = [&](const std::string& version) {
     return run(command("equilibrium", {"equilibrium.loads=[[20, 0]]", "--ross-version", version, "--force"}));
   };
@@ -90,7 +90,7 @@ TEST_F(RunningBearing, IsNoConcernOfOtherCommands) {
   EXPECT_NE(checked.output.find("\n# cycle: ok\n# equilibrium: not possible\n#   " + why), std::string::npos)
       << checked.output;
   EXPECT_EQ(run({"check", folder_.write("understood.toml", checked.output)}).exit_code, 0);
-  // What is wrong by itself is an error of the file.
+  // An invalid key is an error of the file.
   EXPECT_EQ(run({"check", case_path_, "--set", "equilibrium.speeds=[0]"}).exit_code, 2);
   // So is a file that no command can run.
   const ProgramOutcome none = run({"check", case_path_, "--set", "cycle.amplitude=0.6 mm"});
@@ -150,21 +150,21 @@ TEST_F(RunningBearing, MayHavePads) {
   double sum = 0.0;
   for (const double force : state.at("pad_forces_x_N")) sum += force;
   EXPECT_NEAR(sum, 40.0, 1e-6);
-  // One pad is touched: that is the end of all.
+  // Only one pad is in contact: it cannot carry more.
   const ProgramOutcome beyond =
       of_pads("equilibrium", {"equilibrium.loads=[[20, 0], [100, 0]]", "--set", "film.h_floor=10 um"});
   EXPECT_EQ(beyond.exit_code, 3);
   EXPECT_EQ(summary().at("states").at(1).at("status"), "touchdown");
   EXPECT_TRUE(summary().at("states").at(1).at("pad_forces_x_N").at(0).is_null());
   EXPECT_GT(summary().at("states").at(1).at("last_state").at("pad_forces_x_N").size(), 2U);
-  // A wall in their place has none.
+  // A wall instead of foils has no such limit.
   const ProgramOutcome wall = of_pads("film", {"equilibrium.positions=[[\"10 um\", 0]]"});
   EXPECT_EQ(wall.exit_code, 2);
   EXPECT_NE(wall.errors.find("pad: are parts of the sleeve"), std::string::npos) << wall.errors;
 }
 
 TEST_F(RunningBearing, MayBeInterrupted) {
-  // Long enough to be interrupted on any machine.
+  // Takes long enough to be interrupted on any machine.
   Running program(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--set", "film.rows=40", "--set",
                                           "film.columns_per_pitch=12"}),
                   (folder_.path() / "output").string());

@@ -1,4 +1,4 @@
-// `bumpfoil montecarlo` as users and scripts meet it.
+// `bumpfoil montecarlo` from the command line.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -26,7 +26,7 @@ TEST_F(MonteCarloProgram, WritesStatisticsAndSamples) {
   EXPECT_EQ(found.at("status"), "complete");
   EXPECT_EQ(found.at("samples"), 10);
   EXPECT_EQ(found.at("statistics").at("+X").at("max_force_N").at("count"), 10);
-  EXPECT_EQ(run(montecarlo("results", 10)).exit_code, 4);  // holds results
+  EXPECT_EQ(run(montecarlo("results", 10)).exit_code, 4);  // contains results
   EXPECT_EQ(run(montecarlo("results", 5) + std::vector<std::string>{"--force", "--seed", "2"}).exit_code, 0);
   EXPECT_EQ(summary().at("seed"), 2);
   EXPECT_EQ(summary().at("samples"), 5);
@@ -53,13 +53,13 @@ TEST_F(MonteCarloProgram, FollowsEventsUnlessASolverIsNamed) {
   const double followed = energy_of_mean();
   json single = sample({});
   EXPECT_EQ(single.at("solver"), "events");
-  // What rates add up to by solves and by the matrix.
+  // Sums of rates by solves and by the tableau.
   EXPECT_NEAR(energy(single), followed, 1e-9 * followed);
   single = sample({"--solver", "newton"});
   EXPECT_EQ(single.at("solver"), "newton");
   EXPECT_GT(std::abs(energy(single) - followed), 1e-3 * followed);  // four increments each way
 
-  // What it is begun with it goes on with.
+  // A run is resumed only with its initial settings.
   const ProgramOutcome other =
       run(montecarlo("results", 2) + std::vector<std::string>{"--resume", "--solver", "newton"});
   EXPECT_EQ(other.exit_code, 2);
@@ -99,7 +99,7 @@ TEST_F(MonteCarloProgram, ScattersEveryBumpOfEveryPad) {
   ASSERT_EQ(ensemble.exit_code, 0) << ensemble.errors;
   const json found = summary();
   EXPECT_EQ(found.at("bump_loads").at("+X").at("mean_N").size(), 24U);
-  // Pad 2 carries +X: heights of its bumps matter, those of pads 1 and 3 by chance at most.
+  // Pad 2 carries the load in +X: its bump heights matter, those of pads 1 and 3 only by chance.
   const auto heights = found.at("sensitivities").at("+X").at("max_force").at("bump_height").get<std::vector<double>>();
   ASSERT_EQ(heights.size(), 24U);
   EXPECT_EQ((std::max_element(heights.begin(), heights.end()) - heights.begin()) / 8, 1);
@@ -140,7 +140,7 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
   EXPECT_EQ(state.at("h_min_m").at("count"), 4);
   EXPECT_GT(state.at("h_min_m").at("std"), 0.0);
 
-  // A sample by itself is what an ensemble keeps of it.
+  // A single sample gives the numbers stored in the ensemble.
   ASSERT_EQ(run(ensemble("first", "1")).exit_code, 0);
   const std::vector<std::string> alone{
       "equilibrium", case_path_, "-o", (folder_.path() / "alone").string(), "--sample", results_ + "/ensemble.nc:0"};
@@ -169,7 +169,7 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
   EXPECT_NEAR(of_limits.at("load_capacity_N").at("mean").get<double>(), of_one.at(1).at("load_N").get<double>(), 1e-6);
   EXPECT_FALSE(kept.contains("load_capacity_N"));
   EXPECT_EQ(run(montecarlo("other", 1) + std::vector<std::string>{"--limits"}).exit_code, 2);  // cycles have none
-  // What is wrong with the case is no fault of a sample.
+  // Errors of the case are not those of a sample.
   const ProgramOutcome events = run(ensemble("other", "4") + std::vector<std::string>{"--solver", "events"});
   EXPECT_EQ(events.exit_code, 2);
   EXPECT_NE(events.errors.find("cannot solve contacts under a film"), std::string::npos) << events.errors;
@@ -200,7 +200,7 @@ TEST_F(MonteCarloProgram, RunsRotorsOnBearingsOfTheirSample) {
   EXPECT_NE(two.output.find("\nonset of whirl "), std::string::npos) << two.output;
   EXPECT_NE(two.output.find("\nstable at all speeds: 0 of 2 samples"), std::string::npos) << two.output;
   EXPECT_NE(two.output.find("\nyield: 2 of 2 bearings"), std::string::npos) << two.output;
-  // More of them go on with these, and a sample by itself is what the ensemble keeps of it.
+  // A resumed run adds samples, and a single sample gives the numbers stored in the ensemble.
   ASSERT_EQ(run(ensemble("3") + std::vector<std::string>{"--resume"}).exit_code, 0);
   const json kept = summary().at("statistics").at("rotor").at("stable_up_to_rad_per_s");
   EXPECT_EQ(kept.at("count"), 3);
@@ -273,7 +273,7 @@ TEST_F(MonteCarloProgram, AnInterruptedRunLeavesFlaggedResultsAndGoesOn) {
   EXPECT_EQ(summary().at("statistics"), summary_of("whole").at("statistics"));
 }
 
-/// Killed at random moments, it ends with the numbers of a run that was not, to the last bit.
+/// A run killed at random moments and resumed gives the numbers of an uninterrupted one, bit for bit.
 TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
   constexpr int samples = 500;
   const auto begin = std::chrono::steady_clock::now();
@@ -281,7 +281,7 @@ TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
   const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin);
   const std::vector<std::string> command = montecarlo("results", samples) + std::vector<std::string>{"--resume"};
   std::mt19937 random(20);
-  // Long enough to have written some, on slow machines, too.
+  // Long enough for some samples to be written, also on slow machines.
   std::uniform_int_distribution<int> milliseconds(0, std::max(600, static_cast<int>(whole.count() / 8)));
   for (int kills = 0; kills < 20; ++kills) {
     Running program(command, (folder_.path() / "output").string());
@@ -290,7 +290,7 @@ TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
     const int ended = program.wait();
     ASSERT_TRUE(ended == 1000 + SIGKILL || ended == 0) << program.errors();
   }
-  // What was killed had left samples; one is 768 bytes.
+  // The killed run left samples; one is 768 bytes.
   EXPECT_GT(std::filesystem::file_size(folder_.path() / "results/ensemble.checkpoint"), 20'000U);
   const ProgramOutcome last = run(command);
   ASSERT_EQ(last.exit_code, 0) << last.errors;

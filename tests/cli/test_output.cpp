@@ -1,4 +1,4 @@
-// What the program prints where: on streams that are closed or full, and of texts that would steer a terminal.
+// Output of the program: on closed or full streams, and for texts with terminal control sequences.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -68,7 +68,7 @@ TEST_F(Output, AnUnwritableStandardOutputIsTold) {
 }
 
 TEST_F(Output, NothingIsPrintedIntoAResult) {
-  // The first file that is opened would become the standard error.
+  // The first opened file must not become the standard error.
   EXPECT_EQ(run("$bumpfoil strip case.toml -o r --set strip.bumps=3 --set strip.steps=4 --set 'strip.load=50 N' "
                 "--set 'bump_foil.yield_stress=1 MPa' <&- >&- 2>&-")
                 .exit_code,
@@ -77,8 +77,8 @@ TEST_F(Output, NothingIsPrintedIntoAResult) {
   EXPECT_TRUE(folder_.read("r/strip.csv").starts_with("cycle,increment,"));
 }
 
-/// Whether a terminal shows the text as it stands: nothing but line ends below the space, no C1, no change of
-/// direction, no bytes that are no UTF-8. Written apart from the function that the program has for it.
+/// Whether a terminal shows the text literally: no control characters except line ends, no C1, no change of direction,
+/// no invalid UTF-8. Independent of the program's own function.
 bool is_tame(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -107,7 +107,7 @@ TEST_F(Output, TextsOfOthersDoNotSteerTheTerminal) {
            {"$bumpfoil properties title.toml", 0},
            {"$bumpfoil properties title.toml --json", 0},
            {"$bumpfoil cycle title.toml -o \"$hostile\"" + quick, 0},
-           {"$bumpfoil cycle title.toml -o \"$hostile\"" + quick, 4},  // holds results
+           {"$bumpfoil cycle title.toml -o \"$hostile\"" + quick, 4},  // contains results
            {"$bumpfoil init -o \"$hostile.toml\"", 0},
            {"$bumpfoil init -o \"$hostile.toml\"", 4},
            {"$bumpfoil init --preset \"$hostile\"", 2},

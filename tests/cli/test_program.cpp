@@ -1,4 +1,4 @@
-// The program as users and scripts meet it: exit codes, what is printed where, and what is written.
+// The program from the command line: exit codes, output and files.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ TEST_F(Program, GoesFromInitOverCheckToCycle) {
   const ProgramOutcome check = run({"check", case_path_});
   EXPECT_EQ(check.exit_code, 0);
   EXPECT_EQ(check.errors, "");
-  // What it prints is a case file that means the same.
+  // The printed case file has the same meaning.
   const std::string understood = folder_.write("understood.toml", check.output);
   EXPECT_EQ(run({"check", understood}).output, check.output);
 
@@ -71,7 +71,7 @@ TEST_F(Program, VibratesAboutLoads) {
   EXPECT_NEAR(coefficients.at("frequency_rad_per_s"), 1256.637061435917, 1e-9);
   EXPECT_GT(coefficients.at("kyy_N_per_m"), 1e6);
   EXPECT_GT(coefficients.at("cyy_N_s_per_m"), 0.0);
-  EXPECT_EQ(run(with("-50 N", "200 Hz")).exit_code, 4);  // holds results
+  EXPECT_EQ(run(with("-50 N", "200 Hz")).exit_code, 4);  // contains results
 
   const ProgramOutcome beyond = run(with("-1 GN", "200 Hz") + std::vector<std::string>{"--force"});
   EXPECT_EQ(beyond.exit_code, 3);
@@ -99,8 +99,8 @@ TEST_F(Program, CompressesAStrip) {
   const std::string csv = folder_.read("results/strip.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 9);
 
-  EXPECT_EQ(run(strip + std::vector<std::string>{"--set", "strip.load=50 N"}).exit_code, 4);  // holds results
-  // More than bumps that are flat carry: partial results.
+  EXPECT_EQ(run(strip + std::vector<std::string>{"--set", "strip.load=50 N"}).exit_code, 4);  // contains results
+  // More than flattened bumps can carry: partial results.
   const ProgramOutcome beyond = run(strip + std::vector<std::string>{"--set", "strip.load=1 MN", "--force"});
   EXPECT_EQ(beyond.exit_code, 3);
   EXPECT_EQ(summary().at("status"), "failed");
@@ -118,7 +118,7 @@ TEST_F(Program, FollowsAPath) {
   const std::vector<std::string> path{"path", case_path_, "-o", results_};
   EXPECT_NE(run(path).errors.find("add [path]"), std::string::npos);
 
-  // Beside the case file.
+  // In the folder of the case file.
   folder_.write("path.csv", "x_m,y_m\n0,0\n0,-4e-5\n1e-5,-4e-5\n");
   const std::vector<std::string> file = path + std::vector<std::string>{"--set", "path.file=path.csv"};
   const ProgramOutcome done = run(file);
@@ -182,7 +182,7 @@ TEST_F(Program, RunsItsPresets) {
     EXPECT_EQ(summary().at("status"), "complete") << preset;
     for (const json& state : summary().value("states", json::array())) EXPECT_EQ(state.at("stable"), true) << preset;
   }
-  // No truss has the bumps of the strip: what is known of them is told, and what to do.
+  // No truss has the bumps of the strip: its known properties are printed, with advice.
   const std::string strip = (folder_.path() / "larsen-strip").string();
   EXPECT_NE(run({"properties", strip}).output.find("no spring is negative"), std::string::npos);
   const std::vector<std::string> as_truss{strip, "--set", "bump_foil.model=truss"};
@@ -307,7 +307,7 @@ TEST_F(Program, WritesNothingForAWrongCase) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
     EXPECT_NE(outcome.errors.find("wrong.toml"), std::string::npos);
-    // At least: `cycle` misses its table where there is none.
+    // At least: `cycle` also reports a missing table.
     EXPECT_GE(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'),
               static_cast<std::ptrdiff_t>(wrong.faults));
     EXPECT_FALSE(wrote_results());
@@ -428,7 +428,7 @@ TEST_F(Program, ReportGoesBesideTheResultsOrWhereItIsTold) {
   EXPECT_EQ(run({"report", results_, results_, "-o", elsewhere}).exit_code, 0);
   EXPECT_GT(folder_.read("both.html").size(), page.size());
 
-  // A report of results that are no more would be wrong.
+  // A report of replaced results would be wrong.
   EXPECT_EQ(run(cycle_ + std::vector<std::string>{"--force"}).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(results_ + "/report.html"));
 }
@@ -477,7 +477,7 @@ TEST_F(Program, ReproducesAFigure) {
             (std::set<std::string>{"case.toml", "cycle.csv", "result.nc", "summary.json"}));
   EXPECT_NE(folder_.read("results/figure16/picture.svg").find("</svg>"), std::string::npos);
 
-  // The case beside the results gives them again.
+  // The case stored with the results reproduces them.
   const std::string again = (folder_.path() / "again").string();
   EXPECT_EQ(run({"cycle", results_ + "/figure16/scatter20-bearing4/case.toml", "-o", again}).exit_code, 0);
   EXPECT_EQ(folder_.read("again/cycle.csv"), folder_.read("results/figure16/scatter20-bearing4/cycle.csv"));
@@ -500,7 +500,7 @@ TEST_F(Program, ReproducesWithoutGnuplot) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.errors.find("gnuplot is not installed"), std::string::npos);
-  // The picture of the run before would not be that of these results.
+  // The picture of the previous run would not match these results.
   EXPECT_EQ(names_in("results/figure16"),
             (std::set<std::string>{"contacts.csv", "foils.csv", "picture.gp", "scatter20-bearing4", "study.json"}));
   EXPECT_EQ(std::system(("cd " + results_ + "/figure16 && gnuplot picture.gp 2> /dev/null").c_str()), 0);

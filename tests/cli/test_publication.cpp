@@ -1,4 +1,4 @@
-// What a run leaves behind where it is killed, interrupted, started twice or out of room: the files of one run, whole.
+// Files of a run that is killed, interrupted, started twice or out of space: always a complete set of one run.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -49,7 +49,7 @@ class RunInShell : public ::testing::Test {
     return out;
   }
 
-  /// summary.json of a folder as readers of the program find it; the files beside it are those that it vouches for.
+  /// summary.json of a folder as read by users; its checksums match the files.
   json consistent_summary(const std::string& name) const {
     const auto read = [&](const std::string& file) {
       const std::filesystem::path path = published_file(folder_.path() / name, file);
@@ -82,7 +82,7 @@ TEST_F(RunInShell, ALimitOfFileSizesIsAFaultOfTheFile) {
     EXPECT_NE(log().find("full/cycle.csv: cannot be written: File too large"), std::string::npos) << log();
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "full"));
   }
-  // What was there stays.
+  // Existing files are kept.
   EXPECT_EQ(run(cycle + "-o full"), 0);
   const json before = consistent_summary("full");
   EXPECT_EQ(run("ulimit -f 100; $bumpfoil cycle case.toml -o full --force"), 4);
@@ -90,14 +90,14 @@ TEST_F(RunInShell, ALimitOfFileSizesIsAFaultOfTheFile) {
   EXPECT_EQ(listing("full"), set);
 }
 
-/// An experiment as quick as it can be, up to the name of its folder.
+/// The fastest run of an experiment, without the name of its folder.
 std::string small_run_of(const ExperimentInfo& experiment) {
   std::string command = "$bumpfoil " + std::string(experiment.name) + " case.toml";
   for (const std::string& key : experiment.small_runs.front()) command += " --set '" + key + "'";
   return command;
 }
 
-/// All that runs cases into a folder of results, up to its name.
+/// All commands that run cases into a folder of results, without its name.
 std::vector<std::string> running_commands() {
   std::vector<std::string> commands{
       "$bumpfoil sweep case.toml --over friction.coefficient=0:0.1:0.1 --set cycle.steps=2",
@@ -106,7 +106,7 @@ std::vector<std::string> running_commands() {
   return commands;
 }
 
-/// All that writes, up to the name of what it writes.
+/// All commands that write, without the name of their output.
 std::vector<std::string> writing_commands() {
   std::vector<std::string> commands = running_commands();
   for (const std::string command : {"init", "reproduce --figure 16", "export base --to vtk"}) {
@@ -117,8 +117,9 @@ std::vector<std::string> writing_commands() {
   return commands;
 }
 
-/// Without home, terminal or input, in a locale with decimal commas or without one, with names that have blanks and
-/// letters: all is as ever. What is there stays; where nothing can be written the message says so, and nothing is left.
+/// Without home, terminal or input, in a locale with decimal commas or without a locale, and with names that contain
+/// blanks and non-ASCII letters, all works as usual. Existing files are kept; if nothing can be written, the message
+/// says so and no files remain.
 TEST_F(RunInShell, EveryCommandThatWritesMeetsTheFaultsOfItsMachine) {
   ASSERT_EQ(run(cycle + "-o base"), 0);
   for (const std::string& command : writing_commands()) {
@@ -158,7 +159,7 @@ TEST_F(RunInShell, EveryRunWithoutTimesWritesTheSameBytesAgain) {
   }
 }
 
-/// Mounts of a name space of its own: a disk without room, and one that is mounted read-only.
+/// Mounts in a separate name space: a full disk, and a read-only one.
 TEST_F(RunInShell, EveryCommandThatWritesTellsOfAFullAndOfAReadOnlyDisk) {
   if (run("unshare -r -m true") != 0) GTEST_SKIP() << "name spaces of users are not permitted here";
   ASSERT_EQ(run(cycle + "-o base && mkdir full shut && cp -r base shut"), 0);
@@ -180,7 +181,7 @@ TEST_F(RunInShell, EveryCommandThatWritesTellsOfAFullAndOfAReadOnlyDisk) {
   EXPECT_EQ(run("diff -r base shut/base"), 0);
 }
 
-/// A reader that is gone ends no run before its results are there, and another run into the folder is none of them.
+/// A closed output pipe does not end a run before its results are written, and a second run into the folder is refused.
 TEST_F(RunInShell, EveryRunKeepsItsResultsToItself) {
   ASSERT_EQ(run("mkdir busy && $bumpfoil cycle case.toml -o busy --set cycle.steps=80000 --quiet &\n"
                 "echo $! > writer; while ! [ -e busy/.bumpfoil/claim ]; do sleep 0.01; done"),
@@ -212,7 +213,7 @@ TEST_F(RunInShell, EveryRunThatIsEndedFlagsItsResults) {
   EXPECT_TRUE(any);
 }
 
-/// The case of an earlier fit would look like the answer of one that was interrupted before it had any.
+/// The case of an earlier fit could be mistaken for the result of an interrupted one.
 TEST_F(RunInShell, AFitThatIsEndedLeavesNoCaseOfTheOneBefore) {
   const std::string fit = small_run_of(experiment_named("fit")) + " -o fitted --quiet";
   ASSERT_EQ(run(fit), 0) << log();
@@ -262,7 +263,7 @@ TEST_F(RunInShell, OfTwoRunsIntoOneFolderOneWinsAndTheOtherSaysWhy) {
 TEST_F(RunInShell, KilledAtAnyTimeItLeavesTheOldSetOrTheNewOne) {
   ASSERT_EQ(run(cycle + "-o killed"), 0);
   std::mt19937 random(1);
-  // The whole takes about 50 ms; some kills come too late, on purpose.
+  // The complete run takes about 50 ms; some kills come too late, on purpose.
   std::uniform_real_distribution<double> moment(0.0, 0.1);
   for (int i = 0; i < 100; ++i) {
     const std::string delay = std::to_string(moment(random));

@@ -1,4 +1,4 @@
-// `mpirun -n R bumpfoil montecarlo` and `sweep` as users and batch systems meet it.
+// `mpirun -n R bumpfoil montecarlo` and `sweep` from the command line and in batch systems.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// More ranks than there may be cores, whoever runs the tests. What MPI itself leaves in memory is not ours to find.
+/// More ranks than cores, for any user. Memory left allocated by MPI is not checked.
 std::vector<std::string> mpirun(int ranks) {
   return {BUMPFOIL_MPIRUN,      "--allow-run-as-root", "--oversubscribe", "-x", "ASAN_OPTIONS=detect_leaks=0", "-n",
           std::to_string(ranks)};
@@ -83,7 +83,7 @@ TEST_F(Ranks, MakeNoDifference) {
   }
 }
 
-/// One thread each, so that neither rank is done before the other has begun.
+/// One thread each, so that no rank finishes before the other has started.
 TEST_F(Ranks, ShareTheirPointsOfASweep) {
   const auto sweep = [&](const std::string& folder) {
     return std::vector<std::string>{"sweep",     case_path_,
@@ -99,7 +99,7 @@ TEST_F(Ranks, ShareTheirPointsOfASweep) {
   std::smatch shares;
   ASSERT_TRUE(std::regex_search(together.output, shares, std::regex("2 ranks ran (\\d+) to (\\d+) points each")));
   EXPECT_GT(std::stoi(shares[1]), 0);
-  // What a sweep keeps of each point, all digits of it, but for the time that it took.
+  // Stored results of each point, all digits, except for computing times.
   const auto points = [&](const std::string& folder) {
     json all = summary_of(folder).at("points");
     for (json& point : all) {
@@ -133,7 +133,7 @@ TEST_F(Ranks, SayWhereTheErrorIsSmallEnough) {
   EXPECT_EQ(summary().at("status"), "complete");
 }
 
-/// Of a job that was killed there is what it had written, and its log tells how far it was.
+/// A killed job keeps what it had written, and its log shows its progress.
 TEST_F(Ranks, GoOnWhereTheyWereKilled) {
   {
     Running job(montecarlo("results", 1000000), (folder_.path() / "output").string(), mpirun(2));
@@ -147,7 +147,7 @@ TEST_F(Ranks, GoOnWhereTheyWereKilled) {
     job.end(SIGKILL);
     EXPECT_EQ(job.wait(), 1000 + SIGKILL);
   }
-  // The ranks end once they miss what had started them; until then the folder is theirs.
+  // The ranks end once their launcher is gone; until then they hold the folder.
   ProgramOutcome more;
   for (int tries = 0; tries < 500; ++tries) {
     more = run(montecarlo("results", 20) + std::vector<std::string>{"--resume"}, mpirun(3));

@@ -1,4 +1,4 @@
-// `bumpfoil sweep` as users and scripts meet it.
+// `bumpfoil sweep` from the command line.
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@ class SweepProgram : public Program {
   }
 };
 
-/// Without how long it took.
+/// Without computing times.
 json timeless(json cycles) {
   for (json& cycle : cycles) cycle.erase("wall_time_s");
   return cycles;
 }
 
-/// Without what a sweep leaves out: that of every bump, foot and pad.
+/// Without quantities that a sweep omits: those per bump, foot and pad.
 json swept_part(json cycles) {
   for (json& cycle : cycles) {
     for (const char* each : {"bump_loads_N", "foot_loads_N", "journal_loads_N", "pad_forces_x_N", "pad_forces_y_N"}) {
@@ -89,7 +89,7 @@ TEST_F(SweepProgram, RunsNothingWhereAnythingIsWrong) {
 }
 
 TEST_F(SweepProgram, KeepsPointsThatFail) {
-  // 1 MN is more than bumps that are flat carry.
+  // Flattened bumps carry less than 1 MN.
   const ProgramOutcome sweep =
       run(sweep_over("strip.load=[50 N, 1 MN, 60 N]") +
           std::vector<std::string>{"--command", "strip", "--set", "strip.bumps=4", "--set", "strip.steps=4"});
@@ -106,7 +106,7 @@ TEST_F(SweepProgram, KeepsPointsThatFail) {
   const std::string csv = folder_.read("results/sweep.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
 
-  EXPECT_EQ(run(sweep_over("friction.coefficient=[0]")).exit_code, 4);  // holds results
+  EXPECT_EQ(run(sweep_over("friction.coefficient=[0]")).exit_code, 4);  // contains results
   EXPECT_EQ(run(cycle_).exit_code, 4);
   EXPECT_EQ(run(cycle_ + std::vector<std::string>{"--force"}).exit_code, 0);
   EXPECT_EQ(names_in("results"), (std::set<std::string>{"cycle.csv", "result.nc", "summary.json"}));

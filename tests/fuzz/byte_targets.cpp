@@ -57,7 +57,7 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// Refuses with nothing but an Error that is safe to print.
+/// Rejects input only with an Error that is safe to print.
 template <typename Read>
 void reads(const Read& read) {
   try {
@@ -73,7 +73,7 @@ void require_finite(const std::vector<double>& numbers) {
   for (const double number : numbers) require(std::isfinite(number), "a number that is none");
 }
 
-/// What is read of a case is written so that it is read again to the last bit.
+/// A valid case is written so that reading it again gives the same bits.
 void expect_case(std::string_view text, const std::vector<std::string>& overrides) {
   reads([&] {
     const Case input = parse_case(text, "/dev/null/case.toml", {.overrides = overrides, .commands = {}});
@@ -125,7 +125,7 @@ void read_log(std::string_view bytes) {
   });
 }
 
-/// Pages have their data in a script element that nothing in it may end.
+/// The data of a page are in a script element that they must not close.
 void fill_page(std::string_view bytes) {
   constexpr std::string_view page = "<script>@bumpfoil-report-data@</script>";
   const std::string filled = fill_report(page, bytes);

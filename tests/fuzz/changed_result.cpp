@@ -17,7 +17,7 @@ namespace {
 
 struct SmallRun {
   std::string command;
-  Outcome outcome;  ///< lives as long as its dataset
+  Outcome outcome;  ///< outlives its dataset
   Dataset dataset;
 };
 
@@ -34,7 +34,7 @@ std::vector<SmallRun> make_small_runs() {
   return runs;
 }
 
-/// Takes its values as they are, so that they can be changed.
+/// Copies its values, so that they can be changed.
 void change(Variable& variable, const Dataset& dataset, DrawsOfBytes& draws) {
   std::vector<double> values = variable.values ? variable.values() : std::vector<double>{};
   constexpr std::array numbers{std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, 0.5, 3.0, 1e300, -1e300, 127.0};

@@ -6,9 +6,9 @@
 
 namespace bumpfoil {
 
-/// A result file of a small run, with declarations and numbers that its bytes change: variables that are missing, have
-/// other dimensions, names, units or numbers, attributes that lie. libhdf5 reads it rightly; what damaged files do to
-/// that library is not ours to find.
+/// A result file of a small run, with declarations and numbers changed by the bytes: missing variables, other
+/// dimensions, names, units or numbers, wrong attributes. The file is valid HDF5; damaged files in libhdf5 are out of
+/// scope.
 std::string changed_result(DrawsOfBytes draws);
 
 }  // namespace bumpfoil

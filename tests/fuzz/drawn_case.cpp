@@ -14,7 +14,7 @@ class CaseDraft {
  public:
   explicit CaseDraft(DrawsOfBytes& draws) : draws_(draws) {}
 
-  /// The bearing and what is done to it. @return the command
+  /// The bearing and its loading. @return the command
   std::string write();
 
   [[nodiscard]] std::string text() const { return text_; }
@@ -25,7 +25,7 @@ class CaseDraft {
     text_ += fmt::format(format, std::forward<Parts>(parts)...);
     text_ += '\n';
   }
-  /// One of many values that are 0 at times.
+  /// A value that is sometimes 0.
   double at_times(double probable, double value) { return draws_.chance(probable) ? value : 0.0; }
   std::string numbers_within(double most);
 

@@ -11,7 +11,7 @@
 
 namespace bumpfoil {
 
-/// Numbers drawn from bytes, which a fuzzer changes one by one: two bytes each, and 0 after the last.
+/// Random numbers from bytes that a fuzzer mutates: two bytes each, and 0 after the last.
 class DrawsOfBytes {
  public:
   explicit DrawsOfBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

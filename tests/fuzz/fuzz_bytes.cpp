@@ -1,5 +1,5 @@
-// libFuzzer on one of the targets, which FUZZ_TARGET names: a reader of bytes, or "bearing", whose bytes a case is
-// drawn from that is run and judged.
+// libFuzzer on the target named by FUZZ_TARGET: a reader of bytes, or "bearing", which generates a case from the bytes,
+// runs it and checks the results.
 
 #include <fmt/format.h>
 

@@ -18,7 +18,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Every number of a result: none is missing that is known.
+/// Checks every number of a result: known ones must be present.
 std::string wrong_numbers(const Dataset& dataset) {
   for (const auto* list : {&dataset.coordinates, &dataset.variables}) {
     for (const Variable& variable : *list) {
@@ -37,7 +37,7 @@ std::string wrong_numbers(const Dataset& dataset) {
   return {};
 }
 
-/// Work less what it went into, where the response is straight from event to event.
+/// Energy defect, if the response is straight from event to event.
 std::string wrong_energies(const Case& input, const Cycle& cycle) {
   constexpr double tolerated_gap = 1e-13;  // m: a contact counts as closed, and is pressed shut with what it carries
   double force = 0.0;                      // of all contacts together
@@ -94,7 +94,7 @@ std::string wrong_outcome(const Case& input, const Outcome& outcome) {
   return outcome.dataset ? wrong_numbers(outcome.dataset()) : "";
 }
 
-/// Both solvers on a push, by balances that know no solver.
+/// Checks both solvers on a push by solver-independent balances.
 std::string wrong_push(const Case& input) {
   if (input.cycle.amplitude.control == Control::load || input.cycle.preload || input.cycle.swing ||
       input.bump_foil.model == BumpFoilModel::former || input.bump_foil.geometry == Geometry::nonlinear ||

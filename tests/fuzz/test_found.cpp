@@ -1,4 +1,4 @@
-// What fuzzers were given and found, again: quick, with every compiler and under every sanitizer.
+// Seed inputs and findings of the fuzzers, as regression tests: quick, with every compiler and sanitizer.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(Fuzz, ReadersTakeTheirCorpus) {
   }
 }
 
-/// Cases that an earlier version got wrong: the first word is the command.
+/// Cases that an earlier version computed wrongly: the first word is the command.
 TEST(Fuzz, CasesThatWereFoundAreRight) {
   for (const auto& file : files_in("fuzz/cases")) {
     const std::string text = read(file);

@@ -29,7 +29,7 @@ constexpr double budget = 1.0;       // s, for a run that is asked whether it go
 constexpr rlim_t patience = 20;      // s of processor time, until it counts as hung
 constexpr rlim_t most_memory = 4e9;  // bytes
 
-/// A word, and what is wrong behind it.
+/// One word for the outcome, followed by the error.
 std::string judged_here(const DrawnCase& drawn) {
   try {
     const Verdict verdict = judge_case(drawn, budget);
@@ -41,7 +41,7 @@ std::string judged_here(const DrawnCase& drawn) {
   }
 }
 
-/// The same in a process of its own.
+/// The same in a separate process.
 std::string judged_apart(const DrawnCase& drawn) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) std::abort();

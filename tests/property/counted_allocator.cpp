@@ -35,7 +35,7 @@ void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 
-// These stand before the C library's.
+// These override the C library's.
 void* malloc(std::size_t size) noexcept {
   return bumpfoil::is_to_fail() ? nullptr : bumpfoil::counted(__libc_malloc(size));
 }

@@ -1,17 +1,17 @@
 #pragma once
 
-// Under a sanitizer the allocator is its own: nothing is counted there.
+// Sanitizers have their own allocator: nothing is counted there.
 #if !defined(__SANITIZE_ADDRESS__)
 #define BUMPFOIL_COUNTS_ALLOCATIONS 1
 
 #include <atomic>
 
-/// The allocator of the C library, where operator new and Eigen end, too. It is counted, and fails where it is told to.
+/// The allocator of the C library, which operator new and Eigen also use. It counts allocations, and fails on request.
 namespace bumpfoil {
 
-extern std::atomic<long> allocations;    ///< until now
+extern std::atomic<long> allocations;    ///< total so far
 extern std::atomic<long> held_blocks;    ///< that were allocated and not freed
-extern std::atomic<long> until_failure;  ///< allocations up to the one that fails, and no other; 0: none does
+extern std::atomic<long> until_failure;  ///< allocations up to the single one that fails; 0: none fails
 
 }  // namespace bumpfoil
 

@@ -42,7 +42,7 @@ Counted count_second_solve(const RandomProblem& random) {
   return counted;
 }
 
-/// Increments of a long simulation must not touch the heap: all storage is there after the first solve.
+/// Increments of a long simulation must not allocate: the first solve allocates all storage.
 TEST(Allocation, NewtonSolverAllocatesOnlyInItsFirstSolve) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Counted counted = count_second_solve(make_random_problem(seed, 12, 6, 0.3));
@@ -51,7 +51,7 @@ TEST(Allocation, NewtonSolverAllocatesOnlyInItsFirstSolve) {
   }
 }
 
-/// Nor where the event path and the interior point have to help: friction coefficient 1.
+/// The same if the event path and the interior point are needed: friction coefficient 1.
 TEST(Allocation, NeitherDoItsOtherMethods) {
   int helped = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -62,9 +62,8 @@ TEST(Allocation, NeitherDoItsOtherMethods) {
   EXPECT_GE(helped, 1);
 }
 
-/// Ensembles keep a runner per thread, and the foils are shared: what a runner holds is its workspace, with the
-/// event-driven solver beside it the matrix of all contacts and what it is built from, four times about 150 by 130
-/// numbers.
+/// Ensembles keep a runner per thread and share the foils: a runner only holds its workspace; with the event-driven
+/// solver also the contact tableau and its inputs, four times about 150 by 130 numbers.
 TEST(Allocation, ARunnerHoldsLittle) {
   Case input = reference_case();
   const SharedFoils foils = make_bearing_foils(input);

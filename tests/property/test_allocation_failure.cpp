@@ -31,15 +31,15 @@ std::vector<long> failing_allocations(long count) {
   return failing;
 }
 
-/// How often a run without one of its allocations ended in each way.
+/// Number of runs with a failed allocation, by outcome.
 struct Ends {
-  int same{};     ///< the result is that with memory: libraries did without
-  int thrown{};   ///< std::bad_alloc or Error, and nothing stays allocated
+  int same{};     ///< same result: a library recovered
+  int thrown{};   ///< std::bad_alloc or Error, and no leak
   int aborted{};  ///< by a library
   int wrong{};    ///< anything else
 };
 
-/// @param run  does all of it in one thread, and returns what there is to compare
+/// @param run  performs the run in one thread, and returns the result to compare
 template <typename Run>
 Ends ends_of(const Run& run) {
   const auto expected = run();  // libraries keep what they allocate at their first use
@@ -77,8 +77,8 @@ Ends ends_of(const Run& run) {
   return ends;
 }
 
-/// Some libraries end the process where they lack memory: toml++ in what it declares noexcept; a matrix of Eigen 3.4
-/// that was to take another size frees what it had twice, which the C library refuses.
+/// Some libraries terminate the process when out of memory: toml++ in noexcept functions; resizing an Eigen 3.4 matrix
+/// frees its memory twice, which the C library detects.
 void expect_exceptions(const Ends& ends) {
   EXPECT_EQ(ends.wrong, 0);
   EXPECT_GT(ends.thrown, 20);
@@ -89,7 +89,7 @@ Case small_case(const std::string& command, const std::vector<std::string>& keys
   return parse_case(case_template("gen1"), "case.toml", {.overrides = keys, .commands = {command}});
 }
 
-/// All numbers of a result but how long it took, as text: some are not numbers.
+/// All numbers of a result except computing times, as text, since some are NaN.
 std::string numbers_of(const std::string& experiment, const Case& input) {
   const Outcome outcome = experiment_named(experiment).run(input, {});
   std::string numbers;
@@ -123,8 +123,8 @@ TEST(AllocationFailure, EndsAnEquilibrium) {
   expect_exceptions(ends_of([&] { return numbers_of("equilibrium", input); }));
 }
 
-/// The old files or the new ones, and none of another name: also where the standard library ends the process, as it
-/// does where it has no memory to list a folder.
+/// Either the old or the new files, and no others; also if the standard library terminates the process, as it does
+/// without memory to list a folder.
 TEST(AllocationFailure, LeavesOneSetOfFiles) {
   const test_support::TemporaryFolder folder;
   const std::filesystem::path results = folder.path() / "results";

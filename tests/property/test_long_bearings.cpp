@@ -7,9 +7,9 @@
 namespace bumpfoil {
 namespace {
 
-/// Hundreds of bumps meet the journal in one increment: no halving, and no more work per increment than the interior
-/// point takes for a few bumps, about 10 to 40 steps of two solves where everything changes and none where nothing
-/// does. Measured: 19 to 40 solves per increment.
+/// Hundreds of bumps touch the journal in one increment: without halving, and with no more work per increment than the
+/// interior point needs for a few bumps, 10 to 40 steps of two solves if everything changes and none if nothing does.
+/// Measured: 19 to 40 solves per increment.
 void expect_long_solved(const Case& input) {
   const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
   ASSERT_EQ(first_failure(cycle), "");
@@ -22,7 +22,7 @@ TEST(LongBearings, ThousandBumpsInTwoSteps) {
   expect_long_solved(long_bearing(1000, 2));
 }
 
-/// Touching and leaving zone by zone.
+/// Contact and separation zone by zone.
 TEST(LongBearings, FiveHundredBumpsInTenSteps) {
   expect_long_solved(long_bearing(500, 10));
 }
@@ -34,8 +34,8 @@ TEST(LongBearings, AgainstTheWeldWithStrongFriction) {
   expect_long_solved(input);
 }
 
-/// Frames bend more easily than trusses where nothing loads them, and wrong modes travel far: with no more rounds of
-/// mode changes than short foils need, these increments had to be halved, and those of 10,000 bumps failed.
+/// Unloaded frames bend more easily than trusses, and wrong modes travel far: with only the rounds of mode changes that
+/// short foils need, these increments had to be halved, and those of 10,000 bumps failed.
 TEST(LongBearings, FramesOfTwoThousandBumpsInTwoSteps) {
   Case input = long_bearing(2000, 2);
   input.bump_foil.model = BumpFoilModel::frame;

@@ -12,7 +12,7 @@ namespace {
 using test_support::few_bumps;
 using test_support::fitted;
 
-/// Fits loops of random bearings on random rigs, each with its noise.
+/// Fits loops of random bearings on random rigs with noise.
 TEST(ManyFits, CoverTheTruthAndHaveNoBias) {
   constexpr int fits = 200;
   constexpr int parameters = 5;
@@ -52,7 +52,8 @@ TEST(ManyFits, CoverTheTruthAndHaveNoBias) {
   for (std::size_t i = 0; i < parameters; ++i) {
     RecordProperty("bias_" + std::to_string(i), std::to_string(bias.at(i)));
     RecordProperty("inside_" + std::to_string(i), inside.at(i));
-    // Of 200 intervals of 95 %, 180 to 198 hold the truth but once in 500 times. The mean of 200 deviations is 0.07.
+    // Of 200 intervals of 95 %, 180 to 198 contain the true value, with a failure once in 500 tests. The mean of 200
+    // deviations is 0.07.
     EXPECT_GE(inside.at(i), 180) << i;
     EXPECT_LE(inside.at(i), 198) << i;
     EXPECT_LT(std::abs(bias.at(i)), 0.2) << i;

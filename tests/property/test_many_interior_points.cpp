@@ -6,7 +6,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Random bearings with friction up to `most_friction`, clearances of -10 um to 50 um in every other of them.
+/// Random bearings with friction up to `most_friction`; every second has a clearance of -10 um to 50 um.
 /// @return increments
 int count_solved(std::uint64_t first, std::uint64_t last, double most_friction) {
   int increments = 0;
@@ -22,7 +22,7 @@ int count_solved(std::uint64_t first, std::uint64_t last, double most_friction) 
   return increments;
 }
 
-/// These numbers stand in docs/theory/algorithms.md.
+/// These numbers appear in docs/theory/algorithms.md.
 TEST(ManyInteriorPoints, SolveRandomBearings) {
   EXPECT_EQ(count_solved(10000, 14000, 0.5), 84000);
 }

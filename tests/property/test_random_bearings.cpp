@@ -54,7 +54,7 @@ TEST(RandomBearings, AreFollowedFromEventToEvent) {
   }
 }
 
-/// A top foil of 29 um over 21 bumps, of which a force of 2 pN moves the end by a nanometre.
+/// A top foil of 29 um over 21 bumps, whose end moves by a nanometre under 2 pN.
 Case soft_top_foil() {
   Case input = reference_case();
   input.bearing.radius = 0.028357059467281887;
@@ -84,7 +84,7 @@ Case soft_top_foil() {
   return input;
 }
 
-/// Where nothing carries a force foils stand as they were made, soft ones as well: none is held by what counts as none.
+/// Without forces even soft foils return to their manufactured shape: no negligible force holds them.
 TEST(RandomBearings, StandFreeOnceTheyAreLetGo) {
   int free = 0;
   for (std::uint64_t number = 0; number < 10; ++number) {
@@ -104,9 +104,8 @@ TEST(RandomBearings, StandFreeOnceTheyAreLetGo) {
   EXPECT_GT(free, 30);
 }
 
-/// Under loads, too: where the journal could be followed all the way, loops do not depend on the increments. Bearings
-/// that are squeezed when the journal is centred are left out: their way begins with the force that holds it there, and
-/// goes straight to the first load that is asked for.
+/// Under loads, loops are independent of the increments if the journal could be followed all the way. Bearings with
+/// interference are excluded: they start at the centre with a holding force, and go straight to the first load.
 TEST(RandomBearings, AreFollowedUnderLoads) {
   int followed = 0;
   for (std::uint64_t number = 0; number < 24; ++number) {

@@ -62,12 +62,12 @@ RC_GTEST_PROP(RandomContacts, DissipationIsNeverNegative, ()) {
   const Vector slip = tangential_displacements(random.problem, solved.after.x) -
                       tangential_displacements(random.problem, solved.before.x);
   for (Eigen::Index c = 0; c < slip.size(); ++c) {
-    // A stuck contact may differ from its place by roundings of 0.1 mm, 1.4e-20 m each.
+    // A sticking contact may deviate from its position by round-off of 0.1 mm, 1.4e-20 m.
     RC_ASSERT(solved.after.friction_force[c] * slip[c] <= 1e-19 * std::abs(solved.after.friction_force[c]));
   }
 }
 
-/// Frictionless: of all states with some gaps closed and none negative the answer has the least energy.
+/// Frictionless: of all states with some gaps closed and none negative, the solution has the minimum energy.
 RC_GTEST_PROP(RandomContacts, WithoutFrictionTheEnergyIsLeast, ()) {
   const RandomProblem random = draw(3, 0.0);
   const Solved solved = solve(random);
@@ -92,7 +92,8 @@ RC_GTEST_PROP(RandomContacts, WithoutFrictionTheEnergyIsLeast, ()) {
   RC_ASSERT(distance(best.normal_force, solved.after.normal_force) <= 1e-9 * (1.0 + best.normal_force.maxCoeff()));
 }
 
-/// With friction: the answer is among all solutions, found by trying all combinations of modes of up to 6 contacts.
+/// With friction: the solution is among all solutions, found by enumeration of all combinations of modes of up to 6
+/// contacts.
 RC_GTEST_PROP(RandomContacts, WithFrictionTheAnswerIsAmongAllSolutions, ()) {
   const RandomProblem random = draw(2, 0.5);
   const Solved solved = solve(random);
@@ -104,7 +105,7 @@ RC_GTEST_PROP(RandomContacts, WithFrictionTheAnswerIsAmongAllSolutions, ()) {
   }));
 }
 
-/// Nothing in the problem has a scale of its own: twice the loads and gaps give twice the answer.
+/// The problem has no intrinsic scale: twice the loads and gaps give twice the solution.
 RC_GTEST_PROP(RandomContacts, AnswersScaleWithTheLoading, ()) {
   RandomProblem random = draw(8, 0.3);
   const Solved once = solve(random);

@@ -1,4 +1,4 @@
-// Bearings that run, drawn at random: what holds of any state, whatever the bearing.
+// Random running bearings: properties of every state.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,9 +19,9 @@
 namespace bumpfoil {
 namespace {
 
-/// A bearing and where its journal is held, the same for the same number: clearance 20 to 45 um, top foil 0.07 to 0.2
-/// mm, friction up to 0.5 or none, heights within 2 um, any direction, up to 0.7 of the clearance, 5,000 to 60,000 rpm
-/// either way.
+/// A reproducible random bearing and its journal position: clearance 20 to 45 um, top foil 0.07 to 0.2 mm, friction up
+/// to 0.5 or none, heights within 2 um, any direction, up to 0.7 of the clearance, 5,000 to 60,000 rpm in either
+/// direction.
 struct RandomFilm {
   explicit RandomFilm(std::uint64_t number) {
     std::mt19937_64 generator(number);
@@ -44,13 +44,13 @@ struct RandomFilm {
   double speed{};
 };
 
-/// Contacts that were met, by their modes.
+/// Contacts encountered, by mode.
 struct Met {
   int open{}, stuck{}, slipping{};
 };
 
-/// Positive pressure and thickness, non-penetration, no pull, Coulomb's cone, friction against the slip since the
-/// foils were unstressed.
+/// Positive pressure and thickness, non-penetration, no tension, Coulomb's cone, friction opposite to the slip since
+/// the unstressed state.
 void expect_lawful(const FilmBearing& bearing, const BearingState& state, Met& met) {
   EXPECT_GT(state.film.pressure.minCoeff(), 0.0);
   EXPECT_GT(state.film.thickness.minCoeff(), 0.0);
@@ -83,14 +83,15 @@ TEST(RandomFilms, ObeyTheLawsAndLastAsTheirEigenvaluesSay) {
     FilmStepper stepper(bearing);
     BearingState state;
     const FilmReport report = cold_start(stepper, random.position, random.speed, state);
-    // The march itself may touch down, and says so.
+    // The march itself may touch down, which it reports.
     if (report.status != Status::converged) continue;
     ++found;
     expect_lawful(bearing, state, met);
     const FilmFlows flows = film_bearing_outcome(bearing, state).flows;
     EXPECT_NEAR(flows.start, flows.end + flows.sides, 1e-12 * std::abs(flows.start));
 
-    // Disturbed, a film with its journal held goes back, and friction keeps a part, or leaves: as its eigenvalues say.
+    // A film disturbed with its journal held returns, with a residue from friction, or departs, in agreement with its
+    // eigenvalues.
     const std::optional<bool> lasts = stepper.held_motions(state).is_stable();
     ASSERT_TRUE(lasts.has_value());
     const BearingState disturbed = pressed(state, 1e-3);
@@ -123,7 +124,7 @@ TEST(RandomFilms, LoseTheirFrictionWithoutAJump) {
       found = cold_start(stepper, random.position, random.speed, state).status == Status::converged && found;
       if (found) force[i] = film_force(bearing, state.film.pressure);
     }
-    // A part of the load of the order of f is carried by friction.
+    // Friction carries a fraction of the load of order f.
     if (found) {
       EXPECT_LT((force[1] - force[0]).norm(), 1e-4 * std::max(1.0, force[0].norm()));
     }

@@ -7,8 +7,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Places of all unknowns in one vector, without dimension: those of the top foil column by column, then those of K. A
-/// crest has that of the top foil over it.
+/// Indices of all dimensionless unknowns in one vector: those of the top foil column by column, then those of K. A
+/// crest shares that of the top foil over it.
 class BondedUnknowns {
  public:
   explicit BondedUnknowns(const FilmBearing& bearing)
@@ -41,7 +41,7 @@ class BondedUnknowns {
   [[nodiscard]] Eigen::Index crest(Eigen::Index line, int bump) const {
     return lift(line, foil_.supports[static_cast<std::size_t>(bump)]);
   }
-  /// Of an unknown of K; -1 if it means nothing.
+  /// Index of an unknown of K; -1 if it is unused.
   [[nodiscard]] Eigen::Index of_bumps(Eigen::Index row) const { return of_bumps_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] Eigen::Index behind_top_foil() const { return of_top_foil_; }
 
@@ -51,7 +51,7 @@ class BondedUnknowns {
   std::vector<Eigen::Index> of_bumps_;
 };
 
-/// The residuals of the top foil, each at the place of the unknown whose row it is.
+/// The residuals of the top foil, each at the index of its unknown.
 Vector residuals(const FoilFilm& foil, const BondedUnknowns& at, const Vector& unknowns, const Matrix& pressure) {
   FoilFilmState state = undeformed(foil, foil.mesh.field(1.0));
   state.pressure = pressure;
@@ -94,12 +94,12 @@ BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& load
     }
   }
 
-  // What is unknown, and what is given.
+  // Marks the prescribed unknowns.
   std::vector<bool> given(static_cast<std::size_t>(at.count()), false);
   const auto give = [&](Eigen::Index place) { given[static_cast<std::size_t>(place)] = true; };
   Vector z = nothing;
   for (Eigen::Index place = at.behind_top_foil(); place < at.count(); ++place) {
-    if (at.of_bumps(place - at.behind_top_foil()) != place) give(place);  // a crest, or nothing
+    if (at.of_bumps(place - at.behind_top_foil()) != place) give(place);  // a crest, or unused
   }
   for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
     give(at.lift(s, 0));

@@ -7,10 +7,10 @@
 
 namespace bumpfoil::test_support {
 
-/// whole_case() as it is read with these overrides.
+/// whole_case() read with these overrides.
 Case with(const std::vector<std::string>& overrides);
 
-/// What is said of whole_case() with overrides that are wrong.
+/// The error message for whole_case() with invalid overrides.
 std::string refusal(const std::vector<std::string>& overrides);
 
 /// A text without a part of it.

@@ -63,7 +63,7 @@ DenseState solve_dense(const DenseContacts& contacts, const ContactLoading& load
   const Eigen::Index m = contacts.normal.rows();
   // Unknowns x, p / scale, t / scale: multipliers of the size of displacements keep the pivots comparable.
   const double scale = contacts.K.diagonal().maxCoeff();
-  Matrix system = Matrix::Identity(n + 2 * m, n + 2 * m) * scale;  // p = 0 and t = 0 where nothing else is said
+  Matrix system = Matrix::Identity(n + 2 * m, n + 2 * m) * scale;  // p = 0 and t = 0 by default
   Vector right = Vector::Zero(n + 2 * m);
   system.topLeftCorner(n, n) = contacts.K;
   right.head(n) = loading.load;
@@ -88,7 +88,7 @@ DenseState solve_dense(const DenseContacts& contacts, const ContactLoading& load
   }
   const Eigen::PartialPivLU<Matrix> lu(system);
   Vector solution = lu.solve(right);
-  solution += lu.solve(right - system * solution);  // one refinement: this is what others are measured against
+  solution += lu.solve(right - system * solution);  // one refinement, as this is the reference
   return {.x = solution.head(n),
           .normal_force = scale * solution.segment(n, m),
           .friction_force = scale * solution.tail(m)};
@@ -105,7 +105,7 @@ std::vector<DenseState> enumerate_solutions(const DenseContacts& contacts, const
   for (bool more = true; more;) {
     const DenseState state = solve_dense(contacts, loading, previous_x, mode);
     if (obeys(contacts, loading, previous_x, mode, state, tolerance)) solutions.push_back(state);
-    // Counts up: the modes of contact c are a digit.
+    // Increments the combination: the mode of contact c is a digit.
     more = false;
     for (std::size_t c = 0; c < m && !more; ++c) {
       const std::size_t digits = has_friction(contacts, static_cast<Eigen::Index>(c)) ? 4 : 2;

@@ -22,7 +22,7 @@ struct DenseState {
 };
 
 /// Solves balance and closed gaps, with normal forces and stick forces as multipliers, by Gaussian elimination of the
-/// whole system: the plain way that the block form is checked against.
+/// whole system: the simple reference of the block form.
 DenseState solve_dense(const DenseContacts& contacts, const ContactLoading& loading, const Vector& previous_x,
                        const std::vector<ContactMode>& mode);
 

@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::uint64_t seed_of_bearings = 1;
 
-/// What the response must balance its energies to, as part of the largest work: sums of thousands of pieces, each with
-/// roundings of 1e-16 of energies that may be larger, as those of foils that are squeezed when the journal is centred.
+/// Accepted energy defect relative to the largest work: sums of thousands of pieces, each with round-off of 1e-16 of
+/// energies that may be larger, such as those of foils with interference.
 constexpr double largest_imbalance = 1e-9;
-/// What solvers take for no gap, m.
+/// Gap that solvers count as zero, m.
 constexpr double tolerated_gap = 1e-13;
 
-/// Numbers drawn for a bearing, one after the other.
+/// Successive random numbers of a bearing.
 class Draws {
  public:
   explicit Draws(std::uint64_t bearing)
@@ -35,17 +35,16 @@ class Draws {
     return uniform_draw(place_);
   }
   double uniform(double low, double high) { return low + (high - low) * probability(); }
-  /// The same in its logarithm.
+  /// Uniform in the logarithm.
   double decades(double low, double high) { return low * std::pow(high / low, probability()); }
 
  private:
   DrawPlace place_;
 };
 
-/// Elastic energy less that of another state, and what contact forces took, by the balance of two equilibria of linear
-/// foils that knows nothing of what was between them:
-///
-///     W = E_1 - E_0 - sum 1/2 (t_1 + t_0) du + 1/2 sum (p_1 g_0 - p_0 g_1)
+/// Change of elastic energy plus the work of contact forces, from two equilibria of linear foils, independent of the
+/// path between them:
+/// |     W = E_1 - E_0 - sum 1/2 (t_1 + t_0) du + 1/2 sum (p_1 g_0 - p_0 g_1)
 double balanced_work(const ContactProblem& problem, const ContactState& before, const ContactState& now) {
   const Vector slip = tangential_displacements(problem, now.x) - tangential_displacements(problem, before.x);
   return 0.5 * (now.normal_force.dot(before.gap) - before.normal_force.dot(now.gap)) -
@@ -101,7 +100,7 @@ void Push::judge_state(const Step& step) {
   largest_force_ = std::max(largest_force_, step.state.contacts.normal_force.sum());
 }
 
-/// Judges what the solver calls converged, and goes on from there.
+/// Checks increments that the solver reports as converged, and continues from there.
 void Push::keep(Step& next) {
   verdict().status = next.status;
   verdict().substeps += next.substeps;
@@ -118,7 +117,7 @@ void Push::keep(Step& next) {
     } else if (next.substeps == 0) {
       balanced_ += energy_ - energy_before + balanced_work(foils_->problem, step_.state.contacts, next.state.contacts);
     } else {
-      balanced_ = next.state.work;  // halves in between are not known
+      balanced_ = next.state.work;  // intermediate halves are unknown
     }
     imbalance_ = std::max(imbalance_, std::abs(next.state.work - balanced_));
   }
@@ -145,7 +144,7 @@ Run Push::run(int every) {
     }
   }
   const double rounding = 1e-12 * start_energy_;
-  // A contact counts as closed though its gap is not quite none, and is pressed shut with what it then carries.
+  // A contact counts as closed although its gap is not exactly zero; its force then does work over this gap.
   const double closing = tolerated_gap * largest_force_;
   if (imbalance_ > largest_imbalance * largest_work_ + rounding + closing) {
     refuse(fmt::format("energies that do not balance by {:.2g} of the work", imbalance_ / largest_work_));

@@ -36,11 +36,11 @@ inline Case running_ensemble_case(int samples) {
   return input;
 }
 
-/// A rotor of 2 kg on such bearings, over two speeds between which it begins to whirl (near 13,200 rpm).
+/// A rotor of 2 kg on such bearings, over two speeds between which whirl starts (near 13,200 rpm).
 inline Case rotor_ensemble_case(int samples) {
   Case input = running_ensemble_case(samples);
   input.montecarlo->command = EnsembleCommand::stability;
-  input.top_foil.formed_radius = {FormedTo::seated};  // its free end stays where it is
+  input.top_foil.formed_radius = {FormedTo::seated};  // its free end does not move
   RotorSettings rotor;
   rotor.mass = 2.0;
   rotor.gravity = {9.81, 0.0};
@@ -49,7 +49,7 @@ inline Case rotor_ensemble_case(int samples) {
   return input;
 }
 
-/// The same rotor, its centre of mass 1 um from its axis, about the speeds at which its orbit is largest.
+/// The same rotor with an eccentricity of 1 um, near the speeds of its largest orbit.
 inline Case unbalance_ensemble_case(int samples) {
   Case input = rotor_ensemble_case(samples);
   input.montecarlo->command = EnsembleCommand::unbalance;

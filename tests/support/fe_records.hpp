@@ -7,10 +7,10 @@
 
 namespace bumpfoil {
 
-/// One push and pull of the bearing of solid elements: a row of tests/data/fe/full_bearing.json, which `make verify-fe`
-/// writes.
+/// One push and pull of the solid-element bearing: a row of tests/data/fe/full_bearing.json, written by `make
+/// verify-fe`.
 struct FeCycle {
-  std::string variant;  ///< what was varied; "held" makes the program's assumptions
+  std::string variant;  ///< the variation; "held" makes the program's assumptions
   double friction_coefficient{};
   double direction{};    ///< rad
   int steps{};           ///< per branch
@@ -33,10 +33,10 @@ struct FeStrip {
   Vector bump_loads;        ///< of the plate above each bump at full compression, N
 };
 
-/// All strips of the file that came to their end.
+/// All completed strips of the file.
 const std::vector<FeStrip>& fe_strips();
 
-/// All cycles of the file that came to their end.
+/// All completed cycles of the file.
 const std::vector<FeCycle>& fe_cycles();
 
 }  // namespace bumpfoil

@@ -12,7 +12,7 @@ namespace {
 
 /// Half the axial length over the radius of all films of the file.
 constexpr double half_width = 1.0;
-/// Eccentricity where P = 1 is near enough to the film for Newton's method, whatever the foundation.
+/// Eccentricity at which P = 1 is close enough to the film for Newton's method, with any foundation.
 constexpr double first_eps = 0.3;
 
 ReferenceFilm::Values read_values(const nlohmann::json& entry) {

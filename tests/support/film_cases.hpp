@@ -33,7 +33,7 @@ struct ReferenceFilm {
 
 const std::vector<ReferenceFilm>& reference_films();
 
-/// The film of a case on a mesh: by continuation in the eccentricity where the foundation gives way.
+/// The film of a case on a mesh: by continuation in the eccentricity for a compliant foundation.
 struct SolvedFilm {
   ReynoldsEquation equation;
   FilmState film{};
@@ -41,7 +41,7 @@ struct SolvedFilm {
 };
 SolvedFilm solve_reference_film(const ReferenceFilm& reference, int columns, int rows);
 
-/// One without a foundation: P = 1 is the start.
+/// The film without a foundation, starting from P = 1.
 SolvedFilm solve_rigid_film(const ReynoldsEquation& equation, const Matrix& thickness);
 
 /// Load and attitude angle of a closed bearing at a vanishing eccentricity, by perturbation: with
@@ -50,7 +50,7 @@ SolvedFilm solve_rigid_film(const ReynoldsEquation& equation, const Matrix& thic
 /// @return (pi/2) z
 std::complex<double> load_of_small_eccentricity(double bearing_number, double l);
 
-/// What a mesh and one of half its spacing make of it.
+/// Results from a mesh and one of half its spacing.
 struct SmallEccentricityCheck {
   double load_defect{};      ///< of the extrapolated load, relative
   double attitude_defect{};  ///< of the extrapolated attitude angle, rad

@@ -12,8 +12,8 @@
 
 namespace bumpfoil {
 
-/// The equations themselves, judged without any part of what solved them: the film, the foil with its contact forces,
-/// the bump foil, and every inequality of the contacts.
+/// Checks the equations independently of the solver: the film, the foil with its contact forces, the bump foil, and
+/// every inequality of the contacts.
 inline void expect_solved(const FilmBearing& bearing, const BearingState& state) {
   EXPECT_GT(state.film.pressure.minCoeff(), 0.0);
   EXPECT_GT(state.film.thickness.minCoeff(), 0.0);
@@ -35,7 +35,7 @@ inline void expect_solved(const FilmBearing& bearing, const BearingState& state)
     EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-10);
     EXPECT_LT(residual.membrane.norm(), 1e-10);
 
-    // What the film and the foil leave over the crests is what the contacts bear.
+    // The residual of film and foil over the crests is the contact force.
     const double unit = pad.foil.stiffness * bearing.scales.thickness;
     elastic.segment((pad.first_block + pad.bumps()) * size, size).setZero();
     for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
@@ -78,8 +78,8 @@ inline JournalMatrix stiffness_by_differences(FilmStepper& stepper, const Operat
   return K;
 }
 
-/// That the linearised equations have this stiffness, and a slowest motion whose residual in the equations of all
-/// unknowns is small.
+/// Checks that the linearised equations have this stiffness, and that the slowest motion has a small residual in the
+/// equations of all unknowns.
 inline void expect_stiffness_of_differences(FilmStepper& stepper, const OperatingPoint& point,
                                             const BearingState& state) {
   const JournalMatrix K = stiffness_by_differences(stepper, point, state);
@@ -90,7 +90,8 @@ inline void expect_stiffness_of_differences(FilmStepper& stepper, const Operatin
   EXPECT_TRUE(stepper.held_motion(state).has_value());  // its residual in the equations of all unknowns is small
 }
 
-/// Expects a run of the prototype on one of its meshes: cold start at 0.7 C_r at most, then along the ray.
+/// Checks a run of the prototype on one of its meshes: started from ambient pressure at most at 0.7 C_r, then along the
+/// ray.
 inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level) {
   SCOPED_TRACE(testing::Message() << run.position.transpose() << ", " << level.resolution.columns_per_pitch << 'x'
                                   << level.resolution.rows);

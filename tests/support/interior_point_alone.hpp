@@ -12,8 +12,8 @@ struct InteriorPointRun {
   std::string failure;  ///< empty if every increment converged within the bounds of contact_residuals
 };
 
-/// Push and pull in a few large increments along the first direction, every change of modes found by the interior point
-/// of `newton` alone: no rounds of mode changes before it, no path from event to event.
+/// Push and pull in a few large increments along the first direction, with all mode changes found by the interior point
+/// of `newton`: without preceding rounds of mode changes or event paths.
 /// @param increments  each way
 InteriorPointRun run_interior_point_alone(const Case& input, int increments);
 

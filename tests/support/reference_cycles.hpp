@@ -11,7 +11,7 @@ namespace bumpfoil {
 /// One cycle of tests/data/truss_cycles.json, computed by an independent dense prototype.
 struct ReferenceCycle {
   std::string name;
-  Case input;            ///< what Bumpfoil has to run to obtain it
+  Case input;            ///< case to run with Bumpfoil for the same result
   Vector force_direct;   ///< N, per increment
   Vector force_cross;    ///< N, per increment
   double max_force{};    ///< N
@@ -24,8 +24,8 @@ struct ReferenceCycle {
 /// All cycles of the file, in its order.
 const std::vector<ReferenceCycle>& reference_cycles();
 
-/// Reference bearing with the truss constants of the file instead of identified ones: what is computed with it does
-/// not depend on the identification. Friction 0.1, 100 steps, +X, -X, +Y, -Y.
+/// Reference bearing with the truss constants of the file instead of identified ones: independent of the
+/// identification. Friction 0.1, 100 steps, +X, -X, +Y, -Y.
 Case case_with_given_constants();
 
 }  // namespace bumpfoil

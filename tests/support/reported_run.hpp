@@ -18,7 +18,7 @@ namespace bumpfoil::test_support {
 
 using nlohmann::json;
 
-/// A folder with the results of a command, and what reports say of it.
+/// A folder with the results of a command, and its report.
 class ReportedRun : public testing::Test {
  protected:
   void write(const std::vector<ResultFile>& files) const {
@@ -31,7 +31,7 @@ class ReportedRun : public testing::Test {
 
   [[nodiscard]] json stored_summary() const { return json::parse(folder_.read("summary.json")); }
 
-  /// What a report says of the folder with another value in its summary; null removes it.
+  /// Error message of a report for a changed value in the summary; null removes it.
   [[nodiscard]] std::string fault_of(const std::string& key, const json& value) const {
     json changed = stored_summary();
     changed[key] = value;
@@ -46,8 +46,8 @@ class ReportedRun : public testing::Test {
     }
   }
 
-  /// Entries of a list in the summary are refused that lack a value, or have another in its place.
-  /// @param fault  what is said of the other one, or how that begins
+  /// Checks that list entries in the summary are rejected if a value is missing or replaced.
+  /// @param fault  expected start of the message about a replaced value
   void expect_refused_without(const std::string& list, const json& entry, const json& other,
                               const std::string& fault) const {
     for (const auto& [key, value] : entry.items()) {

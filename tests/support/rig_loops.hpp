@@ -8,7 +8,7 @@
 
 namespace bumpfoil::test_support {
 
-/// What a rig would read of a loop of a bearing: increments of its solver, with the errors of the rig and noise.
+/// Reading of a bearing loop by a rig: increments of its solver, with rig errors and noise.
 inline FitData rig_loop(const CycleResult& truth, const Rig& rig, double noise, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::normal_distribution<double> normal;

@@ -8,10 +8,10 @@
 
 namespace bumpfoil {
 
-/// What of foils is compared with shells: rows of tests/data/fe/shells.json, which tests/verification/fe/shells.py
-/// describes. Of a case without one of these it is empty.
+/// Quantities compared with shell models: rows of tests/data/fe/shells.json, described in
+/// tests/verification/fe/shells.py. Empty if a case lacks them.
 struct ShellNumbers {
-  Matrix crest_w;  ///< radial displacement of the top foil over the crests, a column for each of shell_zeta(), m
+  Matrix crest_w;  ///< radial displacement of the top foil over the crests, one column per shell_zeta(), m
   Matrix span_w;   ///< the same in the middle of spans
   Vector moments;  ///< on each crest about the mid-plane, N m
 };
@@ -27,7 +27,7 @@ struct FeShells {
 /// All cases of the file, on both meshes.
 const std::vector<FeShells>& fe_shells();
 
-/// Where over the half width displacements are compared.
+/// Positions over the half width at which displacements are compared.
 const std::vector<double>& shell_zeta();
 
 /// A top foil bonded to the bumps of the reference bearing, or to as many, under a lobe of 1 bar, cos along the foil
@@ -40,11 +40,11 @@ struct PressedBumps {
   SheetModel sheet{};
 };
 
-/// Its crests and all spans between them by the program: a frame for the bump foil, the foils on a film's mesh.
+/// Results of the program at crests and all spans between them: a frame for the bump foil, the foils on a film's mesh.
 /// @param modes  of the displacement over the width (width.modes)
 ShellNumbers press_bumps(const PressedBumps& pressed, int modes);
 
-/// A case of the file by the program, in the same way.
+/// Results of the program for a case of the file.
 ShellNumbers shells_by_program(const std::string& name, const std::string& feet, int modes, SheetModel sheet = {});
 
 }  // namespace bumpfoil

@@ -64,9 +64,9 @@ SiconosContacts::SiconosContacts(const ContactProblem& problem) {
   motion_ = K_.solve(B_.transpose());
   W_ = B_ * motion_;
   W_ = 0.5 * (W_ + W_.transpose()).eval();
-  // A contact without tangential unknown gets one of its own, which nothing moves: solvers divide by the diagonal. It
-  // may have any coefficient, then, and has that of the others, since Siconos 4.4 solves wrong complementarity problems
-  // where coefficients differ.
+  // A contact without a tangential unknown gets a separate one that nothing moves: solvers divide by the diagonal. Its
+  // coefficient is arbitrary and set to that of the others, since Siconos 4.4 solves wrong complementarity problems if
+  // coefficients differ.
   for (Eigen::Index c = 0; c < friction_.size(); ++c) {
     if (W_(2 * c + 1, 2 * c + 1) != 0.0) continue;
     W_(2 * c + 1, 2 * c + 1) = W_(2 * c, 2 * c);
@@ -84,7 +84,7 @@ bool SiconosContacts::solve(SiconosMethod method, const ContactLoading& loading,
     q[2 * c] += loading.initial_gap[c];
     q[2 * c + 1] -= place[2 * c + 1];
   }
-  // The tolerances of Siconos are absolute: displacements are given to it as forces.
+  // The tolerances of Siconos are absolute: displacements are scaled to forces.
   const double stiffness = static_cast<double>(W_.rows()) / W_.trace();
   const Matrix scaled_W = stiffness * W_;
   const Vector scaled_q = stiffness * q;

@@ -29,9 +29,9 @@ class SiconosContacts {
   explicit SiconosContacts(const ContactProblem& problem);
 
   /// Solves one increment.
-  /// @param previous_x  unknowns which slip is measured from
-  /// @param state       receives x, gap and forces; modes are left as they are
-  /// @return whether Siconos says that it has solved the problem
+  /// @param previous_x  unknowns from which slip is measured
+  /// @param state       receives x, gap and forces; modes are unchanged
+  /// @return whether Siconos reports success
   [[nodiscard]] bool solve(SiconosMethod method, const ContactLoading& loading, const Vector& previous_x,
                            ContactState& state, const SiconosOptions& options = SiconosOptions());
 

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Film and top foil of a pad; what they leave over the crests goes to the elastic forces, N.
+/// Checks film and top foil of a pad; their residual over the crests goes to the elastic forces, N.
 std::string wrong_pad(const FilmBearing& bearing, const FilmPad& pad, const BearingState& state, Vector& elastic) {
   const FoilFilm& foil = pad.foil;
   FoilFilmState part;
@@ -50,7 +50,7 @@ std::string wrong_pad(const FilmBearing& bearing, const FilmPad& pad, const Bear
 }  // namespace
 
 std::string wrong_film(const FilmBearing& bearing, const BearingState& state) {
-  // Negated so that what is not a number is wrong.
+  // Negated so that NaN fails.
   if (!(state.film.pressure.minCoeff() > 0.0)) return "a pressure below 0";
   if (!(state.film.thickness.minCoeff() > 0.0)) return "a thickness below 0";
   Matrix H = bearing.undeformed_thickness(bearing.journal_of(state), state.opening);

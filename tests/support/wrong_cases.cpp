@@ -9,7 +9,7 @@ namespace {
 
 using Fragments = std::vector<std::string>;
 
-/// The whole case with `from` replaced by `to`; the fault is expected in the line where `to` begins.
+/// The whole case with `from` replaced by `to`; the error is expected in the line where `to` starts.
 WrongCase edit(std::string name, const std::string& from, const std::string& to, Fragments fragments,
                std::size_t faults = 1) {
   std::string text = whole_case();
@@ -20,7 +20,7 @@ WrongCase edit(std::string name, const std::string& from, const std::string& to,
   return {std::move(name), std::move(text), faults, static_cast<std::size_t>(line), std::move(fragments)};
 }
 
-/// The whole case without the line of a key; the fault is expected where its table begins.
+/// The whole case without the line of a key; the error is expected at the start of its table.
 WrongCase without(std::string name, const std::string& line, const std::string& table, Fragments fragments) {
   WrongCase wrong = edit(std::move(name), line + "\n", "", std::move(fragments));
   wrong.line = line_of(wrong.text, "[" + table + "]");

@@ -5,19 +5,19 @@
 
 namespace bumpfoil::test_support {
 
-/// A valid case file in which every optional key stands, too.
+/// A valid case file that contains every optional key.
 std::string whole_case();
 
-/// Line (from 1) in which `fragment` stands; 0 if it does not.
+/// Line (from 1) that contains `fragment`; 0 if there is none.
 std::size_t line_of(const std::string& text, const std::string& fragment);
 
-/// A case file that is wrong, and what must be said about it.
+/// An invalid case file, and its expected message.
 struct WrongCase {
   std::string name;
   std::string text;
   std::size_t faults{1};
-  std::size_t line{};                  ///< that the first expected fault must name; 0 if it has none
-  std::vector<std::string> fragments;  ///< of its message, each of which must be there
+  std::size_t line{};                  ///< expected in the first error; 0 if it has none
+  std::vector<std::string> fragments;  ///< required in its message
 };
 
 /// The table of wrong case files.

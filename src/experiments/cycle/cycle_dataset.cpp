@@ -17,7 +17,7 @@ namespace {
 
 using Dims = std::vector<std::string>;
 
-/// Not a number where it is not known.
+/// The value, or NaN if unknown.
 double value_of(const CycleQuantity& quantity, const Case& input, const CycleResult& result, RunStatus status,
                 std::size_t cycle) {
   if (cycle < result.cycles.size()) return quantity.value(result.cycles[cycle], input);
@@ -26,7 +26,7 @@ double value_of(const CycleQuantity& quantity, const Case& input, const CycleRes
   return absent;
 }
 
-/// Describes cycles, variable by variable.
+/// Describes cycles, one variable at a time.
 class CycleDataset {
  public:
   CycleDataset(const Case& input, const CycleResult& result)
@@ -102,7 +102,7 @@ class CycleDataset {
     add({"position_defects", "m", "distance of the positions at both ends of each orbit"}, &OrbitLoop::position_defect);
   }
 
-  /// @param loops  displacement and force alone
+  /// @param loops  displacement and force only
   void add_series(bool loops) {
     for (const IncrementQuantity& quantity : increment_quantities(result_.experiment, result_.over_width)) {
       if (loops && quantity.name != "force_direct" && quantity.name != "displacement") continue;
@@ -124,7 +124,7 @@ class CycleDataset {
     }
   }
 
-  /// Changes of mode, where the solver followed them.
+  /// Mode changes, if the solver followed them.
   void add_events() {
     if (is_path()) {
       data_.dims.push_back({.name = "event", .grows = true});
@@ -170,7 +170,7 @@ class CycleDataset {
     return dims;
   }
 
-  /// Values of every cycle and increment and, where they are not of the whole foil, of every node.
+  /// Values of every cycle and increment and, unless global, of every node.
   void add_series(const VariableMeaning& meaning, Node at, std::function<std::vector<double>()> values) {
     Dims dims = of_cycles_and({"increment"});
     const Dims of_nodes = layout_.dims_of(at);
@@ -182,8 +182,8 @@ class CycleDataset {
     added.compressed = true;
   }
 
-  /// The first numbers of every cycle, at most `size`; what is missing is absent. @param numbers_of  a cycle that was
-  /// begun
+  /// The first numbers of every cycle, at most `size`; missing ones are absent. @param numbers_of  a cycle that was
+  /// started
   template <typename NumbersOf>
   [[nodiscard]] std::function<std::vector<double>()> blocks(std::size_t size, NumbersOf numbers_of) const {
     return [&result = result_, places = layout_.places, size, numbers_of] {
@@ -197,7 +197,7 @@ class CycleDataset {
     };
   }
 
-  /// Numbers of every cycle, at most `size`; of a path, whose increments come one after the other, those in memory.
+  /// Numbers of every cycle, at most `size`; of a path, whose increments are streamed, those in memory.
   template <typename NumbersOf>
   [[nodiscard]] std::function<std::vector<double>()> series(std::size_t size, NumbersOf numbers_of) const {
     if (!is_path()) return blocks(size, numbers_of);
@@ -210,7 +210,7 @@ class CycleDataset {
   const CycleResult& result_;
   Wording wording_;
   ResultLayout layout_;
-  Dims of_cycles_;  ///< none for a path, which is one
+  Dims of_cycles_;  ///< none for a path, which is a single cycle
   Dataset data_;
 };
 

@@ -8,20 +8,20 @@
 
 namespace bumpfoil {
 
-/// How much a dataset holds of what was run.
+/// Extent of a dataset.
 enum class Extent {
-  quantities,  ///< of cycles alone
-  loops,       ///< displacement and force of every increment, too
-  recorded,    ///< of a path: what is known while it goes on
-  totals,      ///< what it has beyond this in the end
-  everything,  ///< of every increment, bump and foot, and the geometry that it takes to draw them
+  quantities,  ///< of cycles only
+  loops,       ///< also displacement and force of every increment
+  recorded,    ///< of a path: results available during the run
+  totals,      ///< the remaining results at its end
+  everything,  ///< of every increment, bump and foot, and the geometry needed to draw them
 };
 
-/// Cycles over direction or number and, of the loops, increment; a path has neither. Of a cycle that was not begun it
-/// is known that it did not converge and, of an interrupted run, its status.
+/// Cycles over direction or number and, for loops, increment; a path has neither. A cycle that was not started is
+/// recorded as not converged and, in an interrupted run, with its status.
 Dataset cycle_dataset(const Case& input, const CycleResult& result, RunStatus status, Extent extent);
 
-/// One row for each cycle, begun or not.
+/// One row per cycle, started or not.
 std::string cycle_rows(const Case& input, const CycleResult& result, RunStatus status);
 
 }  // namespace bumpfoil

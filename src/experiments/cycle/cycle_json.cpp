@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where and when the largest stress acts.
+/// Location and increment of the maximum stress.
 Json peak_json(const Case& input, const std::optional<StressPeak>& peak) {
   if (!peak) return {};
   Json json{{"place", name_of(peak->place)}, {"bump", peak->bump >= 0 ? Json(peak->bump + 1) : Json()}};

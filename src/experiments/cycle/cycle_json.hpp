@@ -8,10 +8,10 @@
 
 namespace bumpfoil {
 
-/// The quantities of a cycle, its warnings, and why it ended before its time.
+/// The quantities of a cycle, its warnings, and the reason if it ended early.
 nlohmann::ordered_json cycle_json(const Case& input, const CycleResult& result, std::size_t cycle);
 
-/// Entries of summary.json: `cycles`, each with the loads at full displacement.
+/// Entries of summary.json: `cycles`, each with the bump loads at full displacement.
 nlohmann::ordered_json cycle_lists(const Case& input, const CycleResult& result);
 
 }  // namespace bumpfoil

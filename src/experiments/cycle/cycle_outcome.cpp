@@ -75,7 +75,7 @@ Sweeping cycle_sweeping(Experiment experiment, ExperimentRun run) {
   return {.run = std::move(run),
           .not_begun =
               [experiment](const Case& input) {
-                // One cycle at least was to be run.
+                // At least one cycle was requested.
                 return cycle_outcome(input,
                                      {.solver = input.solver.chosen(),
                                       .experiment = experiment,

@@ -7,11 +7,11 @@ namespace bumpfoil {
 /// Outcome of a run whose results are cycles.
 Outcome cycle_outcome(const Case& input, CycleResult result);
 
-/// Runs a path and stages its files as it goes.
+/// Runs a path and stages its files during the run.
 Outcome stream_path(const Case& input, const Provenance& provenance, ResultFolder& folder,
                     const std::function<CycleResult(const RecordSink&)>& run);
 
-/// How experiments whose results are cycles are swept.
+/// Sweep interface of experiments whose results are cycles.
 Sweeping cycle_sweeping(Experiment experiment, ExperimentRun run);
 
 }  // namespace bumpfoil

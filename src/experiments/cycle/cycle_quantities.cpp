@@ -8,8 +8,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Takes the stresses of one place, `per_bump` columns for each bump, for the peak where they are higher. None per
-/// bump: a column for the weld of each pad.
+/// Updates the peak with the stresses at one kind of location, `per_bump` columns for each bump. 0 per bump: one column
+/// for the weld of each pad.
 void raise(std::optional<StressPeak>& peak, const Increment& increment, const FieldMatrix& stress, Eigen::Index row,
            StressPlace place, int per_bump) {
   for (Eigen::Index i = 0; i < stress.cols(); ++i) {
@@ -23,7 +23,7 @@ void raise(std::optional<StressPeak>& peak, const Increment& increment, const Fi
   }
 }
 
-/// Displacement at which the line between two points passes `threshold`.
+/// Displacement at which the segment between two points crosses `threshold`.
 double crossing(const LoadingCurve::Point& from, const LoadingCurve::Point& to, double threshold) {
   const double part = (threshold - from.force) / (to.force - from.force);
   return from.displacement + part * (to.displacement - from.displacement);
@@ -35,9 +35,9 @@ void take_higher(std::optional<Peak>& peak, const std::optional<Peak>& later, do
   if (!peak || (later && (*later).*height > (*peak).*height)) peak = later;
 }
 
-/// The take-up point is where the force passes this part of its maximum.
+/// The force passes this fraction of its maximum at the take-up point.
 constexpr double take_up_force = 0.01;
-/// A loop that takes less than this part of the largest work is a rounding.
+/// A loop energy below this fraction of the largest work is round-off.
 constexpr double least_loop = 1e-10;
 
 std::optional<double> if_positive(double value) {
@@ -71,7 +71,7 @@ LoadingCurve::Point LoadingCurve::last_rises_through(double threshold) const {
 
 std::optional<double> first_contact_displacement(const Vector& gaps, const Eigen::Matrix2Xd& normals,
                                                  const Eigen::Vector2d& direction) {
-  constexpr double facing = 1e-12;  // a cosine below this is a right angle with roundings
+  constexpr double facing = 1e-12;  // a smaller cosine is a right angle up to round-off
   std::optional<double> first;
   for (Eigen::Index i = 0; i < normals.cols(); ++i) {
     const double cosine = normals.col(i).dot(direction);
@@ -124,7 +124,7 @@ void CycleQuantities::add(const Increment& increment, bool judged, bool ends_leg
                           std::span<const LoadingCurve::Point> way) {
   cycle_.cost += increment.cost;
   cycle_.substeps += increment.substeps;
-  // An unknown residual is no small one.
+  // NaN must not count as a small residual.
   double& largest = cycle_.max_residual;
   if (judged && !std::isnan(largest) && !(increment.residuals.equilibrium <= largest)) {
     largest = increment.residuals.equilibrium;
@@ -152,7 +152,7 @@ void CycleQuantities::turn(TurningPoint response) {
   cycle_.turning_point = std::move(response);
 }
 
-/// Quantities that need the turning points only.
+/// Quantities from the turning points only.
 void CycleQuantities::find_stiffness() {
   const Increment& top = cycle_.turns.front();
   LoadingCurve::Point base;
@@ -171,7 +171,7 @@ void CycleQuantities::find_stiffness() {
   cycle_.loaded_stiffness = if_positive((top.force_direct - base.force) / range);
 }
 
-/// Quantities that need the whole loop.
+/// Quantities from the complete loop.
 void CycleQuantities::find_losses() {
   const double loop = cleared(work_, least_loop * largest_work_);
   cycle_.loop_energy = loop;

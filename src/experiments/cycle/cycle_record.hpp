@@ -10,7 +10,7 @@ namespace bumpfoil {
 /// Advice to reduce memory.
 inline constexpr std::string_view cycle_advice = "use fewer steps or directions";
 
-/// A run of cycles, as all of its files tell of it.
+/// The record of a run of cycles that all of its files share.
 RunRecord cycle_record(const Case& input, const CycleResult& result, RunStatus status, const Provenance& provenance);
 
 }  // namespace bumpfoil

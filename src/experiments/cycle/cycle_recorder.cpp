@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Watches a cycle pass, and writes it down.
+/// Observes and records a cycle.
 class CycleRecorder {
  public:
   CycleRecorder(FoilStepper& stepper, Recording recording, Cycle cycle)
@@ -20,11 +20,11 @@ class CycleRecorder {
         log_(stepper, recording, cycle_),
         quantities_(cycle_) {}
 
-  /// The next increment. @return whether the cycle may go on
-  /// @param displacement  where it led; if that was prescribed not a rounding beside it
+  /// Adds the next increment. @return whether the cycle may continue
+  /// @param displacement  its end; if prescribed, without round-off
   bool add(const Step& step, Branch branch, bool ends_leg, double displacement) {
-    // Whatever is recorded, the residual of a cycle is that at the same places. The last is judged, too: its work is
-    // the loop's energy.
+    // The residual of a cycle is sampled at the same increments, whatever is recorded. This includes the last: its work
+    // is the loop energy.
     const bool judged = ends_leg || !cycle_.start;
     const Increment next = log_.make(step, branch, normal_, displacement, judged);
     way_.clear();
@@ -40,7 +40,7 @@ class CycleRecorder {
     return next.converged();
   }
 
-  /// The turning point is where the foils are now.
+  /// Marks the current state as the turning point.
   void turn(const BearingState& state, Control control) {
     if (control == Control::load) cycle_.amplitude = cycle_.turns.front().displacement - cycle_.start->displacement;
     const auto loads = [&](Interface interface) { return interface_loads(foils(), state.contacts, interface); };

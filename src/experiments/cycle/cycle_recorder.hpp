@@ -6,18 +6,18 @@
 
 namespace bumpfoil {
 
-/// How a cycle is taken.
+/// Plan of a cycle.
 struct CyclePlan {
   Program program;  ///< its first leg ends at the turning point
-  double reach{};   ///< loads are not looked for beyond this displacement, m
+  double reach{};   ///< largest displacement in the search for loads, m
   Recording recording{Recording::everything};
 };
 
-/// Takes foils through a cycle. Work and dissipation are counted from its start.
-/// @param cycle     direction, amplitude, steps and what the assembly dissipated filled in
-/// @param step      how the start was reached, with its state; receives the state where the cycle ended, unless its
-///                  first increment had failed already
-/// @param progress  called with the fraction of the cycle that is done; may be empty
+/// Takes foils through a cycle. Work and dissipation count from its start.
+/// @param cycle     direction, amplitude, steps and dissipation of the assembly given
+/// @param step      how the start was reached, with its state; receives the state at the end of the cycle, unless its
+///                  first increment failed
+/// @param progress  called with the completed fraction of the cycle; may be empty
 Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& step, const ProgressCallback& progress);
 
 }  // namespace bumpfoil

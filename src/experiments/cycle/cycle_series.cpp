@@ -12,8 +12,7 @@ namespace bumpfoil {
 
 namespace {
 
-/// The state in which a cycle ended, or the preload was reached, as the start of the next: nothing happened on the way
-/// there.
+/// Uses the end of a cycle, or the preload, as the start of the next, with an empty history.
 void start_anew(Step& step) {
   BearingState state = std::move(step.state);
   step = Step{};
@@ -21,7 +20,7 @@ void start_anew(Step& step) {
   step.state.begin_increment();
 }
 
-/// Adds what came before a cycle to what it tells of the whole run.
+/// Adds the totals of previous cycles to those of a cycle.
 void follow_on(const Cycle& before, Cycle& cycle) {
   cycle.assembly_dissipation = before.assembly_dissipation;
   cycle.loop_energies.insert(cycle.loop_energies.begin(), before.loop_energies.begin(), before.loop_energies.end());
@@ -57,7 +56,7 @@ double approach(FoilStepper& stepper, const Approach& way, Step& step) {
   return assembly_dissipation;
 }
 
-/// Legs of a cycle from where the foils are.
+/// Legs of a cycle from the current state of the foils.
 Program CycleSeries::program() const {
   const auto make_program = course_.swings ? swing : push_and_pull;
   Line line{.base = centre_ ? centre_->position : Eigen::Vector2d(0.0, 0.0),

@@ -49,7 +49,7 @@ void describe_cycle(CaseVisitor& keys, Case& input) {
                   [](CaseVisitor& inner, CycleSettings& cycle) { describe(inner, cycle); });
 }
 
-/// A direction that is given twice, or again after a full turn, would only repeat its results.
+/// Repeated directions, including full turns, would only repeat their results.
 void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -63,14 +63,15 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
     const auto [first, second] = std::minmax(around[k - 1].second, around[k].second);
     again.emplace_back(second, first);
   }
-  std::sort(again.begin(), again.end());  // as they stand in the case, not by their angles
+  std::sort(again.begin(), again.end());  // as written in the case, not by angle
   for (const auto& [second, first] : again) {
     judge.require(false, fmt::format("cycle.directions[{}]", second + 1), quantity(directions[second], "rad"),
                   fmt::format("repeats cycle.directions[{}]", first + 1), "give every direction once");
   }
 }
 
-/// How far the cycles of the journal go, from their preload on; `limit`: what presses the bumps flat, 0 if not known.
+/// Checks the extent of journal cycles from their preload on; `limit`: displacement that flattens the bumps, 0 if
+/// unknown.
 void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
   const bool by_load = cycle.amplitude.control == Control::load;
   const bool amplitude = by_load ? judge.within("cycle.load", cycle.amplitude.value, load_range)

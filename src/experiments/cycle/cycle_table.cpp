@@ -23,7 +23,7 @@ constexpr std::size_t cycle_name_width = 30;
 constexpr std::size_t cycle_unit_width = 7;
 constexpr std::size_t least_column_width = 13;
 
-/// Cycles that are shown: all directions; of many cycles of a strip the first and the last, which show how it settles.
+/// Cycles in the table: all directions; for many cycles of a strip the first and the last, which show how it settles.
 std::vector<std::size_t> shown_cycles(const CycleResult& result) {
   std::vector<std::size_t> shown(result.cycles.size());
   std::iota(shown.begin(), shown.end(), std::size_t{0});
@@ -45,7 +45,7 @@ std::string cell_text(const CycleQuantity& quantity, double value) {
   return number_text(value, quantity.shown.size);
 }
 
-/// Where the direct force first reaches each of the thresholds of the case.
+/// Displacement at which the direct force first reaches each threshold of the case.
 std::vector<CycleRow> rows_of_clearances(const Case& input) {
   std::vector<CycleRow> rows;
   for (const VariableMeaning& clearance : clearance_quantities(input.cycle.clearance_forces)) {
@@ -57,7 +57,7 @@ std::vector<CycleRow> rows_of_clearances(const Case& input) {
   return rows;
 }
 
-/// Rows of the quantities of the solver, or of the results.
+/// Rows of solver quantities, or of results.
 std::vector<CycleRow> rows_of(const Case& input, const CycleResult& result, bool of_solver) {
   std::vector<CycleRow> rows;
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.over_width)) {
@@ -98,7 +98,7 @@ Vector pad_forces_at_turn(const Cycle& cycle) {
   return (turn.pad_forces_x.array().square() + turn.pad_forces_y.array().square()).sqrt();
 }
 
-/// Part of the force that each of several pads carries at full displacement; of a path, the maximum.
+/// Fraction of the force on each of several pads at full displacement; of a path, the maximum.
 std::vector<CycleRow> rows_of_pads(const Case& input, Experiment experiment) {
   const bool turns = experiment != Experiment::path;
   std::vector<CycleRow> rows;

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A cycle that begins with the way to the preload: the first of a strip, and all of a bearing.
+/// Whether a cycle includes the way to the preload: the first of a strip, and all of a bearing.
 bool begins_with_preload(const Case& input, const CycleResult& result, std::size_t cycle) {
   if (result.experiment == Experiment::strip) return cycle == 0 && input.strip->preload.has_value();
   return result.experiment == Experiment::cycle && input.cycle.preload.has_value() &&

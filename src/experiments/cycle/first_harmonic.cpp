@@ -10,17 +10,16 @@
 namespace bumpfoil {
 namespace {
 
-/// A part of the loop on which F = constant + slope cos(tau), with the integrals over it of what its integrands are
-/// made of.
+/// A part of the loop on which F = constant + slope cos(tau), with the integrals of its basis functions.
 struct Piece {
   Eigen::Vector2d constant, slope;
   double one, cosine, sine, cosine_squared, sine_squared, product;
 };
 
 /// @param from, to    cos(tau) at both ends
-/// @param force, rise  there F = force, and grows by `rise` to the other end
+/// @param force, rise  F = force at the start, and its increase to the end
 Piece make_piece(double from, double to, const Eigen::Vector2d& force, const Eigen::Vector2d& rise) {
-  // dx/dtau = -X sin(tau): on the way up the sine is negative.
+  // dx/dtau = -X sin(tau): the sine is negative as the displacement increases.
   const double sign = to > from ? -1.0 : 1.0;
   const auto sine = [sign](double cosine) { return sign * std::sqrt((1.0 - cosine) * (1.0 + cosine)); };
   const double one = sign * (std::acos(to) - std::acos(from));
@@ -38,7 +37,7 @@ Piece make_piece(double from, double to, const Eigen::Vector2d& force, const Eig
 }
 
 std::vector<Piece> make_pieces(std::span<const LoopPoint> loop, double bottom, double top) {
-  // Exact at the turning points, where tau feels a rounding of the displacement by its root.
+  // Exact at the turning points, where round-off of the displacement affects tau by its square root.
   const auto cosine = [bottom, top](double displacement) {
     if (displacement == bottom) return -1.0;
     if (displacement == top) return 1.0;
@@ -48,8 +47,8 @@ std::vector<Piece> make_pieces(std::span<const LoopPoint> loop, double bottom, d
   for (std::size_t i = 1; i < loop.size(); ++i) {
     const double from = cosine(loop[i - 1].displacement);
     const double to = cosine(loop[i].displacement);
-    if (from == to) continue;  // a jump takes no time
-    // Beside the force at the start a small vibration about a large load loses no digits.
+    if (from == to) continue;  // a jump takes zero time
+    // Subtracting the force at the start avoids cancellation for a small vibration about a large load.
     pieces.push_back(make_piece(from, to, loop[i - 1].force - loop.front().force, loop[i].force - loop[i - 1].force));
   }
   return pieces;
@@ -66,7 +65,7 @@ FirstHarmonic orbit_harmonic(std::span<const Eigen::Vector2d> forces, double rad
   Eigen::Vector2d in_phase(0.0, 0.0);    // of cos(tau)
   Eigen::Vector2d quadrature(0.0, 0.0);  // of sin(tau)
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    // Beside the first force a small orbit about a large load loses no digits.
+    // Subtracting the first force avoids cancellation for a small orbit about a large load.
     const Eigen::Vector2d force = weight * (forces[k] - forces.front());
     mean += 0.5 * force;
     in_phase += std::cos(angle(k)) * force;
@@ -100,7 +99,7 @@ FirstHarmonic first_harmonic(std::span<const LoopPoint> loop) {
   in_phase /= std::numbers::pi;
   quadrature /= std::numbers::pi;
 
-  // What is left is squared, not subtracted from squares: it may be as small as a rounding.
+  // Sums squared deviations rather than subtracting sums of squares: the residual may be as small as round-off.
   double left = 0.0;
   for (const Piece& piece : pieces) {
     const Eigen::Vector2d constant = piece.constant - mean;

@@ -7,13 +7,13 @@
 namespace bumpfoil {
 namespace {
 
-/// Work that was neither stored nor dissipated in a response that is linear in pieces, as part of the largest work.
+/// Largest energy defect of a piecewise linear response, relative to the largest work.
 constexpr double largest_imbalance = 1e-7;
 
-/// Increments that are kept at a time, where they are passed on: those whose bumps are so many.
+/// Bumps times increments kept in memory, if increments are streamed.
 constexpr int most_bumps_kept = 32'768;
 
-/// Where a contact is, as results count.
+/// The location of a contact in result numbering.
 CycleEvent located(const Foils& foils, const StepEvent& event, Branch branch, const Eigen::Vector2d& direction) {
   const int block = event.contact / foils.contacts_per_block();
   const int pair = event.contact % foils.contacts_per_block();
@@ -37,7 +37,7 @@ void EnergyBalance::add(const Increment& increment, bool is_linear) {
   must_hold_ = must_hold_ && (is_linear || increment.index == 0);
   const double stored = increment.elastic_energy - start_;
   imbalance_ = std::max(imbalance_, std::abs(increment.work - stored - increment.dissipated_energy));
-  // Roundings of the energies, and of forces where nothing is loaded.
+  // Round-off of the energies, and of forces without load.
   const double rounding = 1e-12 * (increment.elastic_energy + force_scale_ * std::abs(increment.displacement));
   scale_ = std::max({scale_, std::abs(increment.work), rounding / largest_imbalance});
 }

@@ -6,12 +6,12 @@
 
 namespace bumpfoil {
 
-/// Watches whether W = E - E0 + D holds where it must.
+/// Checks whether W = E - E0 + D holds where required.
 class EnergyBalance {
  public:
   explicit EnergyBalance(double force_scale) : force_scale_(force_scale) {}
 
-  /// An increment whose energy is known.
+  /// Adds an increment of known energy.
   void add(const Increment& increment, bool is_linear);
 
   [[nodiscard]] bool holds() const;
@@ -24,25 +24,24 @@ class EnergyBalance {
   bool must_hold_{true};
 };
 
-/// Makes increments of the steps that foils take, and writes them down.
+/// Makes increments of foil steps, and records them.
 class IncrementLog {
  public:
-  /// @param cycle    receives what is written down, `due` filled in; outlives the log
-  /// @param pass_on  called ahead of the increment that the memory has no room for, and in the end: what is written
-  /// down
-  ///                 is forgotten then. Without it all is kept.
+  /// @param cycle    receives the record, with `due` given; outlives the log
+  /// @param pass_on  called before memory is full, and at the end: the record is cleared afterwards. Without it,
+  ///   everything is kept.
   IncrementLog(FoilStepper& stepper, Recording recording, Cycle& cycle, std::function<void()> pass_on = {});
 
-  /// The next increment.
-  /// @param direction     unit vector along which displacement and direct force count
-  /// @param displacement  where it led; if that was prescribed not a rounding beside it
-  /// @param judged        it is to be judged even where not everything is recorded
+  /// Makes the next increment.
+  /// @param direction     unit vector of displacement and direct force
+  /// @param displacement  its end; if prescribed, without round-off
+  /// @param judged        compute its residual even if not everything is recorded
   Increment make(const Step& step, Branch branch, const Eigen::Vector2d& direction, double displacement, bool judged);
 
-  /// Writes it down, unless quantities alone are wanted.
+  /// Records it, unless only quantities are requested.
   void write_down(const Step& step, const Increment& increment, const Eigen::Vector2d& direction);
 
-  /// All have passed.
+  /// Call after the last increment.
   void finish();
 
  private:
@@ -52,10 +51,10 @@ class IncrementLog {
   bool everything_;
   Cycle& cycle_;
   std::function<void()> pass_on_;
-  int capacity_;  ///< increments that are kept at a time
+  int capacity_;  ///< number of increments kept in memory
   EnergyBalance balance_;
-  int count_{};          ///< increments that passed
-  Eigen::Index rows_{};  ///< of those in the cycle with fields
+  int count_{};          ///< number of increments so far
+  Eigen::Index rows_{};  ///< of these, number in the cycle with fields
 };
 
 }  // namespace bumpfoil

@@ -15,18 +15,18 @@ constexpr auto by_displacement = [](const LoadingCurve::Point& a, const LoadingC
   return a.displacement < b.displacement;
 };
 
-/// A loop that goes to the other side by more than this part of its way is a swing.
+/// A loop that extends to the opposite side by more than this fraction of its range is fully reversed.
 constexpr double other_side = 0.5;
-/// A smaller part of the range of displacements is no turn: probes and drives are better than that.
+/// Reversals below this fraction of the displacement range are ignored: probes and drives are more accurate.
 constexpr double least_turn = 0.1;
-/// Ends of a loop that are nearer than this part of both ranges meet: what rigs resolve.
+/// Loop ends closer than this fraction of both ranges meet: the resolution of rigs.
 constexpr double least_gap = 0.01;
 
 bool goes_across(double top, double bottom) {
   return bottom < -other_side * top;
 }
 
-/// Largest less smallest of a member.
+/// Range (maximum minus minimum) of a member.
 double range_of(const Points& points, double LoadingCurve::Point::*member) {
   const auto [low, high] = std::minmax_element(
       points.begin(), points.end(), [member](const auto& a, const auto& b) { return a.*member < b.*member; });
@@ -35,12 +35,12 @@ double range_of(const Points& points, double LoadingCurve::Point::*member) {
 
 /// Turning points of the displacement, lower and upper ones by turns.
 struct Turns {
-  std::vector<std::size_t> lower;  ///< the first is the start, or comes before any upper one
+  std::vector<std::size_t> lower;  ///< the first is the start, or precedes all upper ones
   std::vector<std::size_t> upper;
-  bool rising{};  ///< whether the way behind the last leads up
+  bool rising{};  ///< whether the displacement increases after the last turn
 };
 
-/// @param least  a turn is confirmed by this way back, m
+/// @param least  reversal that confirms a turn, m
 Turns turns_of(const Points& points, double least) {
   Turns turns;
   std::size_t low = 0;
@@ -50,7 +50,7 @@ Turns turns_of(const Points& points, double least) {
     if (points[i].displacement < points[low].displacement) low = i;
     if (points[i].displacement > points[high].displacement) high = i;
     if (!turns.rising && points[i].displacement - points[low].displacement > least) {
-      // What comes before the first rise is the start, unless it is a way down.
+      // Data before the first increase are the start, unless the displacement decreases.
       turns.lower.push_back(begun ? low : 0);
       turns.rising = begun = true;
       high = i;
@@ -62,7 +62,7 @@ Turns turns_of(const Points& points, double least) {
       begun = true;
     }
   }
-  // The end of a way down is where it is lowest, though nothing rises from there.
+  // A decreasing end turns at its minimum, though nothing follows.
   if (!turns.rising) turns.lower.push_back(low);
   return turns;
 }
@@ -77,7 +77,7 @@ std::optional<LastCycle> last_cycle(const Points& points) {
   if (upper.empty()) return std::nullopt;
   LastCycle last{.found = upper.size(), .rest = rising};
   const bool ends_low = !rising;
-  // Whether the way down at the end is that of a whole cycle.
+  // Whether the final decrease belongs to a complete cycle.
   if (ends_low && last.found > 1 && displacement(lower.back()) - displacement(*(lower.end() - 2)) > least) {
     --last.found;
     last.rest = true;

@@ -37,7 +37,7 @@ class LoopsReader {
       : rows_(path), at_column_(std::move(at_column)), given_(std::move(columns)) {
     if (at.empty()) return;
     given_at_ = place(at);
-    numbers_ = {};  // the decimal sign of the file may be another
+    numbers_ = {};  // each file may have its own decimal sign
     if (!given_at_)
       rows_.fault(fmt::format("is assigned to the {} {}, which does not exist", at_column_, at), at_advice());
   }
@@ -45,7 +45,7 @@ class LoopsReader {
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
     if (!rows_.has_header()) return read_header(line, text);
-    if (!displacement_ || !force_) return;  // without them nothing is known of the rest
+    if (!displacement_ || !force_) return;  // without these columns, the rest cannot be read
     const std::vector<std::string> cells = rows_.read(line, text);
     if (cells.empty()) return;
     const auto no_number = [&](const char* quantity) {
@@ -64,7 +64,7 @@ class LoopsReader {
     points_at(at).push_back({*displacement * displacement_->unit.size, *force * force_->unit.size});
   }
 
-  /// @throws Error (input) if there was a fault
+  /// @throws Error (input) if there are errors
   std::vector<MeasuredLoop> finish() {
     if (points_.empty() && !rows_.faulty()) {
       rows_.fault("contains no loop", "write displacement_um,force_N and a line for each point of the loop");

@@ -24,7 +24,7 @@ void append(const std::vector<double>& more, std::vector<double>& all) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// What both have. @param foils  one after the other
+/// Common part of both layouts. @param foils  one after the other
 ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& foils) {
   std::vector<BumpShape> shapes;
   std::vector<double> errors, sleeve_gaps, offsets;
@@ -49,7 +49,7 @@ ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& f
       {"height_error", "m", "height of the bump over the nominal one", errors},
       {"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly", sleeve_gaps},
   };
-  // One number where bumps are alike.
+  // A single number if bumps are equal.
   const auto add = [&](std::string name, std::string long_name, double BumpShape::*member) {
     std::vector<double> values;
     values.reserve(bumps);
@@ -72,7 +72,7 @@ ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& f
   return layout;
 }
 
-/// Which strip of a split top foil each pad is.
+/// The strip of a split top foil that each pad represents.
 void add_strips_of_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   NamedNumbers strip{"pad_strip", "1", "strip of the foils that the pad is, from the side z < 0 on", {}};
   NamedNumbers z{"pad_z", "m", "distance of the middle of the strip from the mid-plane of the bearing", {}};
@@ -83,7 +83,7 @@ void add_strips_of_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout
   layout.at_pads.insert(layout.at_pads.end(), {std::move(strip), std::move(z)});
 }
 
-/// Where several pads are, and whose each bump and foot is.
+/// Positions of several pads, and the pad of each bump and foot.
 void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (pads.size() == 1) return;
   layout.pads = pads.size();
@@ -106,7 +106,7 @@ void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   layout.at_feet.push_back(std::move(of_feet));
 }
 
-/// How formed top foils lie without a journal.
+/// Shape of formed top foils without a journal.
 void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (std::none_of(pads.begin(), pads.end(), [](const PlacedPad& pad) { return is_formed(pad.alone); })) return;
   const Foils foils = pads.front().strips > 1 ? make_film_foils(input) : foils_without_journal(input);
@@ -173,7 +173,7 @@ ResultLayout layout_of_cycles(const Case& input) {
   layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
   std::vector<double>& sorted = layout.cycles.values;
   for (const double direction : input.cycle.directions) sorted.push_back(to_degrees(direction));
-  // So that readers can look for the nearest.
+  // Sorted so that readers can use nearest-value selection.
   std::sort(sorted.begin(), sorted.end());
   for (const double direction : input.cycle.directions) {
     const auto found = std::find(sorted.begin(), sorted.end(), to_degrees(direction));

@@ -12,7 +12,7 @@
 
 namespace bumpfoil {
 
-/// Numbers with what readers are told about them.
+/// Numbers with their name and description for readers.
 struct NamedNumbers {
   std::string name;
   std::string unit;
@@ -20,10 +20,10 @@ struct NamedNumbers {
   std::vector<double> values;
 };
 
-/// Names and places that differ between result.nc of a bearing and of a strip.
+/// Names and positions that differ between result.nc of a bearing and of a strip.
 struct ResultLayout {
-  NamedNumbers cycles;  ///< their coordinate: directions, or numbers of a strip's cycles, begun or not; a path: none
-  std::vector<std::size_t> places;  ///< of the cycles of the case among these, which are sorted; a path: one
+  NamedNumbers cycles;  ///< their coordinate: directions, or cycle numbers of a strip, started or not; none for a path
+  std::vector<std::size_t> places;  ///< of the cycles of the case among these sorted values; one for a path
   std::size_t increments{};         ///< of a cycle
   std::size_t bumps{};
   std::size_t feet{};
@@ -33,23 +33,23 @@ struct ResultLayout {
   std::vector<NamedNumbers> at_bumps;  ///< the same, one per bump
   std::vector<NamedNumbers> at_feet;   ///< one per foot
   std::vector<NamedNumbers> at_pads;   ///< one per pad of several
-  std::string bump_coordinates;        ///< those of them that say where a bump is
+  std::string bump_coordinates;        ///< those that give the position of a bump
   std::string foot_coordinates;
 
-  /// Whether there are such nodes.
+  /// Whether the result has nodes of this kind.
   [[nodiscard]] bool has(Node at) const { return (at != Node::pad || pads > 1) && (at != Node::strip || strips > 1); }
-  /// Their dimension; none of what is one.
+  /// Their dimensions; none for a scalar.
   [[nodiscard]] std::vector<std::string> dims_of(Node at) const;
-  /// Variables that say where they are.
+  /// Variables that give their positions.
   [[nodiscard]] std::string coordinates_of(Node at) const;
 };
 
 ResultLayout make_result_layout(const Case& input, Experiment experiment);
 
-/// That of states of the running bearing, of place_film_pads(): there are no cycles.
+/// Layout of running states, of place_film_pads(): without cycles.
 ResultLayout make_film_layout(const Case& input);
 
-/// Adds the dimensions of bumps, feet, several pads and strips, and the geometry that it takes to draw them.
+/// Adds the dimensions of bumps, feet, several pads and strips, and the geometry needed to draw them.
 /// @param carrying  sleeve or base
 void add_foils(const ResultLayout& layout, std::string_view carrying, Dataset& data);
 

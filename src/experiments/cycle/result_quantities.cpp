@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-using namespace tag;  // NOLINT(google-build-using-namespace): the tables below are made of them
+using namespace tag;  // NOLINT(google-build-using-namespace): for the tables below
 
 template <auto Increment::*member>
 double of(const Increment& increment) {
@@ -49,7 +49,7 @@ double at_start(const Cycle& cycle, const Case& /*input*/) {
   return cycle.start ? (*cycle.start).*member : absent;
 }
 
-/// Quantities of a cycle that mean nothing before it was begun.
+/// Quantities of a cycle that are undefined before its start.
 template <double Cycle::*member>
 double once_begun(const Cycle& cycle, const Case& /*input*/) {
   return cycle.start ? cycle.*member : absent;
@@ -80,7 +80,7 @@ double yields(const Cycle& cycle, const Case& input) {
   return above_yield(stressed_foils()[foil], cycle, input);
 }
 
-/// Under load control it is what the cycle finds out.
+/// Only under load control is it a result.
 template <Control (*control)(const Case&)>
 double amplitude(const Cycle& cycle, const Case& input) {
   return cycle.turning_point || control(input) == Control::displacement ? cycle.amplitude : absent;

@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// Runs cycles one after the other and reports their progress. Those of a strip follow from each other: the first that
-/// fails is the last. An interrupted one always is.
+/// Runs cycles one after the other and reports their progress. Cycles of a strip depend on the previous one and end at
+/// the first failure. An interruption always ends the run.
 /// @param run  number of the cycle from 0, and a callback for its own progress -> Cycle
 template <typename Run>
 CycleResult run_each_cycle(Experiment experiment, const Case& input, std::ptrdiff_t cycles,

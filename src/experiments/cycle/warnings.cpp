@@ -14,14 +14,14 @@
 namespace bumpfoil {
 namespace {
 
-/// Parts of the rise of a bump. Up to the first, linear foils are at most about 5 % too stiff; beyond the second,
-/// nothing has been compared with finite elements.
+/// Limits of the compression over the rise of a bump. Up to the first, linear foils are at most about 5 % too stiff;
+/// above the second, the model has not been compared with finite elements.
 constexpr double linear_limit = 1.0 / 8.0;
 constexpr double checked_limit = 1.0 / 2.0;
-/// Relative softening of the foils by large displacements, per compression over rise: frames of the reference bearing,
-/// linear and nonlinear, compressed by 0.12, 0.14 and 0.19 of the rise are 4.5, 5.5 and 7.5 % apart.
+/// Relative softening of the foils by large displacements, per compression over rise: linear and nonlinear frames of
+/// the reference bearing, compressed by 0.12, 0.14 and 0.19 of the rise, differ by 4.5, 5.5 and 7.5 %.
 constexpr double softening = 0.4;
-/// The truss is meant for rows of at least this many bumps.
+/// The truss applies to rows of at least this many bumps.
 constexpr int shortest_row = 4;
 
 double rise_of(const Case& input, int bump) {
@@ -44,7 +44,7 @@ std::optional<std::string> compression_warning(const Case& input, const Cycle& c
       text, 100.0 * softening * part);
 }
 
-/// Of a result whose foils carry nothing at full displacement, nor at the start.
+/// For a result whose foils carry no load at full displacement, nor at the start.
 std::optional<std::string> contact_warning(const CycleResult& result, const Cycle& cycle) {
   if (!cycle.turning_point || !cycle.start) return std::nullopt;
   if (cycle.turning_point->bump_loads.maxCoeff() > 0.0 || cycle.turning_point->max_force != 0.0) return std::nullopt;

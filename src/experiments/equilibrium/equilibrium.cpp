@@ -18,11 +18,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Where journals are held at the cold start of a path, in C_r less the largest lobe: along the load, and at most on
-/// the way to a position.
+/// Initial eccentricity of a path, in C_r less the largest pad offset: along the load, and at most, towards a
+/// prescribed position.
 constexpr double start_along_load = 0.6;
 constexpr double start_towards_position = 0.7;
-/// A ramp of speeds comes from this part of its first.
+/// A ramp of speeds starts at this multiple of its first speed.
 constexpr double coasting_from = 1.5;
 
 OperatingPoint at_speed(OperatingPoint point, double speed) {
@@ -30,7 +30,7 @@ OperatingPoint at_speed(OperatingPoint point, double speed) {
   return point;
 }
 
-/// Walks along paths and keeps what is found.
+/// Follows paths and stores their states.
 class PathWalker {
  public:
   PathWalker(const EquilibriumSettings& settings, double thickness_floor, EquilibriumResult& result,
@@ -43,7 +43,7 @@ class PathWalker {
         options_(options(thickness_floor)),
         stepper_(result.bearing, options_) {}
 
-  /// The states at `points`, one after the other.
+  /// Computes the states at `points` in sequence.
   void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
     state_.reset();
     std::optional<OperatingPoint> before;
@@ -89,7 +89,7 @@ class PathWalker {
     judges_ ? judges_->take(result_.bearing, found, judge) : judge();
   }
 
-  /// From rest to the first state of a path.
+  /// From the initial guess to the first state of a path.
   void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
     BearingState last;
     total += start_from_rest(
@@ -106,12 +106,12 @@ class PathWalker {
     if (state_) state_ = std::move(last);
   }
 
-  /// The same of assembled foils, with a clearance that is opened where it has to be, and closes at the end.
+  /// The same for assembled foils; the clearance is opened if necessary, and restored at the end.
   void start_assembled(FilmPath path, const OperatingPoint& point, FilmReport& total) {
     const bool by_load = point.by_load();
     OperatingPoint opened = point;
     opened.opening = opening_;
-    // A journal at rest sinks onto the foils under its load.
+    // A journal at rest settles onto the foils under its load.
     switch (by_load && point.speed == 0.0 ? FilmPath::cold_start : path) {
       case FilmPath::load_ramp:
         begin_gently(along(point), point.speed, total);
@@ -134,7 +134,7 @@ class PathWalker {
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
         if (!by_load) {
-          ramp(opened, total);  // it tilts
+          ramp(opened, total);  // with its tilt
         } else if (total.status == Status::converged) {
           total += settle(*starting_, opened, *state_);
         }
@@ -158,7 +158,7 @@ class PathWalker {
     if (total.status == Status::converged) state_ = std::move(started);
   }
 
-  /// begin(); where that throws the foil onto the journal, at the centre instead, and from there on to the position.
+  /// begin(); if that throws the foil onto the journal, starts from the centre and proceeds to the position.
   void begin_gently(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     begin(position, speed, total);
     if (total.status != Status::touchdown) return;
@@ -166,7 +166,7 @@ class PathWalker {
     ramp(OperatingPoint::held_at(position, speed, opening_), total);
   }
 
-  /// On to a point in equal increments; a point that is there already takes none.
+  /// Proceeds to a point in equal increments; none if already there.
   void ramp(const OperatingPoint& point, FilmReport& total) {
     if (total.status != Status::converged) return;
     const OperatingPoint from = point_of(*result_.bearing, *state_, point);
@@ -179,8 +179,8 @@ class PathWalker {
     });
   }
 
-  /// One increment. A journal that begins to turn under a load breaks loose: asperities rub at once, and where it comes
-  /// to rest again is found in time.
+  /// One increment. If a journal starts to turn under a load, it breaks loose: asperities rub immediately, and the
+  /// march in time finds its next rest position.
   void go(const OperatingPoint& to, FilmReport& total) {
     const bool breaks_loose = state_->speed == 0.0 && to.speed != 0.0 && to.by_load();
     total += breaks_loose ? settle(stepper_, to, *state_) : follow(stepper_, to, *state_);
@@ -195,13 +195,13 @@ class PathWalker {
   double done_of_state_{};
   bool reached_{true};
   FilmStepper stepper_;
-  FilmStepper* starting_{};            ///< of a start: foils may be formed otherwise than those of stepper_
-  double opening_{};                   ///< of the clearance where it begins, m
-  std::optional<BearingState> state_;  ///< where the path is
+  FilmStepper* starting_{};            ///< of the start: its foils may be formed differently from those of stepper_
+  double opening_{};                   ///< initial opening of the clearance, m
+  std::optional<BearingState> state_;  ///< current state on the path
   Step step_;
 };
 
-/// |Omega| at the vertex of the parabola through three points of the torque; none unless the middle one is least.
+/// |Omega| at the vertex of the parabola through three points of the torque; none unless the middle one is the minimum.
 std::optional<double> least_torque_between(const std::array<const RunningState*, 3>& states) {
   std::array<double, 3> speed{};
   std::array<double, 3> torque{};
@@ -228,7 +228,7 @@ std::vector<OperatingPoint> journal_points(const EquilibriumSettings& equilibriu
   return points;
 }
 
-/// States that follow from one another on a path.
+/// Groups of states that are computed in sequence on a path.
 std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const EquilibriumSettings& equilibrium,
                                                    const JournalTilt& tilt) {
   const std::vector<OperatingPoint> journals = journal_points(equilibrium, tilt);
@@ -250,7 +250,7 @@ std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const Equilibr
   return chains;
 }
 
-/// The first stable state among those that other paths lead to, to the point of an unstable one.
+/// The first stable state from other paths at the point of an unstable one.
 std::optional<RunningState> stable_instead(const EquilibriumResult& result, const EquilibriumSettings& equilibrium,
                                            double thickness_floor, const RunningState& unstable,
                                            const std::function<bool(double)>& progress) {
@@ -274,7 +274,7 @@ std::optional<RunningState> stable_instead(const EquilibriumResult& result, cons
 void add_least_torque_speeds(EquilibriumResult& result) {
   if (!result.bearing->surroundings.asperities) return;
   for (RunningState& state : result.states) {
-    // States of the same path, journal and sense of rotation, the slower ones first.
+    // States of the same path, journal and direction of rotation, by increasing speed.
     std::vector<const RunningState*> curve;
     for (const RunningState& other : result.states) {
       if (other.path == state.path && other.asked.control == state.asked.control &&
@@ -285,7 +285,7 @@ void add_least_torque_speeds(EquilibriumResult& result) {
     std::stable_sort(curve.begin(), curve.end(), [](const RunningState* a, const RunningState* b) {
       return std::abs(a->asked.speed) < std::abs(b->asked.speed);
     });
-    // From rest the torque jumps up before it falls.
+    // From rest, the torque jumps before it falls.
     std::optional<double> least;
     for (std::size_t i = 1; i + 1 < curve.size() && !least; ++i) {
       if (curve[i - 1]->asked.speed == 0.0) continue;
@@ -353,7 +353,7 @@ EquilibriumResult find_states(const SharedFilmBearing& bearing, const Equilibriu
   result.bearing = bearing;
   const std::size_t states =
       paths.size() * equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
-  result.states.reserve(states);  // they stay where they are while they are judged
+  result.states.reserve(states);  // so that references stay valid during the checks
   PathWalker walker(equilibrium, thickness_floor, result, progress, judges, states);
   try {
     for (const FilmPath path : paths) {

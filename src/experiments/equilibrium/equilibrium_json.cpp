@@ -34,7 +34,7 @@ void add_motions(Json& json, const FilmBearing& bearing, const RunningState& sta
   }
 }
 
-/// Quantities that were found out of a state, whether it is the one that was asked for or not.
+/// Quantities found for a state, even if it is not the requested one.
 Json found_json(const FilmBearing& bearing, const RunningState& state) {
   Json json;
   for (const RunningQuantity& quantity : running_quantities(bearing)) {

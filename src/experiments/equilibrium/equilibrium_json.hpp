@@ -6,10 +6,10 @@
 
 namespace bumpfoil {
 
-/// The quantities of a state, why it was not found, and the last one that was found on the way.
+/// The quantities of a state, the reason if it was not found, and the last state found on the way.
 nlohmann::ordered_json state_json(const FilmBearing& bearing, const RunningState& state);
 
-/// Where a limit lies, between which neighbours, or why it was not found.
+/// The value of a limit and its neighbours, or the reason it was not found.
 nlohmann::ordered_json limit_json(const FilmLimit& limit);
 
 }  // namespace bumpfoil

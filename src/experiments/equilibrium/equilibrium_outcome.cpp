@@ -14,12 +14,12 @@
 namespace bumpfoil {
 namespace {
 
-/// A top foil that moves farther than this per displacement of the journal is all but free: coefficients then hold for
-/// motions far below any that a rotor makes.
+/// A top foil displaced by more per displacement of the journal is almost free: coefficients then hold only for motions
+/// far below those of a rotor.
 constexpr double most_foil_response = 100.0;
-/// Overhangs are warned of where the film is thinner than so many times what they flutter at.
+/// Overhangs are reported if the film is thinner than this multiple of the flutter threshold.
 constexpr double margin_of_overhang = 2.0;
-/// Motions of the foil up to this part of the minimum film thickness are small ones.
+/// Foil motions up to this fraction of the minimum film thickness are small.
 constexpr double linear_part = 0.1;
 
 /// The part that flutters in an unstable state, its location, and advice.
@@ -46,9 +46,9 @@ std::string flutter_text(const FilmBearing& bearing, const RunningState& state) 
   return text;
 }
 
-/// Film thickness at the free end of a pad below which its overhang alone may flutter, m: with the last crest as a
-/// clamp and an infinite bearing number P H stays constant under the overhang l, EI' u'''' = pa L (u_in - u) / h, which
-/// is unstable below h = pa L l^4 / (24.35 EI').
+/// Film thickness at the free end of a pad below which its overhang alone may flutter, m. With the last crest as a
+/// clamp and an infinite bearing number, P H is constant under the overhang l, and EI' u'''' = pa L (u_in - u) / h is
+/// unstable below h = pa L l^4 / (24.35 EI').
 double fluttering_thickness(const FilmBearing& bearing, const FilmPad& pad) {
   const FilmMesh& mesh = pad.foil.mesh;
   const double R = bearing.scales.radius;
@@ -60,7 +60,7 @@ double fluttering_thickness(const FilmBearing& bearing, const FilmPad& pad) {
   return bearing.scales.gas.ambient_pressure * width * std::pow(overhang, 4) / (24.35 * bending_stiffness);
 }
 
-/// The first pad whose film at the free end, where the gas enters, is near that.
+/// The first pad whose film at the free end, at the gas inlet, is near this thickness.
 std::string overhang_text(const FilmBearing& bearing, const RunningState& state) {
   for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
     const FilmPad& pad = bearing.pads[k];
@@ -191,7 +191,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
         name_of_state(state), name_of(other.path), 1e6 * other.minimum_film_thickness,
         1e6 * state.outcome->thinnest.thickness * result.bearing->scales.thickness));
   }
-  // One line for all: on most paths it is all states or none.
+  // One line for all: on most paths it concerns all states or none.
   if (lifted > 0) {
     lines.push_back(
         fmt::format("in {} of {} states the foil is detached at the inlet ({}); the extent may depend on the path: "
@@ -199,7 +199,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
                     lifted, result.states.size(), first_lifted));
   }
   if (unstable > 0) {
-    // First of all: what else is said of such a state hardly matters.
+    // First: it makes other remarks on such a state irrelevant.
     lines.insert(lines.begin(), fmt::format("{} of {} states are unstable with the journal held, so that no bearing "
                                             "stays in them ({}); see growth_held",
                                             unstable, result.states.size(), first_unstable));

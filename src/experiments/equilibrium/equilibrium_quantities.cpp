@@ -15,9 +15,9 @@
 namespace bumpfoil {
 namespace {
 
-using namespace tag;  // NOLINT(google-build-using-namespace): the table below is made of them
+using namespace tag;  // NOLINT(google-build-using-namespace): for the table below
 
-/// Imbalances are relative to the power, the torque and the largest flow.
+/// Residual relative to the power, the torque or the largest flow.
 double relative(double part, double whole_of_it) {
   return whole_of_it == 0.0 ? 0.0 : part / std::abs(whole_of_it);
 }
@@ -78,7 +78,7 @@ double entry(const FilmBearing&, const RunningState& state) {
   return state.*member ? (*(state.*member))(row, column) : absent;
 }
 
-/// Of the first of the frequencies.
+/// At the first of the frequencies.
 template <std::optional<JournalMatrixC> FilmWhirl::*member, int row, int column>
 double whirl_stiffness(const FilmBearing&, const RunningState& state) {
   if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
@@ -91,7 +91,7 @@ double whirl_damping(const FilmBearing&, const RunningState& state) {
   return frequency == 0.0 ? absent : (*(state.whirls.front().*member))(row, column).imag() / frequency;
 }
 
-/// Of a motion with the journal held, over the speed of rotation; at rest there is no such number.
+/// A rate of motion with the journal held over the rotation speed; undefined at rest.
 double over_speed(double rate, const RunningState& state) {
   return state.last->speed == 0.0 ? absent : rate / std::abs(state.last->speed);
 }
@@ -115,7 +115,7 @@ double critical_whirl_ratio(const FilmBearing&, const RunningState& state) {
   return state.*member ? over_speed((*(state.*member)).frequency, state) : absent;
 }
 
-/// Of a limit, where it was asked for and found.
+/// A limit, if requested and found.
 using LimitOfState = std::optional<FilmLimit> RunningState::*;
 template <LimitOfState limit>
 double limit_value(const FilmBearing&, const RunningState& state) {
@@ -434,7 +434,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      csv | asked | of_foils | of_limits},
 });
 
-/// Of the displacement by P_k over the width, at zeta = 1: 0 of foils without that mode.
+/// Displacement by P_k over the width, at zeta = 1: 0 for foils without this mode.
 template <int k>
 Vector mode_of_top_foil(const FilmBearing& bearing, const BearingState& state) {
   const WidthLines& lines = bearing.pads.front().foil.lines;
@@ -451,7 +451,7 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
      of_uniform_film},
     {"line_load", "N/m", "gauge pressure, integrated over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // its rows are those of all
+       const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // all meshes have the same rows
        Vector load = Vector::Zero(bearing.columns());
        for (int j = 0; j <= mesh.rows; ++j) {
          load.array() += mesh.row_weight(j) * (state.film.pressure.row(j).transpose().array() - 1.0);
@@ -558,7 +558,7 @@ std::string journal_text(const OperatingPoint& point) {
                      point.journal.y() / unit, by_load ? "N" : "um");
 }
 
-/// What changes from one point to the next, as it was before.
+/// The previous value of the quantity that changes between points.
 std::string where_from(const OperatingPoint& before, const OperatingPoint& now) {
   return before.journal == now.journal ? speed_text(before) : journal_text(before);
 }

@@ -25,7 +25,7 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
                 .dimension = length,
                 .instead = true},
                equilibrium.positions);
-  // Positions have no load to ramp.
+  // Positions have no load for a ramp.
   if (!equilibrium.positions.empty() && equilibrium.path == FilmPath::load_ramp) {
     equilibrium.path = FilmPath::position_ray;
   }
@@ -66,7 +66,7 @@ void describe_equilibrium(CaseVisitor& keys, Case& input) {
 }
 
 constexpr double most_speed = 1e6;  // rad/s
-/// States keep their films until all are written: nodes of the mesh, all states together; about 40 bytes each.
+/// Limit of mesh nodes of all states together: films are kept until all are written, about 40 bytes per node.
 constexpr double most_state_nodes = 1e8;
 
 void judge_memory(Judge& judge, const Case& input, const EquilibriumSettings& equilibrium) {
@@ -79,7 +79,7 @@ void judge_memory(Judge& judge, const Case& input, const EquilibriumSettings& eq
   }
 }
 
-/// Entries of a list of pairs, each within +-`most`.
+/// Checks a list of pairs, each entry within +-`most`.
 void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen::Vector2d>& vectors, double most,
                    std::string_view unit) {
   for (std::size_t i = 0; i < vectors.size(); ++i) {

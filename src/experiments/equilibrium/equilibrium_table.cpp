@@ -25,12 +25,12 @@ std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, do
   if (quantity.is(tag::is_bump)) return running_bump_text(bearing, static_cast<int>(value) - 1);
   if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
   if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
-  // Round-off of values that are zero by symmetry, or under the load.
+  // Removes round-off of values that are zero by symmetry or equilibrium.
   if (std::abs(value) < 1e-9 * quantity.shown.size) value = 0.0;
   return number_text(value, quantity.shown.size);
 }
 
-/// Dynamic coefficients at the frequency of the rotation are the synchronous ones.
+/// Dynamic coefficients at the rotation frequency are the synchronous ones.
 std::string label_of(const RunningQuantity& quantity, const EquilibriumResult& result) {
   constexpr std::string_view dynamic = "dynamic";
   const bool synchronous = std::all_of(result.states.begin(), result.states.end(), [](const RunningState& state) {
@@ -41,14 +41,14 @@ std::string label_of(const RunningQuantity& quantity, const EquilibriumResult& r
   return fmt::format("synchronous{}", quantity.label.substr(dynamic.size()));
 }
 
-/// Whether a quantity of any of the states is known.
+/// Whether a quantity is known for any of the states.
 bool is_known(const EquilibriumResult& result, const RunningQuantity& quantity) {
   return std::any_of(result.states.begin(), result.states.end(), [&](const RunningState& state) {
     return std::isfinite(value_of(quantity, *result.bearing, state));
   });
 }
 
-/// Part of the force that each of several pads carries.
+/// Fraction of the force on each of several pads.
 std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
   std::string out;
   const std::size_t pads = result.bearing->pads.size();
@@ -66,7 +66,7 @@ std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::si
   return out;
 }
 
-/// Dynamic stiffness and damping at the frequencies behind the first, which is among the quantities.
+/// Dynamic stiffness and damping at the frequencies after the first, which is among the quantities.
 std::string whirl_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
   std::string out;
   std::size_t frequencies = 0;

@@ -15,14 +15,14 @@
 namespace bumpfoil {
 namespace {
 
-/// Steps of the search, and the length of the last, relative to the value.
+/// Relative step of the search, and length of the last.
 constexpr double step_factor = 1.25;
 constexpr int max_steps = 60;
 constexpr double last_step = 1e-3;
-/// Steps to loads below the first that are taken in search of a stable state: to a tenth of it.
+/// Maximum number of steps below the first load in search of a stable state: to a tenth of it.
 constexpr int max_smaller_loads = 10;
 
-/// Looks for one limit along a path. The demand on the film, load or one over speed, is 1 at the start.
+/// Searches one limit along a path. The demand on the film, load or reciprocal speed, is 1 at the start.
 class LimitSearch {
  public:
   LimitSearch(FilmStepper& stepper, double threshold, FilmLimitKind kind, const OperatingPoint& start)
@@ -36,7 +36,7 @@ class LimitSearch {
     return interrupted_ ? nothing(Status::interrupted) : status == Status::converged ? result() : nothing(status);
   }
 
-  /// Nothing is known but where the search began.
+  /// A failed search: only its start is known.
   [[nodiscard]] FilmLimit nothing(Status status) const {
     return {.kind = kind_,
             .status = status,
@@ -52,19 +52,19 @@ class LimitSearch {
     double demand{};
     double h{absent};  ///< minimum film thickness, m
     BearingState state;
-    int jumps{};                   ///< on the way from the start
-    std::optional<bool> stable{};  ///< where the film is thick enough
+    int jumps{};                   ///< since the start
+    std::optional<bool> stable{};  ///< known only if the film is thick enough
   };
   using Places = std::vector<Place>;
 
   [[nodiscard]] bool is_thick(const Place& place) const { return place.h >= threshold_; }
   [[nodiscard]] bool counts(const Place& place) const { return is_thick(place) && place.stable.value_or(true); }
 
-  /// From the start to where the film crosses the threshold. Leaves the path in the order of rising demands.
+  /// From the start to the crossing of the threshold. Leaves the path sorted by demand.
   Status cross_threshold() {
     const bool begins_thick = is_thick(path_.front());
     for (int i = 0; is_thick(path_.back()) == begins_thick && !interrupted_; ++i) {
-      // A film that is too thin at the start and cannot be followed to where it is thicker.
+      // The film is too thin at the start, and the path to a thicker one fails.
       if (i == max_steps || std::isnan(path_.back().h)) return Status::not_converged;
       const double demand = path_.back().demand;
       path_.push_back(go(path_.back(), begins_thick ? demand * step_factor : demand / step_factor));
@@ -73,7 +73,7 @@ class LimitSearch {
     return Status::converged;
   }
 
-  /// Where no state of the path counts, one under a smaller load may.
+  /// If no state of the path is valid, one under a smaller load may be.
   void look_at_smaller_loads() {
     if (std::any_of(path_.begin(), path_.end(), [this](const Place& place) { return counts(place); })) return;
     for (int i = 0; i < max_smaller_loads && !counts(path_.front()) && !interrupted_; ++i) {
@@ -83,7 +83,7 @@ class LimitSearch {
     }
   }
 
-  /// Halves the steps between states of which one is thick enough, or stable, and the other is not.
+  /// Halves steps between two states of which only one is thick enough, or stable.
   void resolve() {
     for (std::size_t i = 0; i + 1 < path_.size() && !interrupted_;) {
       const Place& here = path_[i];
@@ -97,7 +97,7 @@ class LimitSearch {
     }
   }
 
-  /// Of a path that crosses the threshold.
+  /// The limit on a path that crosses the threshold.
   [[nodiscard]] FilmLimit result() const {
     const auto end =
         std::find_if_not(path_.begin(), path_.end(), [this](const Place& place) { return is_thick(place); });
@@ -126,7 +126,7 @@ class LimitSearch {
     return limit;
   }
 
-  /// States that are or may be unstable, on the path before `end`.
+  /// Adds states that are or may be unstable, on the path before `end`.
   void add_unstable(Places::const_iterator end, FilmLimit& limit) const {
     bool goes_on = false;
     for (auto place = path_.begin(); place != end; ++place) {
@@ -158,7 +158,7 @@ class LimitSearch {
     return kind_ == FilmLimitKind::lift_off_speed ? std::abs(point(demand).speed) : point(demand).journal.norm();
   }
 
-  /// With its film, and whether that lasts.
+  /// A place with its film thickness and stability.
   Place place(double demand, const BearingState& state, int jumps) {
     Place found{.demand = demand,
                 .h = stepper_.bearing().scales.thickness * state.film.thickness.minCoeff(),
@@ -182,7 +182,7 @@ class LimitSearch {
   double threshold_;
   FilmLimitKind kind_;
   OperatingPoint start_;
-  Places path_;  ///< by rising demand, once the threshold is crossed
+  Places path_;  ///< by increasing demand, once the threshold is crossed
   bool interrupted_{};
 };
 
@@ -201,7 +201,7 @@ FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLi
   return start.found() ? search.find(*start.last) : search.nothing(start.report.status);
 }
 
-/// Where a value stands in a list that it was taken from.
+/// Index of a value in the list it was taken from.
 template <typename Value>
 std::size_t place_in(const std::vector<Value>& list, const Value& value) {
   return static_cast<std::size_t>(std::find(list.begin(), list.end(), value) - list.begin());

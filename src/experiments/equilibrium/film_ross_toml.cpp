@@ -25,7 +25,7 @@ constexpr std::string_view film_head =
 # contacts = "stuck": too small a motion to make any bump slip; "slipping": sliding contacts keep sliding.
 )";
 
-/// What the axes are.
+/// Explanation of the axes.
 constexpr std::string_view axes_2 = R"(# frequency is the speed of the rotor (rad/s), as version 2 reads it.
 )";
 constexpr std::string_view axes_3 =
@@ -36,7 +36,7 @@ constexpr std::string_view synchronous_only = "\n# synchronous: for unbalance re
 
 using Impedance = std::optional<JournalMatrixC> FilmWhirl::*;
 
-/// States of one path, load or position and sense of rotation, slow before fast.
+/// States of one path, load or position and direction of rotation, by increasing speed.
 using StatesOverSpeed = std::vector<const RunningState*>;
 
 std::vector<StatesOverSpeed> by_speed(const std::vector<RunningState>& states) {
@@ -65,12 +65,12 @@ std::vector<StatesOverSpeed> by_speed(const std::vector<RunningState>& states) {
   return groups;
 }
 
-/// At the frequency of the rotation, or at all that are tabulated.
+/// At the rotation frequency, or at all tabulated ones.
 std::vector<FilmWhirl> whirls_of(const RunningState& state, bool synchronous) {
   return synchronous ? std::vector{*state.synchronous} : state.tabulated;
 }
 
-/// Those whose coefficients of one kind are all known.
+/// States whose coefficients of one kind are all known.
 StatesOverSpeed known(StatesOverSpeed states, Impedance impedance) {
   std::erase_if(states, [impedance](const RunningState* state) {
     const auto unknown = [impedance](const FilmWhirl& whirl) { return !(whirl.*impedance); };
@@ -85,7 +85,7 @@ RossElement element_of(const StatesOverSpeed& states, Impedance impedance, bool 
     element.speeds.push_back(std::abs(state->asked.speed));
     for (const FilmWhirl& whirl : whirls_of(*state, synchronous)) {
       if (!synchronous && state == states.front()) element.frequencies.push_back(whirl.frequency);
-      const Eigen::Matrix2cd in_plane = (whirl.*impedance)->topLeftCorner<2, 2>();  // bearings of ROSS do not tilt
+      const Eigen::Matrix2cd in_plane = (whirl.*impedance)->topLeftCorner<2, 2>();  // ROSS bearings do not tilt
       element.stiffness.push_back(in_plane.real());
       element.damping.push_back(in_plane.imag() / whirl.frequency);
     }
@@ -93,7 +93,7 @@ RossElement element_of(const StatesOverSpeed& states, Impedance impedance, bool 
   return element;
 }
 
-/// The tables of one kind of contacts, as a version of ROSS takes them.
+/// The tables of one kind of contacts, for a version of ROSS.
 std::string elements_toml(const StatesOverSpeed& states, Impedance impedance, int ross_version) {
   RossElement synchronous = element_of(states, impedance, true);
   if (ross_version == 2) {

@@ -14,11 +14,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Contacts that carry less, N, may as well be open: where the verdict on a state hangs on them, it is doubtful.
+/// Contacts below this load, N, may be open: if the stability of a state depends on them, it is doubtful.
 constexpr double light_contact_load = 1e-3;
-/// Frequencies that coefficients are tabulated at, in speeds: rotors whirl unstably at about half the speed, and the
-/// speed itself is to lie inside. So many equal ratios lead from the one to the other: nine frequencies at least lie
-/// between those of any speed, wherever the grid begins.
+/// Range of tabulated frequencies over the speed: unstable rotor whirl is at about half the speed, and the speed itself
+/// should lie inside. The ratios between them are equal, in a number that leaves at least nine frequencies in the range
+/// of any speed, wherever the grid starts.
 constexpr double lowest_frequency = 0.2;
 constexpr double highest_frequency = 1.2;
 constexpr double frequency_intervals = 9.0;
@@ -28,7 +28,7 @@ struct Impedances {
   const FilmBearing& bearing;
   std::optional<FilmImpedance> moving, stuck;
 
-  /// @param rates  that they are good for, 1/s
+  /// @param rates  at which accuracy is ensured, 1/s
   Impedances(FilmStepper& stepper, const BearingState& state, const std::vector<std::complex<double>>& rates)
       : bearing(stepper.bearing()),
         moving(stepper.impedance(state, rates)),
@@ -53,14 +53,14 @@ std::vector<std::complex<double>> rates_of(const std::vector<double>& frequencie
   return rates;
 }
 
-/// None at rest, and where film and foils leave the state by themselves. @param held  of the same contacts
+/// None at rest, and if film and foils are unstable by themselves. @param held  with the same contact modes
 std::optional<CriticalMass> critical_mass_of_state(const std::optional<FilmImpedance>& impedance, double speed,
                                                    const std::optional<HeldMotion>& held) {
   if (speed == 0.0 || !impedance || !held || held->rate.real() >= 0.0) return std::nullopt;
   return least_critical_mass(*impedance, speed);
 }
 
-/// Opens closed contacts that carry next to nothing. @return how many there are
+/// Opens closed contacts with negligible load. @return their number
 int open_light_contacts(ContactState& contacts) {
   int count = 0;
   for (std::size_t c = 0; c < contacts.mode.size(); ++c) {
@@ -74,7 +74,7 @@ int open_light_contacts(ContactState& contacts) {
   return count;
 }
 
-/// Adds the largest stresses of all pads to a state.
+/// Adds the maximum stresses of all pads to a state.
 void find_stresses(const FilmBearing& bearing, RunningState& found) {
   const BearingState& state = *found.last;
   for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
@@ -112,7 +112,7 @@ void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
   if (found.light_contacts > 0) found.held_if_open = stepper.held_motions(opened);
   const std::vector<double> frequencies = frequencies_of(settings, state.speed);
   const std::vector<double> tabulated = tabulates ? tabulated_frequencies(settings) : std::vector<double>{};
-  // The slowest first: they are met last, and the rest is not looked at before.
+  // The slowest comes first: it is the last to converge, and the others need no earlier check.
   std::vector<std::complex<double>> rates = rates_of(tabulated);
   for (const auto& further : {rates_of(frequencies), whirling_rates(state.speed)}) {
     rates.insert(rates.end(), further.begin(), further.end());
@@ -122,7 +122,7 @@ void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
   found.stuck_critical_mass = critical_mass_of_state(impedances.stuck, state.speed, found.held.stuck);
   found.whirls = impedances.at(frequencies);
   if (tabulates) {
-    found.synchronous = impedances.at({std::abs(state.speed)}).front();  // one of the whirling rates
+    found.synchronous = impedances.at({std::abs(state.speed)}).front();  // one of whirling_rates()
     found.tabulated = impedances.at(tabulated);
   }
   find_stresses(*bearing, found);
@@ -132,7 +132,7 @@ void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
 std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium) {
   std::vector<double> frequencies = equilibrium.frequencies;
   if (frequencies.empty()) {
-    double slowest = std::numeric_limits<double>::infinity();  // but rest
+    double slowest = std::numeric_limits<double>::infinity();  // except rest
     double fastest = 0.0;
     for (const double speed : equilibrium.speeds) {
       if (speed != 0.0) slowest = std::min(slowest, std::abs(speed));
@@ -141,7 +141,7 @@ std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium
     if (fastest == 0.0) return {};
     const double first = lowest_frequency * slowest;
     const double range = highest_frequency * fastest / first;
-    // Less a rounding, that one speed has not one more.
+    // Minus round-off, so that a single speed does not add an interval.
     const double intervals =
         std::ceil(frequency_intervals * std::log(range) / std::log(highest_frequency / lowest_frequency) - 1e-9);
     for (double i = 0.0; i <= intervals; ++i) frequencies.push_back(first * std::pow(range, i / intervals));

@@ -4,8 +4,8 @@
 
 namespace bumpfoil {
 
-/// Adds to a state what follows from it. With a stepper of its own: the walk may be on to the next state.
-/// @param tabulates  whether to add what is for rotor dynamics
+/// Adds derived results to a state, with a stepper of its own: the walk may already be at the next state.
+/// @param tabulates  whether to add results for rotor dynamics
 void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
                  RunningState& found);
 

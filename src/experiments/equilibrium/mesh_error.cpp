@@ -27,7 +27,7 @@ FilmResolution other_resolution(const FilmResolution& own, int step) {
           .width = own.width};
 }
 
-/// Values at nodes, read at `count` nodes between the same ends, as if both were at equal distances: linear in between.
+/// Values at nodes, interpolated linearly to `count` nodes between the same ends, as if both were equidistant.
 Vector resampled(const Vector& values, Eigen::Index count) {
   Vector found(count);
   const double stride = static_cast<double>(values.size() - 1) / static_cast<double>(count - 1);
@@ -40,7 +40,7 @@ Vector resampled(const Vector& values, Eigen::Index count) {
   return found;
 }
 
-/// Every row of a field.
+/// The same for every row of a field.
 Matrix resampled(const Matrix& field, Eigen::Index columns) {
   Matrix along(field.rows(), columns);
   for (Eigen::Index j = 0; j < field.rows(); ++j) along.row(j) = resampled(Vector(field.row(j)), columns);
@@ -54,7 +54,7 @@ Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
   return found;
 }
 
-/// A state of `from` on the mesh of `to`: not yet one of its equations, but near.
+/// A state of `from` transferred to the mesh of `to`: not a solution there, but close.
 BearingState transferred(const FilmBearing& from, const FilmBearing& to, const BearingState& state) {
   BearingState found = resting(to, from.journal_of(state), state.speed, state.opening);
   found.contacts.gap = state.contacts.gap;
@@ -76,7 +76,7 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
     found.film.lift(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.lift), columns);
     found.film.moment(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.moment), columns);
     found.film.membrane(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.membrane), columns);
-    // The last block has more unknowns than those of a bump foil, the displacements of the free end.
+    // The last block also has the displacements of the free end.
     for (Eigen::Index b = 0; b <= pad.bumps(); ++b) {
       const Eigen::Index block = pad.first_block + b;
       auto to_block = found.contacts.x.segment(block * to_size, to_size);
@@ -95,7 +95,7 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
   return found;
 }
 
-/// Of the difference between `other` and `own` that the latter is off by.
+/// Error of `own` as fraction of its difference from `other`.
 double part_of_difference(const FilmResolution& own, const FilmResolution& other) {
   const double r_squared =
       static_cast<double>(own.columns_per_pitch * own.rows) / static_cast<double>(other.columns_per_pitch * other.rows);

@@ -13,11 +13,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Minimum film thicknesses that differ by more than this part belong to different states.
+/// Minimum film thicknesses with a larger relative difference belong to different states.
 constexpr double tolerated_difference = 0.02;
 
-/// Judges states on all cores while the walk goes on, and adds the error of the mesh. No state depends on another one
-/// there, nor on the thread.
+/// Checks states on all cores during the walk, and adds the mesh error. States are independent of each other and of the
+/// thread.
 class ParallelJudges : public StateJudges {
  public:
   ParallelJudges(const Case& input, tbb::task_group& group) : input_(input), group_(group) {}
@@ -46,7 +46,7 @@ double minimum_film_thickness(const EquilibriumResult& result, const RunningStat
   return state.last->film.thickness.minCoeff() * result.bearing->scales.thickness;
 }
 
-/// States of `result` that another path reaches with another film.
+/// States of `result` for which another path reaches a different film.
 std::vector<OtherBranch> other_branches(const EquilibriumResult& result, const EquilibriumResult& second) {
   std::vector<OtherBranch> found;
   for (std::size_t i = 0; i < result.states.size(); ++i) {
@@ -71,7 +71,7 @@ FilmPath second_path(const EquilibriumSettings& equilibrium) {
 }
 
 EquilibriumResult analyse_running_bearing(const Case& input, const std::function<bool(double)>& progress) {
-  if (!input.equilibrium) static_cast<void>(require_running_bearing(input));  // says what is missing
+  if (!input.equilibrium) static_cast<void>(require_running_bearing(input));  // reports what is missing
   const EquilibriumSettings& settings = *input.equilibrium;
   const bool all = settings.paths == ComparedPaths::all;
   const bool second = settings.paths == ComparedPaths::two;

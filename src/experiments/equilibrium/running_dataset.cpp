@@ -37,17 +37,17 @@ const std::vector<Eigen::Vector2d>& journals_of(const EquilibriumSettings& setti
   return settings.loads.empty() ? settings.positions : settings.loads;
 }
 
-/// Describes states of a running bearing, variable by variable.
+/// Describes states of a running bearing, one variable at a time.
 class StateDataset {
  public:
   /// @param dims    of a quantity of states
-  /// @param places  of the states among its values
+  /// @param places  index of each state among its values
   StateDataset(const EquilibriumResult& result, Dims dims, std::vector<std::size_t> places)
       : result_(result), dims_(std::move(dims)), places_(std::move(places)) {}
 
   Dataset& data() { return data_; }
 
-  /// @param but  tags of those that are left out
+  /// @param but  tags of quantities to omit
   void add_quantities(Tags but) {
     for (const RunningQuantity& quantity : running_quantities(*result_.bearing, result_.with_limits)) {
       if (quantity.is(but)) continue;
@@ -61,7 +61,7 @@ class StateDataset {
 
   void add_motions(const EquilibriumSettings& settings) { add_whirls(settings, result_, dims_, places_, data_); }
 
-  /// Part of the force that each of several pads carries.
+  /// Fraction of the force on each of several pads.
   void add_pads() {
     if (result_.bearing->pads.size() == 1) return;
     for (const int axis : {0, 1}) {
@@ -71,7 +71,7 @@ class StateDataset {
     }
   }
 
-  /// Values of every state that was found. @param values_of  state -> numbers of so many at all
+  /// Values of every state that was found. @param values_of  state -> numbers, all of the same count
   template <typename ValuesOf>
   Variable& add(VariableMeaning meaning, const Dims& inside, ValuesOf values_of) {
     return data_.add(std::move(meaning), dims_ + inside, [values_of, &states = result_.states, places = places_] {
@@ -96,7 +96,7 @@ class StateDataset {
   Dataset data_;
 };
 
-/// Positions of the columns, and the pads that they belong to.
+/// Positions of the columns, and their pads.
 void add_columns(const FilmBearing& bearing, Dataset& data) {
   Vector theta(bearing.columns());
   Vector phi(bearing.columns());
@@ -186,7 +186,7 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
   }
 }
 
-/// What is known of the foils without a film, too, but for the contact with the journal, which there is none of.
+/// Foil quantities, as without a film, except for the contact with the journal, which does not exist.
 void add_fields(const EquilibriumResult& result, const ResultLayout& layout, const Wording& wording,
                 StateDataset& states) {
   const Foils& foils = *result.bearing;
@@ -228,7 +228,7 @@ Dataset state_dataset(const Case& input, const EquilibriumResult& result) {
 }
 
 std::size_t place_of(const EquilibriumSettings& settings, std::size_t state) {
-  // A ramp of speeds goes through all of them under each load, other paths through all loads at each speed.
+  // A ramp of speeds runs through all speeds under each load, other paths through all loads at each speed.
   if (settings.path != FilmPath::speed_ramp) return state;
   const std::size_t speeds = settings.speeds.size();
   return state % speeds * journals_of(settings).size() + state / speeds;
@@ -251,7 +251,7 @@ Dataset equilibrium_dataset(const EquilibriumSettings& settings, const Equilibri
                       each(journals, [](const Eigen::Vector2d& vector) { return vector.x(); }));
   data.add_coordinate({journal + "_y", unit, "requested " + what + ", Y"}, {journal},
                       each(journals, [](const Eigen::Vector2d& vector) { return vector.y(); }));
-  // Requested values are the same for whole rows and columns: coordinates.
+  // Requested values are equal over rows and columns: stored as coordinates.
   states.add_quantities(tag::demand);
   if (const std::size_t pads = result.bearing->pads.size(); pads > 1) {
     data.add_dimension({"pad", "1", "pad, in the order of the case", {Form::whole}}, numbers_from(1.0, pads));
@@ -264,7 +264,7 @@ Dataset equilibrium_dataset(const EquilibriumSettings& settings, const Equilibri
 EquilibriumResult equilibrium_not_begun(const Case& input) {
   EquilibriumResult result;
   Case bearing = input;
-  bearing.equilibrium.reset();  // a layout of all speeds has none that could be run
+  bearing.equilibrium.reset();  // a layout of all speeds is not a runnable case
   result.bearing = std::make_shared<const FilmBearing>(make_film_bearing(bearing));
   result.states = planned_states(*input.equilibrium, Status::interrupted);
   result.with_limits = input.equilibrium->limits;

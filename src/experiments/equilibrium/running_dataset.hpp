@@ -8,17 +8,17 @@
 
 namespace bumpfoil {
 
-/// Contents of result.nc for running bearings: everything known of every state, its film, bumps and feet, and the
-/// geometry. Of states that were not found all is absent but what was asked for.
+/// Contents of result.nc for running bearings: all results of every state, its film, bumps and feet, and the geometry.
+/// States that were not found only have their requested values.
 Dataset state_dataset(const Case& input, const EquilibriumResult& result);
 
 /// Contents of sweeps of running bearings: their quantities over speed and load, or speed and position.
 Dataset equilibrium_dataset(const EquilibriumSettings& settings, const EquilibriumResult& result);
 
-/// Where that has a state of the result.
+/// Index of a state of the result in it.
 std::size_t place_of(const EquilibriumSettings& settings, std::size_t state);
 
-/// A result of which no state was looked for.
+/// A result in which no state has been computed.
 EquilibriumResult equilibrium_not_begun(const Case& input);
 
 }  // namespace bumpfoil

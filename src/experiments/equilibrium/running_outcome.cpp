@@ -33,7 +33,7 @@ SweptResult swept_states(const Case& input, const EquilibriumResult& result) {
   return swept;
 }
 
-/// One path, without a second one to compare with.
+/// One path, without comparison with a second one.
 Outcome run_swept(const Case& input, const ProgressCallback& progress) {
   EquilibriumResult result = run_equilibrium(input, {}, progress);
   estimate_mesh_errors(input, result);
@@ -62,7 +62,7 @@ ExperimentInfo equilibrium_experiment() {
                                            "equilibrium.steps=1",
                                            "film.columns_per_pitch=4",
                                            "film.rows=4"};
-  std::vector<std::string> seated = one_state;  // others flutter at their free end, and take long
+  std::vector<std::string> seated = one_state;  // others flutter at their free end, and take longer
   seated.emplace_back("top_foil.formed_radius=seated");
   std::vector<std::string> with_limits = seated;
   with_limits.insert(with_limits.end(), {"equilibrium.limits=true", "film.h_lift_off=15 um"});

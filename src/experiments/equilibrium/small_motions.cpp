@@ -6,7 +6,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Whirl ratios between which critical masses are looked for, and those at which the impedance is made sure of.
+/// Whirl ratios of the search for critical masses, and those at which the accuracy of the impedance is ensured.
 constexpr std::array probed_whirls{0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2};
 
 }  // namespace

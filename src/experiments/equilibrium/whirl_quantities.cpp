@@ -14,7 +14,7 @@ namespace {
 /// Motions of the journal: displacements and slopes along X and Y.
 constexpr std::string_view letters = "xyab";
 
-/// The unit of a derivative of a force or, where the row says so, a moment, by a displacement or a slope.
+/// The unit of a derivative of a force or, for moment rows, a moment, by a displacement or a slope.
 std::string unit_of(Eigen::Index row, Eigen::Index column, bool damping) {
   const bool moment = row > 1;
   const bool slope = column > 1;
@@ -61,7 +61,7 @@ const std::vector<WhirlQuantity>& whirl_quantities(Eigen::Index motions) {
 }
 
 std::vector<double> common_frequencies(const EquilibriumSettings& settings, const EquilibriumResult& result) {
-  if (result.bearing->bumps() == 0) return {};  // a wall
+  if (result.bearing->bumps() == 0) return {};  // rigid or elastic surface without bumps
   if (!settings.frequencies.empty()) return settings.frequencies;
   const bool tabulated = std::any_of(result.states.begin(), result.states.end(),
                                      [](const RunningState& state) { return !state.tabulated.empty(); });

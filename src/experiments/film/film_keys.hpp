@@ -6,7 +6,7 @@ namespace bumpfoil {
 
 class CaseVisitor;
 
-/// Visits the tables of gas, film and mixed contact that a bearing of a rotor has otherwise than the case.
+/// Visits the tables of gas, film and mixed contact in which a bearing of a rotor differs from the case.
 void describe_own_film(CaseVisitor& keys, const Case& common, RotorBearing& own);
 
 }  // namespace bumpfoil

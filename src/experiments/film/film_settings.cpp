@@ -149,11 +149,11 @@ constexpr Range ambient_range{1e2, 1e8, "Pa"};
 constexpr Range viscosity_range{1e-7, 1e-2, "Pa s"};
 constexpr Range free_path_range{0.0, 1e-4, "m"};
 
-/// Film meshes beyond these are input errors.
+/// Larger film meshes are input errors.
 constexpr int most_columns = 100;
 constexpr int most_film_rows = 200;
-/// The equations must fit in memory. Bytes for each pair of rows: over a crest, where contacts are, and in a column;
-/// fitted to what 26 bumps take on 6 x 50 to 12 x 200, within 15 %.
+/// Memory estimate of the equations. Bytes for each pair of rows: at a crest, with contacts, and in a column; fitted to
+/// 26 bumps on 6 x 50 to 12 x 200, within 15 %.
 constexpr double bytes_at_crest = 285.0;
 constexpr double bytes_of_column = 37.0;
 constexpr double most_film_bytes = 2e9;
@@ -172,9 +172,9 @@ void judge_gas(Judge& judge, const GasSettings& gas) {
 /// Commands that compute films.
 constexpr std::array film_commands{"equilibrium", "film", "stability", "unbalance"};
 
-/// @param bumps  their number, 0 where that is not usable
-/// @param stations  columns of each that crests stand on, side by side in the equations
-/// @param equal_halves  Case::has_equal_halves(): else twice as many rows
+/// @param bumps  their number, 0 if unusable
+/// @param stations  columns with crests, at each of which they are side by side in the equations
+/// @param equal_halves  Case::has_equal_halves(): otherwise twice as many rows
 void judge_film(Judge& judge, const FilmSettings& film, int bumps, double stations, bool equal_halves) {
   const int columns = film.columns_per_pitch;
   const bool columns_right = judge.require(
@@ -246,14 +246,14 @@ constexpr double most_slope = 0.05;     // rad
 constexpr double most_moment = 1e6;     // N m
 constexpr double most_widening = 1e-3;  // m
 
-/// A number of either sign.
+/// Checks a number of either sign.
 void judge_size(Judge& judge, const std::string& key, double value, double most, const char* unit) {
   if (!judge.finite(key, value, unit)) return;
   judge.require(std::abs(value) <= most, key, quantity(value, unit), "is unphysical",
                 fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
 }
 
-/// A pair of components along X and Y.
+/// Checks a pair of components along X and Y.
 void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, double most, const char* unit,
                 const char* example) {
   if (!judge.require(pair.size() == 2, key, fmt::format("{} numbers", pair.size()), "is not a pair along X and Y",
@@ -263,8 +263,8 @@ void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, 
   for (std::size_t i = 0; i < 2; ++i) judge_size(judge, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
 }
 
-/// Requirements of a journal that loads the foils unevenly over the width, without a film.
-/// @param key  that says so
+/// Checks a journal that loads the foils unevenly over the width, without a film.
+/// @param key  that causes it
 void judge_dry_width(Judge& judge, const Case& input, const char* key, const char* command) {
   judge.require_for(command, input.width.modes != 1 || input.top_foil.split, key, "",
                     "needs foils that can follow it where there is no film",
@@ -276,7 +276,7 @@ void judge_dry_width(Judge& judge, const Case& input, const char* key, const cha
                     "set model = \"truss\" or \"frame\"");
 }
 
-/// Journals that are tilted or not cylindrical, and sleeves likewise.
+/// Checks journals and sleeves that are tilted or not cylindrical.
 void judge_journal(Judge& judge, const Case& input) {
   const WidthSettings& width = input.width;
   judge_size(judge, "width.conicity", width.conicity, most_widening, "m");
@@ -305,7 +305,7 @@ void judge_journal(Judge& judge, const Case& input) {
   }
 }
 
-/// Unsupported combinations of bump foils that are split into strips.
+/// Unsupported combinations of bump foils split into strips.
 void judge_strips_in_use(Judge& judge, const Case& input) {
   const bool apart = input.bump_foil.is_split() && input.varies_over_the_width();
   for (const char* const command : {"cycle", "path", "vibration"}) {
@@ -332,7 +332,7 @@ void judge_strips_in_use(Judge& judge, const Case& input) {
   }
 }
 
-/// Unsupported combinations where the film varies over the width.
+/// Unsupported combinations if the film varies over the width.
 void judge_width(Judge& judge, const Case& input) {
   judge_strips_in_use(judge, input);
   judge_journal(judge, input);
@@ -351,7 +351,7 @@ void judge_width(Judge& judge, const Case& input) {
                     "applies to foils, and the command film has none", "set width.modes = 1, or run equilibrium");
 }
 
-/// Keys that do not apply to a bearing surface in place of the foils.
+/// Keys that do not apply to a bearing surface without foils.
 void judge_wall(Judge& judge, const Case& input) {
   judge.require_for("film", input.pads.empty(), "pad", "",
                     "are parts of the sleeve: a bearing surface without foils has none",

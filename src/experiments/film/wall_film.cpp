@@ -47,7 +47,7 @@ void find_motions(const FilmBearing& bearing, const Foundation& foundation, cons
   found.critical_mass = least_critical_mass(*impedance, speed);
 }
 
-/// One film, from the centred journal on.
+/// Computes one film, starting from the centred journal.
 FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const FilmBearing& bearing,
                      BearingState& state) {
   const Matrix centred = bearing.undeformed_thickness(Eigen::Vector2d::Zero());

@@ -20,21 +20,22 @@
 namespace bumpfoil {
 namespace {
 
-/// Places for each parameter among which the further starts are the best.
+/// Number of sample points per parameter, of which the best are further starts.
 constexpr std::size_t places_per_parameter = 4;
-/// A parameter this near to a bound, in parts of the way between both, lies at it.
+/// A parameter closer to a bound, relative to the distance between bounds, is at it.
 constexpr double at_bound = 1e-6;
-/// Minima nearer than this part of the bounds, in every parameter, are one.
+/// Minima that differ by less, relative to the bounds, in every parameter are the same.
 constexpr double apart = 0.02;
-/// A minimum whose chi-square is no more above the best (of chi-square per degree of freedom) is nearly as deep.
+/// A minimum whose chi-square exceeds the best by less (in units of chi-square per degree of freedom) is reported as
+/// nearly as deep.
 constexpr double nearly_as_deep = 9.0;
 
-/// Differences of residuals up and down that are this far from each other are of a jump, as where the set of contacts
-/// that slide is another; and by how much residuals then change from bound to bound at least, in standard deviations.
+/// Relative deviation between forward and backward differences of residuals that indicates a jump, as between sets of
+/// sliding contacts; and the smallest change of such residuals from bound to bound, in standard deviations.
 constexpr double jump = 0.5;
 constexpr double least_jump = 1.0;
 
-/// How far profiles go, in standard errors, and by how many steps to each side.
+/// Extent of profiles, in standard errors, and the number of steps to each side.
 constexpr double profile_reach = 3.0;
 constexpr int profile_steps = 6;
 
@@ -60,7 +61,7 @@ class Fit {
     std::vector<LeastSquaresMinimum> minima = minimise_from_all(given);
     if (!minima.empty() && settings_has_noisy_displacements()) {
       weigh(*model_.answers(values_at(minima.front().x)));
-      // Deviations follow the slope of the loop: with those of the solution, once more from there.
+      // Standard deviations depend on the slope of the loop: update them at the solution and repeat.
       if (auto again = minimise(problem_, minima.front().x, [] { return true; })) minima.front() = std::move(*again);
     }
     if (minima.empty()) {
@@ -104,7 +105,7 @@ class Fit {
                        [](const FitData& data) { return data.displacement_std > 0.0; });
   }
 
-  /// Answers there. @throws Error (input) with what prevents the case from being run
+  /// Model values there. @throws Error (input) with the reason why the case cannot be run
   [[nodiscard]] std::vector<DataAnswer> require_start(const Eigen::VectorXd& x) const {
     const std::vector<double> values = values_at(x);
     for (std::size_t i = 0; i < settings_.data.size(); ++i) static_cast<void>(model_.case_of_data(i, values));
@@ -115,7 +116,7 @@ class Fit {
                   fmt::format("start from values with which `bumpfoil {}` reaches all that was measured", command)}});
   }
 
-  /// Takes the standard deviations that residuals count by from the model.
+  /// Takes the standard deviations of residuals from the model.
   void weigh(const std::vector<DataAnswer>& answers) {
     weights_ = each(answers, [](const DataAnswer& answer) { return answer.weights; });
   }
@@ -140,8 +141,7 @@ class Fit {
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(all.data(), std::ssize(all)));
   }
 
-  /// Tells how far the fit is, in one of its minimisations or profiles. Of the steps of each nobody knows how many
-  /// there will be.
+  /// Reports the progress of a minimisation or profile. The number of steps of each is unknown.
   bool goes_on(std::size_t part, int step) {
     const auto parts = static_cast<double>(settings_.starts + (settings_.profile ? count() : 0));
     const double share = 1.0 - 1.0 / (1.0 + 0.1 * step);
@@ -149,7 +149,7 @@ class Fit {
     return !stopped_;
   }
 
-  /// Minima from the given start and from the best of other places, the best first.
+  /// Minima from the given start and from the best sample points, in ascending order.
   std::vector<LeastSquaresMinimum> minimise_from_all(const Eigen::VectorXd& given) {
     std::vector<Eigen::VectorXd> starts{given};
     const auto further = static_cast<std::size_t>(settings_.starts) - 1;
@@ -225,7 +225,7 @@ class Fit {
     result.degrees_of_freedom = std::max(1, static_cast<int>(minimum.residuals.size()) - open);
     const double excess = std::max(1.0, result.reduced_chi_square());
     const Eigen::MatrixXd covariance = excess * covariance_of(estimate);
-    // What is minimised counts all points alike, standard errors allow for the readings of each.
+    // The minimisation weights all points equally; standard errors account for the number of readings of each.
     FitEstimate counted = estimate;
     counted.variances.setOnes();
     const Eigen::MatrixXd as_counted = covariance_of(counted);
@@ -249,7 +249,7 @@ class Fit {
     result.fitted = model_.case_with(values);
   }
 
-  /// The minimum with one parameter held; `x` is the start. @return its cost, absent where there is none
+  /// The minimum with one parameter held; `x` is the start. @return its cost, absent if there is none
   std::optional<double> minimise_others(Eigen::Index held, Eigen::VectorXd& x, const std::function<bool()>& go_on) {
     const auto whole = [&](const Eigen::VectorXd& others) {
       Eigen::VectorXd all(count());
@@ -270,7 +270,7 @@ class Fit {
     return minimum->cost;
   }
 
-  /// One side of a profile, away from the best value. @return where it rises beyond `threshold`
+  /// One side of a profile, away from the best value. @return where it exceeds `threshold`
   std::optional<double> follow_profile(Eigen::Index held, const LeastSquaresMinimum& best, double end, double threshold,
                                        const std::function<bool()>& go_on, std::vector<FitProfilePoint>& profile) {
     std::optional<double> crossing;
@@ -283,7 +283,7 @@ class Fit {
       if (!cost || stopped_) break;
       const FitProfilePoint next{values_at(x)[static_cast<std::size_t>(held)], scale * (*cost - best.cost)};
       if (!crossing && next.cost > threshold) {
-        // Roots of the cost are nearly linear.
+        // Square roots of the cost are nearly linear.
         const double from = std::sqrt(std::max(0.0, last.cost));
         const double part = (std::sqrt(threshold) - from) / (std::sqrt(next.cost) - from);
         crossing = last.value + part * (next.value - last.value);
@@ -313,7 +313,7 @@ class Fit {
     }
   }
 
-  /// Those that differ, where they are nearly as deep.
+  /// Keeps distinct minima that are nearly as deep.
   void keep_minima(const std::vector<LeastSquaresMinimum>& minima, FitResult& result) const {
     std::vector<Eigen::VectorXd> kept;
     const double excess = std::max(1.0, result.reduced_chi_square());
@@ -331,8 +331,8 @@ class Fit {
   FitModel model_;
   const FitSettings& settings_;
   const ProgressCallback& progress_;
-  std::vector<std::vector<double>> weights_;  ///< of each of the data: standard deviations that residuals count by
-  Eigen::Index rows_{};                       ///< of the data
+  std::vector<std::vector<double>> weights_;  ///< standard deviations of residuals, for each data set
+  Eigen::Index rows_{};                       ///< number of residuals of the data
   std::vector<double> profile_scales_;        ///< of each parameter, see FitProfilePoint
   LeastSquares problem_;
   std::atomic<std::size_t> runs_{};

@@ -22,7 +22,7 @@ constexpr std::array numbers_of_rigs{std::pair{std::string_view("displacement_or
                                      std::pair{std::string_view("y_origin"), &Rig::y_origin},
                                      std::pair{std::string_view("torque_origin"), &Rig::torque_origin}};
 
-/// "force_origin" of "fit.data[1].force_origin".
+/// "force_origin" for "fit.data[1].force_origin".
 std::string_view name_in_data(std::string_view key) {
   return key.substr(std::min(key.size(), key.find("].") + 2));
 }
@@ -35,7 +35,7 @@ bool is_rig_key(std::string_view key) {
                                                      [name](const auto& one) { return one.first == name; }));
 }
 
-/// Those of a case without a fit: what describes fits may look there.
+/// Keys of a case without a fit: fit descriptions may look them up.
 const std::vector<ListedKey>& keys_of_cases() {
   static const std::vector<ListedKey> keys = list_keys();
   return keys;
@@ -46,7 +46,7 @@ const std::vector<ListedKey>& keys_of_cases() {
 bool is_fitted_key(const std::string& key) {
   if (is_of_rig(key)) return is_rig_key(key);
   const ListedKey* const listed = find_key(keys_of_cases(), key);
-  if (key.ends_with(".diameter")) return false;  // cases are written with the radius
+  if (key.ends_with(".diameter")) return false;  // cases are written with radii
   return listed != nullptr && listed->holds_number() && listed->kind != "whole number" && !listed->is_either();
 }
 
@@ -62,7 +62,7 @@ std::optional<Dimension> dimension_of(const std::string& key) {
 
 Key key_in_unit_of(const std::string& other, std::string_view name, Presence presence, std::string_view title,
                    std::string_view text, std::string_view example) {
-  const bool known = !other.empty() && is_fitted_key(other);  // none has a name while keys_of_cases() are listed
+  const bool known = !other.empty() && is_fitted_key(other);  // key names stay empty while keys_of_cases() is listed
   return {.name = name,
           .presence = presence,
           .title = title,

@@ -55,7 +55,7 @@ Case FitModel::case_of_data(std::size_t i, const std::vector<double>& values) co
 }
 
 std::optional<std::vector<DataAnswer>> FitModel::answers(const std::vector<double>& values) const {
-  FitSettings settings;  // the rigs alone
+  FitSettings settings;  // only to set its rigs
   settings.machine_stiffness = settings_.machine_stiffness;
   for (const FitData& data : settings_.data) settings.data.push_back({.rig = data.rig});
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -71,7 +71,7 @@ std::optional<std::vector<DataAnswer>> FitModel::answers(const std::vector<doubl
       if (!answer) return std::nullopt;
       all.push_back(std::move(*answer));
     } catch (const Error&) {
-      return std::nullopt;  // no such bearing
+      return std::nullopt;  // no valid bearing
     }
   }
   return all;

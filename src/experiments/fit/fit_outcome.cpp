@@ -53,7 +53,7 @@ std::vector<ResultFile> fit_files(const Case& input, const FitResult& result, Ru
                            });
 }
 
-/// Running bearings take Newton's method, whatever solves loops and vibrations.
+/// Running bearings use Newton's method, whatever solves loops and vibrations.
 std::string fit_solvers(const Case& input) {
   const std::vector<FitData>& data = input.settings.find<FitSettings>()->data;
   const auto runs = [](const FitData& one) { return one.experiment == FittedExperiment::equilibrium; };

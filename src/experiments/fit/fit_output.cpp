@@ -112,14 +112,14 @@ constexpr std::array fit_point_quantities{
                              [](const FittedPoint& point) { return static_cast<double>(point.readings); }, tag::none,
                              "", shown::in_files, whole_number}};
 
-/// Of each point the column that was measured.
+/// The measured column of each point.
 std::vector<double> columns_of_points(const FittedData& data) {
   return each(data.points, [&data](const FittedPoint& point) {
     return static_cast<double>(data.quantities[point.quantity].column);
   });
 }
 
-/// In quotes, as the cell of a CSV file that has commas.
+/// Quoted as a CSV cell that contains commas.
 std::string quoted_cell(const std::string& text) {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }

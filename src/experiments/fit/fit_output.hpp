@@ -9,22 +9,22 @@
 
 namespace bumpfoil {
 
-/// Sentences on what the data do not tell, and on a model that they contradict.
+/// Sentences on parameters that the data do not determine, and on a model that they contradict.
 std::vector<std::string> fit_warnings(const FitResult& result);
 
-/// For the terminal.
+/// The result as text for the terminal.
 std::string fit_table(const FitResult& result);
 
-/// Contents of fit.nc. @param result  lives as long as it
+/// Contents of fit.nc. @param result  must outlive it
 Dataset fit_dataset(const FitResult& result);
 
-/// Contents of fit.csv: a line for each point of the data.
+/// Contents of fit.csv: one line per data point.
 std::string fit_csv(const FitResult& result);
 
 /// Entries of summary.json.
 nlohmann::ordered_json fit_lists(const FitResult& result);
 
-/// Contents of case.toml: the fitted case, and where its values come from.
+/// Contents of case.toml: the fitted case, with the sources of its values.
 std::string fitted_case_text(const FitResult& result);
 
 }  // namespace bumpfoil

@@ -28,7 +28,7 @@ bool is_of_strip(const FitData& data) {
   return data.experiment == FittedExperiment::strip;
 }
 
-/// The loop of a file that was measured in this direction; of a strip the last.
+/// The loop of a file in this direction; for a strip the last.
 void take_loop(FitData& data, const std::string& path) {
   const bool strip = is_of_strip(data);
   const std::vector<MeasuredLoop> loops =
@@ -176,7 +176,7 @@ void describe(CaseVisitor& keys, FitSettings& fit) {
 }
 
 void describe_fit(CaseVisitor& keys, Case& input) {
-  // A fit that holds nothing is none: so a case loses its own.
+  // An empty fit counts as none: this removes a fit from a case.
   const FitSettings* const held = input.settings.find<FitSettings>();
   FitSettings inner = held == nullptr ? FitSettings{} : *held;
   keys.table(
@@ -187,7 +187,7 @@ void describe_fit(CaseVisitor& keys, Case& input) {
       });
 }
 
-/// Of a list, the first that is not finite is told.
+/// Checks a list; reports the first value that is not finite.
 bool judge_finite(Judge& judge, const std::vector<double>& values, const std::string& key, std::string_view unit) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!judge.finite(fmt::format("{}[{}]", key, i + 1), values[i], unit)) return false;
@@ -217,7 +217,7 @@ void judge_loop(Judge& judge, const FitData& data, const std::string& key) {
                     "give the forces that the rig measured");
 }
 
-/// Readings of one column, of which all are as many.
+/// Checks the readings of one column; all columns have the same length.
 void judge_column(Judge& judge, const FitData& data, const FitColumnInfo& info, const std::string& key) {
   const FitReadings& readings = data.column(info.column);
   const std::string place = fmt::format("{}.readings.{}", key, info.name());
@@ -277,7 +277,7 @@ void judge_table(Judge& judge, const Case& input, const FitData& data, const std
                     "give the static load along X, Y or both");
 }
 
-/// Rig errors of other kinds of data do not apply to these.
+/// Rig errors that do not apply to this kind of data.
 void judge_rig(Judge& judge, const FitData& data, const std::string& key) {
   const auto own = rig_keys_of(data.experiment);
   const auto require_effect = [&](bool given, std::string_view name) {
@@ -350,7 +350,7 @@ void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSetti
                 "must be positive", "leave out mean and std if there is no prior knowledge");
 }
 
-/// Numbers that are compared with the model.
+/// Number of values compared with the model.
 std::size_t numbers_of(const FitSettings& fit) {
   std::size_t count = 0;
   for (const FitData& data : fit.data) {

@@ -12,13 +12,13 @@
 namespace bumpfoil {
 namespace {
 
-/// Singular values below this part of the largest are round-off of differences.
+/// Singular values below this fraction of the largest are round-off of differences.
 constexpr double singular = 1e-6;
-/// Residuals that a parameter changes by less, from bound to bound, in standard deviations, it does not change.
+/// A parameter that changes residuals by less from bound to bound, in standard deviations, has no effect.
 constexpr double difference_floor = 1e-3;
-/// Parts of a direction below this are left out of words.
+/// Components of a direction below this are omitted from texts.
 constexpr double least_part = 0.2;
-/// Two changes whose ratio is that near to 1 are called a sum or a difference.
+/// Two changes with a ratio this close to 1 are called a sum or a difference.
 constexpr double near_one = 0.2;
 
 std::string joined(const std::vector<std::string>& names) {
@@ -31,7 +31,7 @@ std::string with_unit(double number, const std::string& unit) {
   return fmt::format("{:+.3g}{}{}", number, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
 }
 
-/// @param change  of the parameters, SI, that the data hardly tell
+/// @param change  of the parameters, SI, that the data poorly determine
 std::string words_of(const std::vector<std::size_t>& which, const Eigen::VectorXd& change,
                      const std::vector<FitParameter>& parameters, const std::vector<std::string>& units) {
   const std::vector<std::string> names = each(which, [&](std::size_t i) { return parameters[i].key; });
@@ -99,7 +99,7 @@ Eigen::MatrixXd covariance_of(const FitEstimate& estimate) {
 }
 
 double student_975(int degrees_of_freedom) {
-  // Cornish and Fisher's expansion about the normal distribution.
+  // Cornish-Fisher expansion about the normal distribution.
   constexpr double z = 1.959963984540054;
   const double n = degrees_of_freedom;
   const double z3 = z * z * z;
@@ -147,7 +147,7 @@ std::vector<std::string> hardly_told(const Eigen::MatrixXd& sensitivities, const
       change[seen[k]] = part / lengths[seen[k]];
       which.push_back(static_cast<std::size_t>(seen[k]));
     }
-    // As large as moves the first by a hundredth of its bounds.
+    // Scaled to change the first parameter by 1 % of its bounds.
     const FitParameter& first = parameters[which.front()];
     change *= 0.01 * (first.upper - first.lower) / std::abs(change[static_cast<Eigen::Index>(which.front())]);
     lines.push_back(words_of(which, change, parameters, units));

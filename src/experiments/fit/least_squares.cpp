@@ -16,15 +16,15 @@ constexpr double least_decrease = 1e-6;
 constexpr double least_move = 1e-7;
 constexpr double least_gradient = 1e-12;
 
-/// What is known of a place.
+/// Known results at a point.
 struct Evaluated {
   Eigen::VectorXd x;
   std::optional<Eigen::VectorXd> residuals{};
   std::optional<Differences> differences{};
 };
 
-/// Evaluates all residuals at once, so that each can be robust by itself. What is known is not evaluated again: of the
-/// last place, and of the last with derivatives, to which steps that are refused lead back.
+/// Evaluates all residuals at once, although each is a residual block of its own so that it can be robust. Caches the
+/// last point, and the last one with derivatives, to which rejected steps return.
 class AllResiduals final : public ceres::EvaluationCallback {
  public:
   AllResiduals(const LeastSquares& problem, const Eigen::VectorXd& x) : problem_(problem), x_(x) {}
@@ -49,7 +49,7 @@ class AllResiduals final : public ceres::EvaluationCallback {
     return here_;
   }
 
-  /// One of them, as Ceres takes it.
+  /// Writes one residual for Ceres.
   bool write(Eigen::Index row, double* residual, double** jacobians) const {
     if (!here_.residuals) return false;
     *residual = (*here_.residuals)[row];
@@ -62,7 +62,7 @@ class AllResiduals final : public ceres::EvaluationCallback {
 
  private:
   const LeastSquares& problem_;
-  const Eigen::VectorXd& x_;  ///< Ceres writes to it
+  const Eigen::VectorXd& x_;  ///< overwritten by Ceres
   Evaluated here_, differentiated_;
 };
 

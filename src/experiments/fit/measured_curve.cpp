@@ -8,10 +8,10 @@ namespace {
 
 /// The median of absolute deviations of a normal distribution is 1/1.4826 standard deviations.
 constexpr double std_over_median = 1.4826;
-/// Deviations from the mean of both neighbours have 1 + 1/4 + 1/4 times the variance of one reading.
+/// Deviations from the mean of both neighbours have 1 + 1/4 + 1/4 times the variance of a reading.
 constexpr double variance_of_differences = 1.5;
-/// Part of the range of the force below which readings are not trusted, as of load cells of class 0.05: loops that were
-/// computed, or filtered, have less scatter.
+/// Lower bound of the scatter over the force range, as for load cells of class 0.05: computed or filtered loops scatter
+/// less.
 constexpr double least_scatter = 5e-4;
 
 /// Mean of `value` over entries of a list.
@@ -46,7 +46,7 @@ MeasuredCurve::MeasuredCurve(const FitData& data, bool swings) {
 }
 
 void MeasuredCurve::assign_points(int points) {
-  // Two means of neighbours for each point.
+  // Use two neighbour means per point.
   const std::size_t coarse = std::min(readings_.size(), 2 * static_cast<std::size_t>(points));
   const auto first_of = [&](std::size_t group) { return group * readings_.size() / coarse; };
   std::vector<double> along(coarse, 0.0);
@@ -70,7 +70,7 @@ void MeasuredCurve::assign_points(int points) {
   for (std::size_t group = 0; group < coarse; ++group) {
     for (std::size_t i = first_of(group); i < first_of(group + 1); ++i) {
       Reading& reading = readings_[i];
-      // A point belongs to one branch.
+      // Each point belongs to one branch.
       const auto place = static_cast<std::size_t>(std::min(along[group] / whole, 1.0 - 1e-12) * points);
       if (counts_.empty() || place != last_place || reading.pull != last_pull) counts_.push_back(0);
       last_place = place;

@@ -7,27 +7,27 @@
 
 namespace bumpfoil {
 
-/// A reading of a measured loop, and where it belongs.
+/// A reading of a measured loop, and its position.
 struct Reading {
   double displacement{};
   double force{};
   double tau{};         ///< time, from -1/2 at the start of the loop to 1/2 at its end
-  bool pull{};          ///< on the way back
-  std::size_t point{};  ///< of equal arc length, whose residual it is part of
+  bool pull{};          ///< on the unloading branch
+  std::size_t point{};  ///< index of the point of equal arc length to whose residual it contributes
 };
 
-/// A measured loop in points of equal arc length, with displacement and force scaled by their ranges. So a part of the
-/// loop counts by its length, however many readings a rig takes of it: turning points, where the force falls steeply,
-/// have few. Noise would lengthen the loop; so its length is that through means of neighbouring readings.
+/// A measured loop as points of equal arc length, with displacement and force scaled by their ranges. Thus a section of
+/// the loop counts by its length, however many readings it has: turning points, with steep changes of force, have few.
+/// Noise would lengthen the loop, so arc length is measured along means of neighbouring readings.
 class MeasuredCurve {
  public:
-  /// @param swings  the loop goes to both sides: what follows its lowest displacement is a push again
+  /// @param swings  the loop is fully reversed: a push follows its minimum displacement
   MeasuredCurve(const FitData& data, bool swings);
 
   [[nodiscard]] const std::vector<Reading>& readings() const { return readings_; }
   [[nodiscard]] std::size_t points() const { return counts_.size(); }
 
-  /// Number of readings of each point; none is without.
+  /// Number of readings of each point, at least one.
   [[nodiscard]] const std::vector<int>& counts() const { return counts_; }
 
   /// Mean over the readings of each point. @param value  (Reading) -> double
@@ -39,12 +39,12 @@ class MeasuredCurve {
     return sums;
   }
 
-  /// Standard deviation of one reading of the force about the line through its neighbours in time, by the median, to
-  /// which the few at turns do not matter [Gasser1986]; N.
+  /// Standard deviation of one force reading about the line through its neighbours in time, from the median, which the
+  /// few readings at turns do not affect [Gasser1986]; N.
   [[nodiscard]] double scatter() const;
 
   [[nodiscard]] double top() const { return top_; }        ///< largest displacement, m
-  [[nodiscard]] double bottom() const { return bottom_; }  ///< smallest behind it, m
+  [[nodiscard]] double bottom() const { return bottom_; }  ///< smallest displacement after it, m
   [[nodiscard]] double tau_at_top() const { return tau_at_top_; }
   [[nodiscard]] double force_range() const { return force_range_; }
   [[nodiscard]] double displacement_range() const { return displacement_range_; }

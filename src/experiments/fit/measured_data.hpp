@@ -11,12 +11,12 @@ namespace bumpfoil {
 
 /// Values of the model at the points of some data.
 struct DataAnswer {
-  std::vector<double> fitted;   ///< as the rig would read them, SI
+  std::vector<double> fitted;   ///< as read by the rig, SI
   std::vector<double> std;      ///< standard deviation of what was measured
-  std::vector<double> weights;  ///< standard deviation that residuals count by
+  std::vector<double> weights;  ///< standard deviation of residuals
 };
 
-/// Measured data of one kind: what was measured, and what the model gives there.
+/// Measured data of one kind, and the corresponding model values.
 class MeasuredData {
  public:
   MeasuredData() = default;
@@ -24,13 +24,13 @@ class MeasuredData {
   MeasuredData& operator=(const MeasuredData&) = delete;
   virtual ~MeasuredData() = default;
 
-  /// Measured values, without those of the model: each point is a residual.
+  /// Measured values, without model values: each point is a residual.
   [[nodiscard]] const FittedData& measured() const { return measured_; }
 
-  /// The case with what was done to its foils.
+  /// The case under the conditions of these data.
   [[nodiscard]] virtual Case case_for(Case input) const = 0;
 
-  /// Absent if a run fails. For several threads at once.
+  /// Absent if a run fails. Thread-safe.
   /// @param input  case_for() with some values   @param rig  with the stiffness of its machine
   /// @throws Error (input) if the case cannot be built
   [[nodiscard]] virtual std::optional<DataAnswer> answer(const Case& input, const Rig& rig) const = 0;
@@ -39,22 +39,22 @@ class MeasuredData {
   FittedData measured_;
 };
 
-/// @param input  the case that the data are of
+/// @param input  the case to which the data belong
 std::unique_ptr<const MeasuredData> measured_loop(const FitData& data, const Case& input);
 std::unique_ptr<const MeasuredData> measured_vibrations(const FitData& data, const Case& input);
 std::unique_ptr<const MeasuredData> measured_equilibria(const FitData& data);
 
-/// Of a table, without points.
+/// Data from a table, without points.
 FittedData measured_table(const FitData& data);
 
-/// Adds points of all columns, each with the place along the axis and the series of its row.
+/// Adds points of all columns, each with the axis coordinate and the series of its row.
 void add_table_points(FittedData& measured, const FitData& data, const std::vector<double>& at,
                       const std::vector<std::string>& series);
 
-/// Load of a row, N; zero in a direction without a column.
+/// Load of a row, N; zero in a direction that has no column.
 Eigen::Vector2d load_in_row(const FitData& data, std::size_t row);
 
-/// Answers to these points. @param values  of a column in every row
+/// Model values at these points. @param values  of a column in every row
 template <typename Values>
 DataAnswer table_answer(const FittedData& measured, Values values) {
   DataAnswer all;

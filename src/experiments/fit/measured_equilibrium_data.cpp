@@ -18,7 +18,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A place of measurement.
+/// Measuring condition of a row.
 struct PlaceOfRow {
   double speed{};
   Eigen::Vector2d load{0.0, 0.0};
@@ -29,7 +29,7 @@ bool is_coefficient(FitColumn column) {
   return column >= FitColumn::kxx;
 }
 
-/// The quantity of a running bearing that a column holds.
+/// The quantity of a running bearing in a column.
 const RunningQuantity& running_quantity_of(FitColumn column, FittedContacts contacts) {
   std::string name(name_of(column));
   if (is_coefficient(column)) name += contacts == FittedContacts::stuck ? "_whirl_stuck" : "_whirl";
@@ -57,7 +57,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
   }
 
   [[nodiscard]] Case case_for(Case input) const override {
-    input.solver.name = SolverName::newton;  // the one that films take; loops beside may have another
+    input.solver.name = SolverName::newton;  // the solver for films; loops may use another
     if (!input.equilibrium) input.equilibrium.emplace();
     EquilibriumSettings& settings = *input.equilibrium;
     settings.speeds = {places_.front().speed};
@@ -85,7 +85,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
     });
     for (std::vector<double>& column : values) {
       if (std::any_of(column.begin(), column.end(), [](double value) { return !std::isfinite(value); })) {
-        return std::nullopt;  // a state that was not found, or a matrix that is singular there
+        return std::nullopt;  // a state that was not found, or a singular matrix
       }
     }
     return table_answer(measured_, [&, q = std::size_t{0}](FitColumn column) mutable {
@@ -109,8 +109,8 @@ class MeasuredEquilibriumData final : public MeasuredData {
     }
   }
 
-  /// Adds to a state that was found what is measured of it: small motions have the frequency of the settings or that of
-  /// the rotation.
+  /// Adds the measured quantities of a state that was found: small motions have the frequency of the settings or that
+  /// of the rotation.
   void add_answers(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, RunningState& state) const {
     if (!state.found()) return;
     state.outcome = film_bearing_outcome(*bearing, *state.last);
@@ -119,11 +119,11 @@ class MeasuredEquilibriumData final : public MeasuredData {
     whirl.frequency = frequencies_of(settings, state.asked.speed).front();
     const bool stuck = contacts_ == FittedContacts::stuck;
     const auto found = FilmStepper(bearing).impedances(*state.last, {{0.0, whirl.frequency}}, stuck);
-    // Of a journal that tilts, what is not between forces and displacements has other units here, and is not measured.
+    // For a tilting journal, entries other than force by displacement have other units and are not measured.
     if (found) (stuck ? whirl.stuck_impedance : whirl.impedance) = found->front();
   }
 
-  /// Over what differs most from row to row.
+  /// Uses the coordinate that varies most from row to row.
   void add_points(const FitData& data) {
     std::set<double> speeds, frequencies;
     std::set<std::pair<double, double>> loads;
@@ -153,8 +153,8 @@ class MeasuredEquilibriumData final : public MeasuredData {
     add_table_points(measured_, data, at, series);
   }
 
-  /// Rows that are states of one path, in the order in which they were measured: of one load where the speed is ramped,
-  /// of one speed on all other paths.
+  /// Rows that are states of one path, in measured order: of one load for a speed ramp, of one speed on all other
+  /// paths.
   [[nodiscard]] std::vector<std::vector<std::size_t>> groups_on(FilmPath path) const {
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t row = 0; row < places_.size(); ++row) {
@@ -187,7 +187,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
   std::vector<PlaceOfRow> places_;
   std::vector<RunningQuantity> quantities_;
   FittedContacts contacts_;
-  bool has_coefficients_{};  ///< stiffness or damping
+  bool has_coefficients_{};  ///< any stiffness or damping column
 };
 
 }  // namespace

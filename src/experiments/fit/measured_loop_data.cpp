@@ -12,16 +12,16 @@
 namespace bumpfoil {
 namespace {
 
-/// The rig reads the largest displacement to this part of the range.
+/// Accepted deviation of the largest reading from the measured displacement, relative to its range.
 constexpr double amplitude_tolerance = 1e-9;
 constexpr int most_amplitudes = 20;
 
-/// A branch of a loop as the rig would read it without drift: forces over rising displacements.
+/// A branch of a loop as read by the rig without drift: force over increasing displacement.
 struct ReadBranch {
   std::vector<double> displacements;
   std::vector<double> forces;
 
-  /// Beyond its ends the force stays.
+  /// Constant beyond its ends.
   [[nodiscard]] double at(double displacement) const {
     const auto above = std::upper_bound(displacements.begin(), displacements.end(), displacement);
     if (above == displacements.begin()) return forces.front();
@@ -50,7 +50,7 @@ bool is_swing(const Case& input, const FitData& data) {
 }
 
 Case case_of_loop(Case input, const FitData& data) {
-  const bool whole_legs = input.solver.chosen() == SolverName::events;  // which follows them exactly
+  const bool whole_legs = input.solver.chosen() == SolverName::events;  // which follows whole legs exactly
   const Target amplitude{Control::displacement,
                          *std::max_element(data.displacements.begin(), data.displacements.end())};
   if (data.experiment == FittedExperiment::strip) {
@@ -65,14 +65,14 @@ Case case_of_loop(Case input, const FitData& data) {
   return input;
 }
 
-/// Loops of one bearing, or strip, to any displacement.
+/// Loops of one bearing, or strip, with any amplitude.
 class LoopRunner {
  public:
   LoopRunner(Case input, FittedExperiment experiment) : input_(std::move(input)), experiment_(experiment) {
     if (experiment == FittedExperiment::cycle) runner_.emplace(make_bearing_foils(input_, {"cycle"}), input_.solver);
   }
 
-  /// Absent if it fails. @throws Error (input) if the foils cannot be built
+  /// Absent if the run fails. @throws Error (input) if the foils cannot be built
   std::optional<std::vector<LoadingCurve::Point>> run(double amplitude) {
     const Target target{Control::displacement, amplitude};
     if (experiment_ == FittedExperiment::cycle) {
@@ -91,7 +91,7 @@ class LoopRunner {
   std::optional<CycleRunner> runner_;
 };
 
-/// Appends points to a branch where the rig would read them, those that go on; in the order of rising displacement.
+/// Appends points as read by the rig to a branch, if they advance; by increasing displacement.
 void append(ReadBranch& branch, std::vector<LoadingCurve::Point>::const_iterator from,
             std::vector<LoadingCurve::Point>::const_iterator to, double middle, double compliance, const Rig& rig) {
   for (; from != to; ++from) {
@@ -102,7 +102,7 @@ void append(ReadBranch& branch, std::vector<LoadingCurve::Point>::const_iterator
   }
 }
 
-/// The loop as the rig reads it, turning where the largest displacement was measured.
+/// The loop as read by the rig, reversed at the largest measured displacement.
 std::optional<ReadLoop> read_loop(LoopRunner& runner, const MeasuredCurve& curve, bool swings, const Rig& rig) {
   const double compliance = rig.machine_stiffness ? 1.0 / *rig.machine_stiffness : 0.0;
   const double reach = swings ? 0.5 * (curve.top() - curve.bottom())
@@ -129,7 +129,7 @@ std::optional<ReadLoop> read_loop(LoopRunner& runner, const MeasuredCurve& curve
       append(result.push, loop->begin(), top + 1, middle, compliance, rig);
       return result;
     }
-    // The secant; at first from the origin, where the machine is not pressed.
+    // Secant; the first from the origin, where the machine is unloaded.
     const double slope = (read - last_read) / (amplitude - last_amplitude);
     last_read = read;
     last_amplitude = amplitude;
@@ -183,7 +183,7 @@ class MeasuredLoopData final : public MeasuredData {
       const double place = place_of_reading(one);
       return std::abs(branch.at(place + width) - branch.at(place - width)) / (2.0 * width);
     });
-    // Every point counts the same but for its slope: as for the mean number of readings.
+    // All points have equal weight except for their slope: that of the mean number of readings.
     const double mean_readings = static_cast<double>(curve_.readings().size()) / static_cast<double>(curve_.points());
     for (std::size_t k = 0; k < slopes.size(); ++k) {
       const double of_reading = std::hypot(noise_, slopes[k] * width);
@@ -196,7 +196,7 @@ class MeasuredLoopData final : public MeasuredData {
  private:
   FitData data_;
   MeasuredCurve curve_;
-  double noise_;  ///< of one reading of the force, N
+  double noise_;  ///< standard deviation of one force reading, N
 };
 
 }  // namespace

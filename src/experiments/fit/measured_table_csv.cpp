@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view table_option = "columns";
 
-/// Whether files have to have the column.
+/// Whether files must have the column.
 bool is_demanded(const FitColumnInfo& info, const FitData& data) {
   return info.measured ? data.column(info.column).std.has_value()
                        : info.column == FitColumn::amplitude || info.column == FitColumn::speed;

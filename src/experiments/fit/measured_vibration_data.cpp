@@ -13,29 +13,29 @@
 namespace bumpfoil {
 namespace {
 
-/// What a rig reads between two trials is interpolated where the product of the distances from both, in amplitudes, is
-/// at most this: so small a part is lost of a curve that bends by its own size over an amplitude.
+/// Readings between two trials are interpolated if the product of the distances from both, in amplitudes, is at most
+/// this: the relative error for a curve whose slope changes by its own size over an amplitude.
 constexpr double vibration_tolerance = 1e-5;
 constexpr int most_vibration_trials = 50;
 constexpr int fewest_steps = 2;
 
-/// What follows from a loop.
+/// Quantities of a loop.
 struct ReadVibration {
   double stiffness{}, loss_factor{};
 };
 
-/// A vibration of the foils, and the amplitude that the rig would read.
+/// A vibration of the foils, and the amplitude read by the rig.
 struct VibrationTrial {
   double amplitude{}, read{}, stiffness{}, loss_factor{};
 
-  /// On the straight line through another.
+  /// Linear interpolation with another trial.
   [[nodiscard]] ReadVibration at(double place, const VibrationTrial& other) const {
     const double part = place == amplitude ? 0.0 : (place - amplitude) / (other.amplitude - amplitude);
     return {stiffness + part * (other.stiffness - stiffness), loss_factor + part * (other.loss_factor - loss_factor)};
   }
 };
 
-/// Rows about one load along one direction.
+/// Rows about one load in one direction.
 struct VibrationGroup {
   Eigen::Vector2d load{0.0, 0.0};
   double direction{};
@@ -77,8 +77,8 @@ class MeasuredVibrationData final : public MeasuredData {
     input.vibration->loads = {groups_.front().load};
     input.vibration->directions = {groups_.front().direction};
     input.vibration->amplitudes = {amplitudes_.front()};
-    input.vibration->frequencies = {1.0};  // loops do not depend on it
-    // Nor on the increments where they are exact.
+    input.vibration->frequencies = {1.0};  // loops are independent of it
+    // Exact increments are also independent of their number.
     if (input.solver.name == SolverName::events) input.vibration->steps = fewest_steps;
     return input;
   }
@@ -102,8 +102,8 @@ class MeasuredVibrationData final : public MeasuredData {
   }
 
  private:
-  /// Of foils and machine in series, whose displacements add up to the amplitude that was read. The machine stores no
-  /// energy in a loop.
+  /// Foils and machine in series: their displacements add up to the measured amplitude. The machine stores no energy
+  /// over a loop.
   [[nodiscard]] std::optional<ReadVibration> read_row(LoadedFoils& foils, double direction, std::size_t row,
                                                       const Rig& rig) const {
     const double compliance = rig.machine_stiffness ? 1.0 / *rig.machine_stiffness : 0.0;
@@ -112,7 +112,7 @@ class MeasuredVibrationData final : public MeasuredData {
     VibrationTrial last;  // at rest
     for (int trial = 0; trial < most_vibration_trials; ++trial) {
       const Cycle cycle = foils.vibrate(direction, amplitude);
-      if (!cycle.loaded_stiffness || !cycle.loss_factor) return std::nullopt;  // as no whole loop has
+      if (!cycle.loaded_stiffness || !cycle.loss_factor) return std::nullopt;  // unlike a complete loop
       const VibrationTrial here{amplitude, amplitude * (1.0 + compliance * *cycle.loaded_stiffness),
                                 *cycle.loaded_stiffness, *cycle.loss_factor};
       const double slope = (here.read - last.read) / (amplitude - last.amplitude);
@@ -129,14 +129,14 @@ class MeasuredVibrationData final : public MeasuredData {
     return std::nullopt;
   }
 
-  /// That of the foils, if they are as stiff as was measured.
+  /// Amplitude of the foils if their stiffness is the measured one.
   [[nodiscard]] double first_amplitude(std::size_t row, double compliance) const {
     const double pressed = stiffnesses_.empty() ? 0.0 : compliance * stiffnesses_[row];
     return std::max(1.0 - pressed, 0.1) * amplitudes_[row];
   }
 
-  std::vector<double> amplitudes_;   ///< as they were read, of each row, m
-  std::vector<double> stiffnesses_;  ///< the same, N/m; none if they were not measured
+  std::vector<double> amplitudes_;   ///< measured amplitudes of each row, m
+  std::vector<double> stiffnesses_;  ///< the same for stiffness, N/m; empty if not measured
   std::vector<VibrationGroup> groups_;
 };
 

@@ -60,7 +60,7 @@ void describe(CaseVisitor& keys, OptimiseSettings& optimise) {
 }
 
 void describe_optimise(CaseVisitor& keys, Case& input) {
-  // One that holds nothing is none: so a case loses its own.
+  // Empty settings count as none: this removes them from a case.
   const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
   OptimiseSettings inner = held == nullptr ? OptimiseSettings{} : *held;
   keys.table({"optimise", Presence::optional, "Optimisation", "of keys of the case, for the command optimise"},

@@ -23,7 +23,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Point of the orbit after so many increments of it.
+/// Point of the orbit after a number of its increments.
 Eigen::Vector2d orbit_point(const PathSettings& path, int step) {
   const double turn = (path.sense == Sense::counterclockwise ? 2.0 : -2.0) * std::numbers::pi;
   const double t = turn * (step % path.steps) / path.steps;
@@ -35,12 +35,12 @@ Eigen::Vector2d path_point(const PathSettings& path, int number) {
   return path.is_orbit() ? orbit_point(path, number) : path.points.values[static_cast<std::size_t>(number)];
 }
 
-/// Points behind the first.
+/// Number of points after the first.
 int further_points(const PathSettings& path) {
   return path.is_orbit() ? path.orbits * path.steps : static_cast<int>(path.points.values.size()) - 1;
 }
 
-/// Increments of the way to the first point; none where the path begins at the origin.
+/// Increments to the first point; none if the path starts at the origin.
 int increments_of_approach(const PathSettings& path) {
   if (path_point(path, 0).isZero(0.0)) return 0;
   return path.is_orbit() ? path.steps : 1;
@@ -61,10 +61,10 @@ Eigen::Vector2d outward(const Eigen::Vector2d& position) {
   return distance > 0.0 ? Eigen::Vector2d(position / distance) : Eigen::Vector2d::UnitX();
 }
 
-/// A length below this part of the rise is a rounding.
+/// A smaller length relative to the rise is round-off.
 constexpr double length_rounding = 1e-12;
 
-/// Finds the orbits among the increments that pass.
+/// Identifies the orbits in the sequence of increments.
 class OrbitCounter {
  public:
   OrbitCounter(const PathSettings& path, int increments, const Foils& foils)
@@ -77,7 +77,7 @@ class OrbitCounter {
     return steps_ > 0 && increment > lead_in_ ? (increment - lead_in_ - 1) / steps_ + 1 : 0;
   }
 
-  /// @return what the orbit took, if one ends here
+  /// @return results of the orbit, if one ends here
   std::optional<OrbitLoop> pass(const Increment& increment) {
     if (steps_ == 0 || increment.index < lead_in_) return std::nullopt;
     points_.push_back({{increment.x, increment.y}, {increment.force_x, increment.force_y}});
@@ -101,10 +101,10 @@ class OrbitCounter {
   double force_rounding_;
   double length_rounding_;
   Increment begin_;
-  std::vector<OrbitPoint> points_;  ///< of the orbit that goes on
+  std::vector<OrbitPoint> points_;  ///< of the current orbit
 };
 
-/// @throws Error (input) where the memory does not hold all increments of a path
+/// @throws Error (input) if the increments of a path exceed memory
 void require_memory(const PathSettings& path, int bumps) {
   const int increments = path_increments(path);
   if (increments <= most_bump_increments / bumps) return;

@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Increments are counted by an `int`.
+/// Maximum number of increments, counted by an `int`.
 constexpr std::int64_t most_path_increments = 1'000'000'000;
 
 void describe(CaseVisitor& keys, PathSettings& path) {
@@ -25,7 +25,7 @@ void describe(CaseVisitor& keys, PathSettings& path) {
   const bool has_points = keys.places({"points", optional, "Points", "the same as a list; or an orbit, without points",
                                        "[[\"0 um\", \"-40 um\"], [\"10 um\", \"-40 um\"]]"},
                                       path.points);
-  // Points that could not be read are no orbit whose keys are missing.
+  // Unreadable points must not count as an orbit with missing keys.
   if ((has_file || has_points) && path.is_orbit()) path.points.values.emplace_back(0.0, 0.0);
   const Presence of_orbit = path.is_orbit() ? required : optional;
   const auto in_plane = [&keys](const Key& key, Control plain, PlaneTarget& target) {

@@ -14,14 +14,14 @@
 namespace bumpfoil {
 namespace {
 
-/// Dense eigenvalues of more unknowns take too long to wait for.
+/// Dense eigenvalues of more unknowns take too long.
 constexpr Eigen::Index most_unknowns = 2000;
 
 Vector eigenvalues(const Matrix& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-/// The soft end from the compliance, the stiff end from the stiffness: each is accurate there.
+/// The soft end from the compliance, the stiff end from the stiffness, where each is accurate.
 std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
   if (!foils.top_foil || !foils.radius || std::ssize(foils.bumps) > most_unknowns) return std::nullopt;
   const TopFoilBeam beam = make_top_foil_beam(foils);

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One number of the report: for readers in `unit`, which is `scale` in SI, and for programs in SI under `key`.
+/// One number of the report: for readers in `unit`, which is `scale` in SI; for programs in SI under `key`.
 struct Entry {
   std::string_view key;
   std::string_view name;
@@ -67,7 +67,7 @@ Group range_group(std::string_view key, std::string_view name, const std::option
            stiffness_entry("stiffest_N_per_m", "stiffest mode", end(&StiffnessRange::stiffest))}};
 }
 
-/// Of bumps of one shape.
+/// Groups for bumps of one shape.
 std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpProperties& p) {
   return {
       {"arc",
@@ -143,7 +143,7 @@ Json json_of(const std::vector<Group>& groups) {
   return json;
 }
 
-/// A line for each shape of bump.
+/// One line per bump shape.
 std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpProperties>& shapes) {
   std::string out =
       fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>11}{:>11}{:>11}{:>11}{:>9}{:>11}{:>11}\n", "Bumps", "pitch", "rise",

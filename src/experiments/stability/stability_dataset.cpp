@@ -29,7 +29,7 @@ void add_bearings(const StabilityResult& result, Dataset& data) {
   }
 }
 
-/// Values of all motions. @param width  of the values of one; `value` fills them in from `out` on
+/// Values of all motions. @param width  number of values of each; `value` writes them from `out` on
 void add_of_motions(const StabilityResult& result, const VariableMeaning& meaning, std::vector<std::string> inside,
                     std::size_t width, const std::function<void(const SpeedMotion&, double* out)>& fill,
                     Dataset& data) {
@@ -63,7 +63,7 @@ void add_motions(const StabilityResult& result, Dataset& data) {
   }
 }
 
-/// Shapes of all motions at the places of the rotor, the largest displacement of a shape 1 with the phase 0.
+/// Shapes of all motions at the positions of the rotor, scaled to a largest displacement of 1 with phase 0.
 void add_shapes(const StabilityResult& result, Dataset& data) {
   const std::vector<RotorStation> places = result.machine.places();
   add_stations(places, data);

@@ -7,11 +7,11 @@
 
 namespace bumpfoil {
 
-/// The run over the dimensions speed, contacts, mode, bearing and station; without motions over speed alone, as sweeps
-/// keep it. It lives as long as the result.
+/// The run over the dimensions speed, contacts, mode, bearing and station; without motions, over speed only, as stored
+/// in sweeps. The result must outlive it.
 Dataset stability_dataset(const StabilityResult& result, bool with_motions = true);
 
-/// Contents of stability.csv: a line for each motion at each speed, and one for each speed without.
+/// Contents of stability.csv: one line for each motion at each speed, and one for each speed without motions.
 std::string stability_csv(const StabilityResult& result);
 
 }  // namespace bumpfoil

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 Json motion_json(const SpeedMotion& motion) {
   Json json;
   for (const MotionQuantity& quantity : motion_quantities()) {
-    if (quantity.name == "speed" || quantity.name == "status") continue;  // said once for all motions
+    if (quantity.name == "speed" || quantity.name == "status") continue;  // given once for all motions
     json[quantity.key()] = value_json(quantity.value(motion), quantity.form);
   }
   return json;

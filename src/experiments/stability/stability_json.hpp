@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// Entries of summary.json: `onsets`, `speeds` with the motions at each, and quantities of the whole.
+/// Entries of summary.json: `onsets`, `speeds` with the motions at each, and quantities of the whole run.
 nlohmann::ordered_json stability_lists(const StabilityResult& result);
 
 }  // namespace bumpfoil

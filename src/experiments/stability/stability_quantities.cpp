@@ -14,12 +14,12 @@
 namespace bumpfoil {
 namespace {
 
-using namespace tag;  // NOLINT(google-build-using-namespace): the tables below are made of them
+using namespace tag;  // NOLINT(google-build-using-namespace): for the tables below
 
-/// A reduction of a shaft with a larger error than this is worth a word.
+/// A larger error of a shaft reduction is reported.
 constexpr double tolerated_reduction_error = 1e-3;
 
-/// Of the motion that grows fastest.
+/// A quantity of the fastest growing motion.
 template <bool of_stuck, auto value>
 double of_fastest(const StabilityResult&, const SpeedPoint& point) {
   const auto& motions = point.motions(of_stuck);
@@ -49,7 +49,7 @@ double thinnest(const StabilityResult& result, const SpeedPoint& point) {
   return result.machine.thinnest_film(point.states);
 }
 
-/// The first onset of a kind at rising |Omega|, where whirl begins.
+/// The first onset of a kind at increasing |Omega|.
 const WhirlOnset* first_onset(const StabilityResult& result, bool stuck, bool by_coefficients) {
   const WhirlOnset* first = nullptr;
   for (const WhirlOnset& found : result.map.onsets) {
@@ -64,7 +64,7 @@ double of_first_onset(const StabilityResult& result) {
   return first == nullptr ? absent : first->onset.*member;
 }
 
-/// Speeds from the lowest |Omega| on.
+/// Speed points by increasing |Omega|.
 std::vector<const SpeedPoint*> from_the_lowest(const StabilityResult& result) {
   std::vector<const SpeedPoint*> rising;
   for (const SpeedPoint& point : result.map.points) rising.push_back(&point);
@@ -73,8 +73,8 @@ std::vector<const SpeedPoint*> from_the_lowest(const StabilityResult& result) {
   return rising;
 }
 
-/// The lowest |Omega| of an onset between two neighbours, contacts sliding or stuck; the lower one where none was
-/// found.
+/// The lowest |Omega| of an onset between two neighbours, with sliding or sticking contacts; the lower neighbour if
+/// none was found.
 double lowest_onset(const StabilityResult& result, double low, double high) {
   double lowest = high;
   bool found_any = false;

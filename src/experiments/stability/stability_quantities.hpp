@@ -17,26 +17,26 @@
 /// Quantities of the command stability, described once for all files.
 namespace bumpfoil {
 
-/// Which contacts stick.
+/// Motion of the contacts.
 enum class ContactMotion : std::uint8_t {
-  sliding,  ///< slipping contacts slip on
-  stuck,    ///< all closed ones stick
+  sliding,  ///< sliding contacts keep sliding
+  stuck,    ///< full stick
 };
 template <>
 inline constexpr auto enum_names<ContactMotion> = std::to_array<std::string_view>({"sliding", "stuck"});
 
-/// Sense of a whirl in that of the rotation.
+/// Direction of whirl relative to the rotation.
 enum class WhirlSense : std::uint8_t { backward, forward };
 template <>
 inline constexpr auto enum_names<WhirlSense> = std::to_array<std::string_view>({"backward", "forward"});
 
 WhirlSense sense_of(const Whirl& whirl);
 
-/// Of the whole run.
+/// A quantity of the whole run.
 using StabilityQuantity = Quantity<double (*)(const StabilityResult&)>;
 std::span<const StabilityQuantity> stability_quantities();
 
-/// Of the rotor at one speed.
+/// A quantity of the rotor at one speed.
 using SpeedQuantity = Quantity<double (*)(const StabilityResult&, const SpeedPoint&)>;
 std::span<const SpeedQuantity> speed_quantities();
 
@@ -44,40 +44,40 @@ std::span<const SpeedQuantity> speed_quantities();
 struct SpeedMotion {
   const SpeedPoint& point;
   ContactMotion contacts{};
-  const Whirl* whirl{};  ///< none of a speed without
-  std::size_t number{};  ///< from 0
+  const Whirl* whirl{};  ///< null for a speed without motions
+  std::size_t number{};  ///< index from 0
 };
 
 namespace tag {
-inline constexpr Tags of_place = first_of_experiment;  ///< says which motion; known without one, too
+inline constexpr Tags of_place = first_of_experiment;  ///< identify the motion; known even without one
 }
 
-/// Of it, in the order of stability.csv.
+/// Its quantities, in the order of stability.csv.
 using MotionQuantity = Quantity<double (*)(const SpeedMotion&)>;
 std::span<const MotionQuantity> motion_quantities();
 
-/// What tables tell: of the whole run, of each speed, and of each motion but which one it is.
+/// Columns of tables: of the whole run, of each speed, and of each motion except its identification.
 std::vector<VariableMeaning> stability_meanings();
 
-/// Motions at one speed, those where contacts slide on first.
+/// Motions at one speed, with sliding contacts first.
 std::vector<SpeedMotion> motions_at(const SpeedPoint& point);
 
-/// Whether all motions decay, with contacts sliding and stuck; nothing where it is not known.
+/// Whether all motions decay, both with sliding and sticking contacts; nothing if unknown.
 std::optional<bool> is_stable(const SpeedPoint& point);
 
 /// How the run ended.
 RunStatus status_of(const StabilityResult& result);
 
-/// Speeds without a result, each with its reason.
+/// Speeds without a result, each with the reason.
 std::vector<std::string> failure_lines(const StabilityResult& result);
 
-/// Where an answer is less than it seems, and what to do about it.
+/// Limitations of the results, with advice.
 std::vector<std::string> warning_lines(const Case& input, const StabilityResult& result);
 
-/// An onset as messages call it: "whirl begins at 13072.4 rpm, whirl ratio 0.4908".
+/// An onset in messages: "whirl begins at 13072.4 rpm, whirl ratio 0.4908".
 std::string onset_text(const WhirlOnset& onset);
 
-/// The run as a text table: a line for each speed, and the onsets.
+/// The run as a text table: one line per speed, and the onsets.
 std::string stability_table(const StabilityResult& result);
 
 }  // namespace bumpfoil

@@ -22,7 +22,7 @@ std::string shown_number(double number, double size = 1.0) {
   return right_aligned(std::isfinite(number) ? number_text(number, size) : "-");
 }
 
-/// The motion that grows fastest, and what there is beside it.
+/// The fastest growing motion, and other quantities of the speed.
 std::string speed_line(const StabilityResult& result, const SpeedPoint& point) {
   std::string out = shown_number(point.speed, shown::revolutions.size);
   const auto value = [&](std::string_view name) {

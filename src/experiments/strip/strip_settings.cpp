@@ -34,7 +34,7 @@ void describe_strip(CaseVisitor& keys, Case& input) {
                  input.strip, [](CaseVisitor& inner, StripSettings& strip) { describe(inner, strip); });
 }
 
-/// A target of the plate, called by the key that holds it.
+/// Checks a target of the plate, named by its key.
 void judge_target(Judge& judge, const std::string& key, const Target& target, double rise) {
   if (target.control == Control::load) {
     judge.within(key, target.value, load_range);

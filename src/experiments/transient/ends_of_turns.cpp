@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Rows that are looked through at a time.
+/// Rows read at a time.
 constexpr std::size_t angles_at_once = 10'000;
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Adds what it visits to a text.
+/// Appends what it visits to a text.
 class ByteWriter {
  public:
   template <typename Plain>
@@ -36,7 +36,7 @@ class ByteWriter {
   void raw(const void* from, std::size_t size) { bytes.append(static_cast<const char*>(from), size); }
 };
 
-/// Takes what it visits from a text; what is not there any more stays as it was.
+/// Reads what it visits from a text; missing values stay unchanged.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : left_(bytes) {}
@@ -69,7 +69,7 @@ class ByteReader {
   [[nodiscard]] bool is_spent() const { return whole_ && left_.empty(); }
 
  private:
-  /// A number of things of a byte or more each.
+  /// A number of items of at least one byte each.
   Eigen::Index count() {
     std::int64_t number = 0;
     plain(number);
@@ -92,7 +92,7 @@ class ByteReader {
   bool whole_{true};
 };
 
-/// Visits all that a state holds, to write or to read. @param bearing  BearingState or const BearingState
+/// Visits all data of a state, to write or to read. @param bearing  BearingState or const BearingState
 template <typename Bytes, typename Bearing>
 void visit_bearing(Bytes& bytes, Bearing& bearing) {
   for (const int axis : {0, 1}) bytes.plain(bearing.position[axis]);

@@ -8,10 +8,10 @@
 
 namespace bumpfoil {
 
-/// A state as bytes, to the last bit: numbers as they lie in memory, for the machine that wrote them.
+/// A bit-exact binary image of a state, in the number format of this machine.
 std::string bytes_of(const MachineState& state);
 
-/// The state again; nothing where the bytes end too early or too late.
+/// Restores the state; nothing if the length is wrong.
 std::optional<MachineState> machine_state_of(std::string_view bytes);
 
 }  // namespace bumpfoil

@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-using namespace tag;  // NOLINT(google-build-using-namespace): the tables below are made of them
+using namespace tag;  // NOLINT(google-build-using-namespace): for the tables below
 
 constexpr std::array<double WorkBalance::*, energy_columns> terms{
     &WorkBalance::entrained,  &WorkBalance::supplied, &WorkBalance::forces,  &WorkBalance::rubbing,
@@ -47,7 +47,7 @@ constexpr auto place_quantity_table = std::to_array<PlaceQuantity>({
     {"y", "m", "displacement of the axis along Y", [](const Eigen::Vector2d& place) { return place.y(); }},
 });
 
-/// Where asperities carry less they do not touch, N.
+/// Asperities with a smaller load do not touch, N.
 constexpr double no_asperity_load = 1e-9;
 
 double asperity_load(const BearingView& view) {

@@ -10,7 +10,7 @@
 /// The numbers of a step, described once: rows of a StepTable and variables of result.nc.
 namespace bumpfoil {
 
-/// A step as it ended.
+/// The end of a step.
 struct StepView {
   const Machine& machine;
   const MachineState& state;
@@ -28,12 +28,12 @@ using StepQuantity = Quantity<double (*)(const StepView&)>;
 using PlaceQuantity = Quantity<double (*)(const Eigen::Vector2d& place)>;
 using BearingQuantity = Quantity<double (*)(const BearingView&)>;
 
-/// In the order of a row: these, those of each place, those of each bearing.
+/// In the order of a row: these, then those of each place and of each bearing.
 std::span<const StepQuantity> step_quantities();
 std::span<const PlaceQuantity> place_quantities();
 std::span<const BearingQuantity> bearing_quantities();
 
-/// Columns of a row that others read.
+/// Columns of a row that other code reads.
 enum class StepColumn : std::size_t { time, angle, speed, iterations, energy };
 inline constexpr std::size_t energy_columns = 8;
 enum class BearingColumn : std::size_t { thinnest, power, asperity_load, loaded_bumps };

@@ -22,9 +22,9 @@
 namespace bumpfoil {
 namespace {
 
-/// Rows that are appended together, and after which a run can go on.
+/// Rows written together, after which a run can be resumed.
 constexpr std::size_t rows_at_once = 500;
-/// Part of the highest speed at which a step is as long as it may be.
+/// Fraction of the highest speed below which steps have their maximum length.
 constexpr double slow_part = 0.1;
 
 const TransientSettings& transient_settings_of(const Case& input) {
@@ -51,7 +51,7 @@ class MemoryTable : public StepTable {
   std::vector<double> numbers_;
 };
 
-/// Half a sine wave of size 1, or so much of one of some frequency; zero outside of its time.
+/// Unit half sine, or sine of a given frequency; zero outside its duration.
 double wave_at(double time, double begin, double duration, const std::optional<double>& frequency) {
   if (time < begin || time > begin + duration) return 0.0;
   return std::sin(frequency.value_or(std::numbers::pi / duration) * (time - begin));
@@ -62,7 +62,7 @@ std::vector<RotorStation>::const_iterator place_named(const std::vector<RotorSta
   return std::find_if(places.begin(), places.end(), [&](const RotorStation& place) { return place.name == name; });
 }
 
-/// @throws Error (input) with the pulses whose places are none of the rotor's
+/// @throws Error (input) with the pulses whose places the rotor does not have
 void require_places(const std::vector<RotorPulse>& pulses, const std::vector<RotorStation>& places) {
   const std::vector<std::string> names = each(places, [](const RotorStation& place) { return place.name; });
   std::vector<Fault> faults;
@@ -74,7 +74,7 @@ void require_places(const std::vector<RotorPulse>& pulses, const std::vector<Rot
   if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
 }
 
-/// Weight, unbalance, pulses and the inertia of a base that moves.
+/// Weight, unbalance, pulses and the inertia forces of base motion.
 RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSettings& settings, const Machine& machine) {
   const Rotor& rotor = machine.rotor;
   const std::vector<RotorStation> places = machine.places();
@@ -84,7 +84,7 @@ RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSetti
   };
   std::vector<Pulse> pulses;
   pulses.reserve(settings.pulses.size());
-  // On half a rotor that does not tilt, half of a force.
+  // On half a rotor that does not tilt, half of each force.
   const double part = rotor_settings.tilts() ? 1.0 : 0.5;
   for (const RotorPulse& pulse : settings.pulses) {
     const Eigen::Vector2d force(pulse.force[0], pulse.force[1]);
@@ -108,7 +108,7 @@ RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSetti
   };
 }
 
-/// From the equilibrium at the first speed, on the small orbit that unbalance makes there.
+/// From the equilibrium at the first speed, on the small unbalance orbit there.
 Status begin_run(const RotorSettings& settings, MachineStepper& machine, double speed, MachineState& state) {
   const Rotor& rotor = machine.rotor();
   const RotorEquilibria equilibria(rotor, machine.bearings(), settings.gravity_vector());

@@ -35,7 +35,7 @@ class TableOnDisk : public StepTable {
   RowLog log_;
 };
 
-/// A state is kept behind a checksum and the number of rows up to it.
+/// File content: a checksum, the number of rows so far, and the state.
 struct KeptState {
   std::size_t rows{};
   MachineState state;

@@ -11,18 +11,18 @@
 
 namespace bumpfoil {
 
-/// Names of the files in the folder of a run that keep its steps as they come, and the state of the last one.
+/// Names of the files in the folder of a run that store its steps during the run, and the last state.
 std::vector<std::string> transient_checkpoint_names();
 
-/// A run on the disk: its table, and how it begins or goes on.
+/// A run on disk: its table, and its start or point of resumption.
 struct KeptRun {
   std::shared_ptr<StepTable> table;
   TransientRun run;
 };
 
-/// Begins to keep a run in a folder, or goes on with what is kept there.
-/// @param resumes  goes on, where there is anything
-/// @throws Error (input) if what is kept is of another run
+/// Starts storing a run in a folder, or resumes the one stored there.
+/// @param resumes  resume if possible
+/// @throws Error (input) if a different run is stored
 /// @throws Error (file) if it cannot be read or written
 KeptRun keep_run(const std::filesystem::path& folder, bool resumes, const Case& input, std::size_t width);
 

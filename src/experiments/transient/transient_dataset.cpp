@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> spectrum_axes{"X", "Y"};
 
-/// Values of a number of columns over some rows, those of a row together.
+/// Values of several columns over some rows, row by row.
 std::vector<double> columns_of(const StepTable& steps, const std::vector<std::size_t>& columns, std::size_t first,
                                std::size_t count) {
   std::vector<double> values(count * columns.size());

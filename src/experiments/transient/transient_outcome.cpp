@@ -23,7 +23,7 @@ RunStatus status_of(const TransientReading& reading) {
 
 /// Entries of summary.json: totals of the run, and rubs.
 Json transient_lists(const TransientReading& reading) {
-  // What all summaries begin with has a status of its own, that of the run.
+  // The common header has a status of its own, that of the run.
   Json json{{"end_status", name_of(reading.result.status)}, {"revolutions", reading.turns.size()}};
   for (const RunQuantity& quantity : run_quantities().subspan(1)) {
     json[quantity.key()] = value_json(quantity.value(reading), quantity.form);
@@ -91,7 +91,7 @@ SharedReading reading_of(TransientResult result) {
   return std::make_shared<const TransientReading>(std::move(result));
 }
 
-/// Steps stay on the disk, in files with which the run can go on.
+/// Steps stay on disk, in files from which the run can be resumed.
 Outcome stage_transient(const Case& input, const StagedRun& staged, const ProgressCallback& progress) {
   TransientResult begun = transient_not_begun(input);
   KeptRun kept = keep_run(staged.folder.path(), staged.resumes, input, begun.layout.width());
@@ -105,9 +105,9 @@ Outcome stage_transient(const Case& input, const StagedRun& staged, const Progre
   return outcome;
 }
 
-/// Places of pulses that only the rotor tells.
+/// Checks places of pulses, which require the rotor.
 std::vector<Fault> transient_faults(const Case& input) {
-  if (!find_faults(input).empty()) return {};  // without its bearings there is no rotor
+  if (!find_faults(input).empty()) return {};  // the rotor requires valid bearings
   std::vector<Fault> faults;
   collect_faults(faults, [&] { static_cast<void>(transient_not_begun(input)); });
   return faults;

@@ -16,11 +16,11 @@
 namespace bumpfoil {
 namespace {
 
-using namespace tag;  // NOLINT(google-build-using-namespace): the tables below are made of them
+using namespace tag;  // NOLINT(google-build-using-namespace): for the tables below
 
-/// Part of the energy that turns over which the defect of the balance may be.
+/// Largest accepted defect of the energy balance, relative to the energy exchanged.
 constexpr double largest_energy_defect = 0.05;
-/// Part of the entrained work that is no defect but rounding.
+/// Fraction of the entrained work below which the defect is round-off.
 constexpr double rounded_work = 1e-9;
 
 template <int axis>
@@ -122,7 +122,7 @@ constexpr auto whole_turn_quantity_table = std::to_array<WholeTurnQuantity>({
      [](const TransientTurn& revolution) { return revolution.energy.defect(); }, none, "defect of the balance"},
 });
 
-/// Largest over all turns and bearings; not a number where there is none.
+/// Maximum over all turns and bearings; NaN if there is none.
 template <typename Value>
 double largest_of(const TransientReading& reading, const Value& value) {
   double largest = absent;

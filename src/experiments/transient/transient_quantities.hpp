@@ -11,21 +11,21 @@
 /// Quantities of the command transient, described once for all files.
 namespace bumpfoil {
 
-/// A place of the rotor in a revolution.
+/// A place of the rotor during a revolution.
 struct TurnView {
   const TransientTurn& revolution;
   const PlaceTurn& place;
-  const BearingRecord* bearing{};  ///< none at other stations
+  const BearingRecord* bearing{};  ///< null at other stations
 };
 
 using TurnQuantity = Quantity<double (*)(const TurnView&)>;
 std::span<const TurnQuantity> turn_quantities();
 
-/// Of a revolution as a whole.
+/// A quantity of a whole revolution.
 using WholeTurnQuantity = Quantity<double (*)(const TransientTurn&)>;
 std::span<const WholeTurnQuantity> whole_turn_quantities();
 
-/// What is read off all steps of a run once it has ended.
+/// Quantities derived from all steps of a run after its end.
 struct TransientReading {
   explicit TransientReading(TransientResult made);
 
@@ -36,30 +36,30 @@ struct TransientReading {
   EnergyCheck energy;
 };
 
-/// Of a run as a whole, as sweeps list it: first how the march ended.
+/// A quantity of a whole run, as listed in sweeps: first the status of the march.
 using RunQuantity = Quantity<double (*)(const TransientReading&)>;
 std::span<const RunQuantity> run_quantities();
 
 std::vector<std::string> failure_lines(const TransientReading& reading);
 std::vector<std::string> warning_lines(const Case& input, const TransientReading& reading);
 
-/// The run as a text table: a line for some of its turns, rubs, and the balance of energy.
+/// The run as a text table: some of its turns, rubs, and the energy balance.
 std::string transient_table(const TransientReading& reading);
 
-/// The run as a whole.
+/// Quantities of the whole run.
 Dataset run_dataset(const TransientReading& reading);
 
-/// The same in a line under its header.
+/// The same as one CSV line with a header.
 std::string run_csv(const TransientReading& reading);
 
-/// The same and the last spectrum of the run, as sweeps keep them.
+/// The same and the last spectrum of the run, as stored in sweeps.
 Dataset swept_dataset(const TransientReading& reading);
 
-/// The run as a whole and all else over the dimensions step, revolution, station, bearing, spectrum and order. It lives
-/// as long as the reading.
+/// Quantities of the whole run, and all others over the dimensions step, revolution, station, bearing, spectrum and
+/// order. The reading must outlive it.
 Dataset transient_dataset(const TransientReading& reading);
 
-/// Contents of transient.csv: a line for each station and revolution.
+/// Contents of transient.csv: one line for each station and revolution.
 std::string transient_csv(const TransientReading& reading);
 
 }  // namespace bumpfoil

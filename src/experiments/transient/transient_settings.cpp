@@ -98,7 +98,7 @@ void judge_speed(Judge& judge, const TransientSettings& transient) {
   judge.require(turns, "transient.speed", "", "never turns the rotor", "give a speed other than zero");
 }
 
-/// Two components, and a time.
+/// Checks two components, and a time.
 void judge_wave(Judge& judge, const std::string& name, const char* key, const std::vector<double>& components,
                 const char* unit, double begin, double duration) {
   const bool two =

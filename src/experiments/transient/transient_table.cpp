@@ -23,7 +23,7 @@ std::string heading(std::initializer_list<std::string_view> words) {
   return line + '\n';
 }
 
-/// The place of the bearings that moves most.
+/// The bearing place with the largest motion.
 const PlaceTurn& widest(const TransientTurn& revolution) {
   std::size_t at = 0;
   for (std::size_t i = 1; i < revolution.bearings.size(); ++i) {

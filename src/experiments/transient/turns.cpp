@@ -13,19 +13,19 @@
 #include "experiments/transient/ends_of_turns.hpp"
 #include "experiments/transient/step_row.hpp"
 
-// What is read off the steps of a run, revolution by revolution: as much of them is in memory at a time.
+// Post-processing of the steps of a run, one revolution in memory at a time.
 namespace bumpfoil {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// Steps that are looked through at a time.
+/// Steps read at a time.
 constexpr std::size_t steps_at_once = 10'000;
-/// Part of the weight on a bearing that asperities carry where it rubs.
+/// A bearing rubs if asperities carry more than this fraction of the weight on it.
 constexpr double rubbing_part = 0.01;
-/// Spectra end here.
+/// Highest order of spectra.
 constexpr double highest_order = 8.0;
-/// Angles that are the same.
+/// Angles that differ by less are equal.
 constexpr double rounded_angle = 1e-6;
 
 std::vector<std::size_t> turn_ends_of(const StepTable& steps) {
@@ -34,9 +34,9 @@ std::vector<std::size_t> turn_ends_of(const StepTable& steps) {
   });
 }
 
-/// Places over angles, between two rows.
+/// Positions over angle, between two rows.
 struct PlaceMotion {
-  std::vector<double> angles;  ///< sizes of them
+  std::vector<double> angles;  ///< magnitudes of the angles
   std::vector<double> x, y;
 
   [[nodiscard]] Eigen::Vector2d at(std::size_t i) const { return {x[i], y[i]}; }
@@ -51,22 +51,23 @@ PlaceMotion motion_of(const TransientResult& result, std::size_t place, std::siz
   return motion;
 }
 
-/// A motion at equal angles, by straight lines between steps.
-/// @param begin  the first of them, rad, not before the motion begins
+/// A motion at equidistant angles, interpolated linearly between steps.
+/// @param begin  the first of them, rad, not before the start of the motion
 Eigen::Matrix2Xd at_equal_angles(const PlaceMotion& motion, double begin, std::size_t count, double step) {
   Eigen::Matrix2Xd places(2, static_cast<Eigen::Index>(count));
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = begin + step * static_cast<double>(i);
     while (at + 2 < motion.angles.size() && motion.angles[at + 1] < angle) ++at;
-    const double way = motion.angles[at + 1] - motion.angles[at];  // none while the rotor rests
+    const double way = motion.angles[at + 1] - motion.angles[at];  // zero while the rotor is at rest
     const double part = way > 0.0 ? (angle - motion.angles[at]) / way : 0.0;
     places.col(static_cast<Eigen::Index>(i)) = (1.0 - part) * motion.at(at) + part * motion.at(at + 1);
   }
   return places;
 }
 
-/// Amplitudes of e^{i order angle} of some orders at equal angles, beside a mean that moves on, by least squares.
+/// Amplitudes of e^{i order angle} of some orders at equidistant angles, with a linearly drifting mean, by least
+/// squares.
 std::vector<Eigen::Vector2cd> harmonics_of(const Eigen::Matrix2Xd& places, double begin, double step,
                                            std::initializer_list<double> orders) {
   Eigen::MatrixXd basis(places.cols(), 2 + 2 * static_cast<Eigen::Index>(orders.size()));
@@ -87,7 +88,7 @@ std::vector<Eigen::Vector2cd> harmonics_of(const Eigen::Matrix2Xd& places, doubl
   return amplitudes;
 }
 
-/// Mean and way of a turn.
+/// Mean and distance travelled of a turn.
 PlaceTurn place_in_turn(const PlaceMotion& motion) {
   const std::size_t last = motion.angles.size() - 1;
   PlaceTurn found{.orbit = {}, .at_end = motion.at(last)};
@@ -104,8 +105,8 @@ PlaceTurn place_in_turn(const PlaceMotion& motion) {
   return found;
 }
 
-/// Harmonics of a turn from two turns, with it in their middle: motion of half the frequency is then none of the whole
-/// one, nor is a mean that moves on. Of the first and the last turn from that alone, without the half.
+/// Harmonics of a turn from a window of two turns centred on it: this separates motion of order 1/2 and a drifting mean
+/// from order 1. The first and the last turn use themselves only, without order 1/2.
 /// @param steps  in a turn
 void find_harmonics(const PlaceMotion& motion, long number, std::size_t steps, PlaceTurn& found) {
   const double step = turn / static_cast<double>(steps);
@@ -147,7 +148,7 @@ std::vector<TransientTurn> turns_of(const TransientResult& result) {
   const std::vector<std::size_t> ends = turn_ends_of(*result.steps);
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const std::size_t first = ends[k - 1];
-    const std::size_t count = ends[k] - first;  // without the first row, which ends the revolution before
+    const std::size_t count = ends[k] - first;  // excludes the first row, which ends the previous revolution
     const auto times = result.steps->column(column_of(StepColumn::time), first, count + 1);
     TransientTurn& revolution = turns.emplace_back();
     revolution.number = static_cast<long>(k);

@@ -16,8 +16,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Change of an orbit in a turn, over c, that is none: friction leaves journals that creep for long, and steps in time
-/// are solved to 1e-6.
+/// Change of an orbit in a turn, over c, that counts as zero: friction lets journals creep for long, and time steps are
+/// solved to 1e-6.
 constexpr double orbit_tolerance = 1e-5;
 
 const UnbalanceSettings& unbalance_settings_of(const Case& input) {
@@ -28,12 +28,12 @@ const UnbalanceSettings& unbalance_settings_of(const Case& input) {
   return *settings;
 }
 
-/// Finds the orbits of a machine speed by speed, each from the one before.
+/// Finds the orbits of a machine speed by speed, each from the previous one.
 class OrbitFollower {
  public:
   OrbitFollower(MachineStepper& machine, RotorForces forces) : machine_(machine), forces_(std::move(forces)) {}
 
-  /// @param linear  start at the speed, by the linear response
+  /// @param linear  initial state at the speed, from the linear response
   Orbit find(const MachineState& linear, const OrbitOptions& options) {
     std::optional<Orbit> orbit;
     int spent = 0;
@@ -86,7 +86,7 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   const std::vector<FilmStepper*> pointers = pointers_to(steppers);
   MachineStepper machine(rotor, pointers);
   const RotorForces forces = forces_on(settings, rotor);
-  const Eigen::VectorXd weight = forces(RotorInstant{});  // at rest there is no unbalance
+  const Eigen::VectorXd weight = forces(RotorInstant{});  // no unbalance force at rest
   const UnbalanceSettings& run = unbalance_settings_of(input);
   const RotorEquilibria equilibria(rotor, pointers, settings.gravity_vector());
   OrbitFollower follower(machine, forces);

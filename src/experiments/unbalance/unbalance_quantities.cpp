@@ -13,14 +13,14 @@
 namespace bumpfoil {
 namespace {
 
-using namespace tag;  // NOLINT(google-build-using-namespace): the table below is made of them
+using namespace tag;  // NOLINT(google-build-using-namespace): for the table below
 
-/// Orbits larger than this part of the minimum film thickness are no small motions.
+/// Orbits larger than this fraction of the minimum film thickness are not small motions.
 constexpr double small_part_of_film = 0.3;
-/// Part by which an orbit is larger at a peak than beside it.
+/// Minimum relative drop of the orbit on both sides of a peak.
 constexpr double least_fall_from_peak = 0.05;
 
-/// Largest semi-major axis of the journals, m; over the minimum film thickness of its bearing where it is a part of it.
+/// Largest semi-major axis of the journals, m; or the largest ratio to the minimum film thickness of the bearing.
 template <ResponseKind kind, bool part_of_film = false>
 double journal_amplitude(const UnbalanceResult& result, const UnbalancePoint& point) {
   double largest = absent;
@@ -44,7 +44,7 @@ double film_in_orbit(const UnbalanceResult& /*result*/, const UnbalancePoint& po
   return thinnest;
 }
 
-/// The speed at which a number is largest; nothing where it is known at none.
+/// The speed with the largest value; nothing if all are unknown.
 template <typename Value>
 const UnbalancePoint* largest_at(const UnbalanceResult& result, const Value& value) {
   const UnbalancePoint* found = nullptr;
@@ -68,7 +68,7 @@ double least_film_in_orbits(const UnbalanceResult& result) {
   return found == nullptr ? absent : film_in_orbit(result, *found);
 }
 
-/// Whether all periodic orbits last; not a number where one is missing, or it is not known, and the others last.
+/// Whether all periodic orbits are stable; NaN if one is missing or its stability unknown, and no other is unstable.
 double all_last(const UnbalanceResult& result) {
   bool known = true;
   for (const UnbalancePoint& point : result.points) {
@@ -79,7 +79,7 @@ double all_last(const UnbalanceResult& result) {
   return known ? 1.0 : absent;
 }
 
-/// How the first search that failed ended, that for an equilibrium or an orbit.
+/// Status of the first failed search, for an equilibrium or an orbit.
 Status first_failure(const UnbalanceResult& result) {
   for (const UnbalancePoint& point : result.points) {
     for (const Status status : {point.status, status_of(point, ResponseKind::orbit)}) {
@@ -252,7 +252,7 @@ constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
      yes_or_no},
 });
 
-/// Largest semi-major axis of all stations, m; not a number where there is no response.
+/// Largest semi-major axis of all stations, m; NaN if there is no response.
 double largest_orbit(const UnbalanceResult& result, const UnbalancePoint& point, ResponseKind kind,
                      std::size_t stations, std::size_t& where) {
   double largest = absent;
@@ -268,8 +268,8 @@ double largest_orbit(const UnbalanceResult& result, const UnbalancePoint& point,
   return largest;
 }
 
-/// Whether a maximum is more than the wiggles where contacts change: on both sides the values fall by some part of it
-/// before they are larger.
+/// Whether a maximum exceeds the ripple of contact changes: on both sides the values drop by a given fraction before
+/// they exceed it.
 bool stands_out(const std::vector<double>& values, std::size_t place) {
   const auto falls = [&](auto first, auto last) {
     for (auto at = first; at != last; ++at) {
@@ -348,7 +348,7 @@ std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
       const double before = (orbits[i] - orbits[i - 1]) / (speed[1] - speed[0]);
       const double after = (orbits[i + 1] - orbits[i]) / (speed[2] - speed[1]);
       const double curvature = (after - before) / (speed[2] - speed[0]);
-      const double way = 0.5 * (speed[0] - speed[1] - before / curvature);  // from the middle to the vertex
+      const double way = 0.5 * (speed[0] - speed[1] - before / curvature);  // from the middle point to the vertex
       peaks.push_back({.kind = kind,
                        .station = stations[where[i]].name,
                        .speed = speed[1] + way,

@@ -12,7 +12,7 @@ namespace bumpfoil {
 namespace {
 
 constexpr std::size_t most_responses_shown = 40;
-/// Stations that the terminal shows: the bearings, and the first others.
+/// Stations shown on the terminal: the bearings, and the first others.
 constexpr std::size_t most_stations_shown = 4;
 constexpr int response_cell_width = 12;
 
@@ -64,7 +64,7 @@ std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
   return out;
 }
 
-/// Results of the bearings in a turn, of the worst or of all together.
+/// Results of the bearings in a turn: the worst, or the sum of all.
 std::string orbit_lines(const UnbalanceResult& result) {
   const auto row = [](std::initializer_list<std::string_view> cells) {
     std::string line;

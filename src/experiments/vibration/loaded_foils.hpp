@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// The foils of a bearing under a static load, and what they answer to vibrations about it.
+/// The foils of a bearing under a static load, and their response to vibrations about it.
 class LoadedFoils {
  public:
   /// @throws Error (input) if the case cannot be built
@@ -14,12 +14,12 @@ class LoadedFoils {
   /// Takes the unstressed foils to a load.
   StaticLoad go_to(const Eigen::Vector2d& load);
 
-  /// Vibrates along a line about the last load, until the loop has settled; each begins with a copy of the state there.
+  /// Vibrates along a line about the last load until the loop has settled; starts from a copy of the loaded state.
   /// @pre  the load was reached
   Cycle vibrate(double direction, double amplitude, const ProgressCallback& progress = {});
 
   [[nodiscard]] FoilStepper& stepper() { return stepper_; }
-  [[nodiscard]] double reach() const { return reach_; }                      ///< loads are not looked for beyond, m
+  [[nodiscard]] double reach() const { return reach_; }                      ///< limit of the search for loads, m
   [[nodiscard]] const BearingState& state() const { return loaded_.state; }  ///< at the last load
 
  private:
@@ -27,7 +27,7 @@ class LoadedFoils {
   FoilStepper stepper_;
   double reach_;
   Eigen::Vector2d load_{0.0, 0.0};
-  Step loaded_;  ///< how the last load was reached
+  Step loaded_;  ///< the step that reached the last load
 };
 
 }  // namespace bumpfoil

@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// One entry of the matrices as the lists that ROSS wants, in rows of so many.
+/// One matrix entry as nested lists for ROSS, in rows of a given length.
 std::string coefficient(const std::vector<Eigen::Matrix2d>& matrices, std::size_t row_size, int row, int column) {
   if (matrices.size() == 1) return toml_number(matrices.front()(row, column));
   std::vector<std::string> rows;

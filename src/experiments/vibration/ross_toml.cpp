@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t fewest_frequencies = 5;
 constexpr int sampled_frequencies = 9;
-/// Frequencies that differ by less, as part of them, are one.
+/// Frequencies with a smaller relative difference are equal.
 constexpr double same_frequency = 1e-9;
 
 constexpr std::string_view head =
@@ -49,7 +49,7 @@ std::vector<double> exported_frequencies(std::vector<double> frequencies) {
     const double ratio = std::pow(2.0 * *highest / first, 1.0 / (sampled_frequencies - 1));
     for (int i = 0; i < sampled_frequencies; ++i) frequencies.push_back(first * std::pow(ratio, i));
   }
-  // Of two that are one, the first is that of the case.
+  // Of two equal ones, the first is that of the case.
   std::stable_sort(frequencies.begin(), frequencies.end(),
                    [](double a, double b) { return a < b * (1.0 - same_frequency); });
   const auto same = [](double a, double b) { return b - a <= same_frequency * b; };

@@ -19,12 +19,12 @@ namespace {
 
 constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
-/// Where a vibration stands among those of a result.
+/// Index of a vibration in a result.
 std::size_t place_of(const VibrationSettings& vibration, std::size_t load, std::size_t motion, std::size_t amplitude) {
   return (load * vibration.motions() + motion) * vibration.amplitudes.size() + amplitude;
 }
 
-/// Round a circle from its point on the side of +X.
+/// A full circle from its point on the side of +X.
 Program circle(const Eigen::Vector2d& centre, double radius, Sense sense, int steps) {
   const double turn = (sense == Sense::counterclockwise ? 2.0 : -2.0) * std::numbers::pi;
   const auto point = [&](int step) -> Eigen::Vector2d {
@@ -80,7 +80,7 @@ class VibrationRunner {
     return out;
   }
 
-  /// Goes round the place of the last load.
+  /// Moves on a circle about the position of the last load.
   Vibration circle_round(Sense sense, double radius) {
     const StaticLoad& about = result_.loads.back();
     Vibration out;
@@ -143,7 +143,7 @@ class VibrationRunner {
     });
   }
 
-  /// Tells how far it is. @return whether it is to go on
+  /// Reports progress. @return whether to continue
   bool goes_on(double fraction) {
     stopped_ = progress_ &&
                !progress_((static_cast<double>(result_.vibrations.size()) + fraction) / static_cast<double>(all_));
@@ -158,7 +158,7 @@ class VibrationRunner {
   VibrationResult result_;
 };
 
-/// Of an orbit in either sense, see orbit_harmonic().
+/// From an orbit in either direction, see orbit_harmonic().
 LinearFoils linear_foils_of(const FirstHarmonic& counterclockwise, const FirstHarmonic& clockwise) {
   const FirstHarmonic& a = counterclockwise;
   const FirstHarmonic& b = clockwise;
@@ -170,13 +170,13 @@ LinearFoils linear_foils_of(const FirstHarmonic& counterclockwise, const FirstHa
   return foils;
 }
 
-/// A vibration that is known, and where it goes.
+/// A vibration with a known response, and its direction.
 struct Answer {
   Eigen::Vector2d direction;
   const Vibration& vibration;
 };
 
-/// The matrix M with M n = the part of the harmonic, for the direction n of each answer.
+/// The matrix M with M n = the part of the harmonic, for the direction n of each vibration.
 Eigen::Matrix2d matrix_of(const std::vector<Answer>& answers, Eigen::Vector2d FirstHarmonic::*part) {
   Eigen::Matrix2d matrix = Eigen::Matrix2d::Constant(answers.size() == 2 ? 0.0 : not_computed);
   for (const auto& [n, vibration] : answers) {
@@ -196,7 +196,7 @@ LinearFoils linear_foils_of(const std::vector<Answer>& answers) {
                     .residual = not_computed,
                     .loss_factor = {not_computed, not_computed}};
   for (const auto& [n, vibration] : answers) {
-    foils.residual = std::fmax(foils.residual, vibration.harmonic->residual);  // not a number is none
+    foils.residual = std::fmax(foils.residual, vibration.harmonic->residual);  // ignores NaN
     if (n.x() != 0.0 && n.y() != 0.0) continue;
     foils.loss_factor[n.x() == 0.0 ? 1 : 0] = vibration.cycle.loss_factor.value_or(not_computed);
   }

@@ -6,8 +6,8 @@
 
 namespace bumpfoil {
 
-/// Contents of vibration.csv: one line per vibration. Of all tables: a header with the units in its names, numbers with
-/// 17 significant digits, and nothing where a number is not known.
+/// Contents of vibration.csv: one line per vibration. Like all tables: a header with units in its names, numbers with
+/// 17 significant digits, and an empty cell for an unknown number.
 std::string vibration_csv(const VibrationSettings& settings, const VibrationResult& result);
 
 /// Contents of coefficients.csv: one line per load, amplitude and frequency.

@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Describes vibrations, variable by variable.
+/// Describes vibrations, one variable at a time.
 class VibrationDataset {
  public:
   VibrationDataset(const Case& input, const VibrationResult& result)
@@ -76,7 +76,7 @@ class VibrationDataset {
     }
   }
 
-  /// Forces that each of several pads carries.
+  /// Forces on each of several pads.
   void add_pads() {
     if (pads_ == 0) return;
     for (const auto& [axis, name] : {std::pair{0, "x"}, std::pair{1, "y"}}) {
@@ -156,7 +156,7 @@ class VibrationDataset {
   }
 
   const VibrationSettings& settings_;
-  std::size_t pads_;  ///< of several; none of one
+  std::size_t pads_;  ///< number of pads; 0 for a single one
   const VibrationResult& result_;
   std::string motion_;
   Dataset data_;

@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// Loads, vibrations and coefficients over the dimensions load, direction or sense, amplitude, frequency and, of the
-/// loops, point; of several pads pad, too. @param all  linear_foils() of the result
+/// Loads, vibrations and coefficients over the dimensions load, direction or sense, amplitude, frequency, point for
+/// loops, and pad if there are several. @param all  linear_foils() of the result
 Dataset vibration_dataset(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
                           bool with_loops = true);
 

@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A result of which nothing was begun.
+/// A result in which nothing has been started.
 VibrationResult not_begun(const VibrationSettings& settings) {
   VibrationResult result;
   for (const Eigen::Vector2d& load : settings.loads) {
@@ -78,7 +78,7 @@ ExperimentInfo vibration_experiment() {
               .loop_values =
                   [](const Case& input) {
                     const VibrationSettings& settings = *input.vibration;
-                    // The solver that follows events has some more.
+                    // The event-following solver has additional points.
                     return settings.loads.size() * settings.motions() * settings.amplitudes.size() * 4 *
                            static_cast<std::size_t>(settings.steps);
                   }},

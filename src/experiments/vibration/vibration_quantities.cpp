@@ -15,10 +15,10 @@ double known(const std::optional<double>& number) {
   return number.value_or(absent);
 }
 
-/// Of the first harmonic: outward is in phase with the displacement, ahead leads it by 90 degrees.
+/// Part of the first harmonic: outward is in phase with the displacement, ahead leads it by 90 degrees.
 enum class Part { outward, ahead };
 
-/// Along the direction of the vibration; of an orbit the mean along and across the radius, see orbit_harmonic().
+/// Along the direction of the vibration; for an orbit the mean along and across the radius, see orbit_harmonic().
 template <Part part>
 double direct(const Vibration& vibration) {
   if (!vibration.harmonic) return absent;
@@ -28,7 +28,7 @@ double direct(const Vibration& vibration) {
   return part == Part::outward ? 0.5 * (stiffness.x() - s * loss.y()) : 0.5 * (loss.x() + s * stiffness.y());
 }
 
-/// And across it, to the left; of an orbit not defined.
+/// Across it, to the left; undefined for an orbit.
 template <Part part>
 double cross(const Vibration& vibration) {
   if (!vibration.harmonic || vibration.sense) return absent;
@@ -37,7 +37,7 @@ double cross(const Vibration& vibration) {
       .dot(part == Part::outward ? vibration.harmonic->stiffness : vibration.harmonic->loss);
 }
 
-using namespace tag;  // NOLINT(google-build-using-namespace): the table below is made of them
+using namespace tag;  // NOLINT(google-build-using-namespace): for the table below
 
 constexpr auto vibration_list = std::to_array<VibrationQuantity>({
     {"stiffness_direct", "N/m",
@@ -122,7 +122,7 @@ std::vector<std::string> failure_lines(const VibrationSettings& settings, const 
   };
   for (const StaticLoad& load : result.loads) tell(load_text(load.load) + " was not reached", load.status);
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
-    if (result.loads[place_of(settings, i).load].status != Status::converged) continue;  // said already
+    if (result.loads[place_of(settings, i).load].status != Status::converged) continue;  // already reported
     tell(name_of_vibration(settings, i), result.vibrations[i].cycle.status);
   }
   return lines;

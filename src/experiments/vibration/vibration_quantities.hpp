@@ -12,11 +12,11 @@
 
 namespace bumpfoil {
 
-/// Of one vibration.
+/// A quantity of one vibration.
 using VibrationQuantity = Quantity<double (*)(const Vibration&)>;
 std::span<const VibrationQuantity> vibration_quantities();
 
-/// Of the foils about one load with one amplitude.
+/// A quantity of the foils about one load with one amplitude.
 using LinearQuantity = Quantity<double (*)(const LinearFoils&)>;
 std::span<const LinearQuantity> linear_quantities();
 
@@ -27,24 +27,24 @@ struct MatrixEntry {
 };
 inline constexpr std::array<MatrixEntry, 4> matrix_entries{{{"xx", 0, 0}, {"xy", 0, 1}, {"yx", 1, 0}, {"yy", 1, 1}}};
 
-/// Failures of vibrations, each with its place.
+/// Failures of vibrations, each with load, direction and amplitude.
 std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result);
 
-/// Where an answer is less than it seems, and what to do about it.
+/// Limitations of the results, with advice.
 std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result);
 
-/// Name in files of the direction of a vibration, or of the sense of an orbit.
+/// Name of the direction of a vibration, or of the sense of an orbit, in files.
 inline std::string_view motion_key(const VibrationSettings& settings) {
   return settings.orbits() ? "sense" : "direction_deg";
 }
 
-/// Place of a vibration among those of a result.
+/// Indices of a vibration in a result.
 struct VibrationPlace {
-  std::size_t load, motion, amplitude;  ///< motion: number of the direction, or of the sense
+  std::size_t load, motion, amplitude;  ///< motion: index of the direction, or of the sense
 };
 VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration);
 
-/// A vibration as messages call it: "load (0, -50) N, 90 deg, 2 um".
+/// A vibration in messages: "load (0, -50) N, 90 deg, 2 um".
 std::string name_of_vibration(const VibrationSettings& settings, std::size_t vibration);
 
 }  // namespace bumpfoil

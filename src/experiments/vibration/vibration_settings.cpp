@@ -45,7 +45,7 @@ void describe_vibration(CaseVisitor& keys, Case& input) {
       input.vibration, [](CaseVisitor& inner, VibrationSettings& vibration) { describe(inner, vibration); });
 }
 
-/// Points of all loops, which are kept until the end, and rows of all coefficients.
+/// Maximum number of loop points, kept until the end, and of coefficient rows.
 constexpr std::int64_t most_loop_points = 20'000'000;
 constexpr std::int64_t most_rows = 1'000'000;
 

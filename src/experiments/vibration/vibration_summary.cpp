@@ -24,7 +24,7 @@ Json matrix_json(const std::optional<Eigen::Matrix2d>& K) {
   return json;
 }
 
-/// Numbers of pads; null where they are not known.
+/// Values per pad; null if unknown.
 Json pads_json(const Vector& forces) {
   Json json;
   for (const double force : forces) json.push_back(value_json(force));

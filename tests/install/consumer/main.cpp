@@ -1,4 +1,4 @@
-// A user's project: the library is all that it knows.
+// A user's project that only uses the installed library.
 #include <bumpfoil/core/version.hpp>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
 #include <iostream>
@@ -11,6 +11,6 @@ int main() {
   if (!result.converged()) return 1;
   const double force = result.cycles.front().turning_point->max_force;
   std::cout << "bumpfoil " << bumpfoil::version() << ": " << force << " N\n";
-  // Pushed by 2.5 clearances, this bearing answers with several hundred newtons.
+  // Pushed by 2.5 clearances, this bearing resists with several hundred newtons.
   return force > 500.0 && force < 1000.0 ? 0 : 1;
 }

@@ -15,8 +15,8 @@ TEST(BearingEnergy, OfGasAtRestIsNone) {
   EXPECT_EQ(energy.total(), 0.0);
 }
 
-/// Linear foils hold half of the work that their loads would do on the whole way: those on the top foils D M, those on
-/// the bumps the forces of their contacts.
+/// Linear foils store half the work of their final loads over the total displacement: those on the top foils D M, those
+/// on the bumps the contact forces.
 TEST(BearingEnergy, OfFoilsIsHalfOfLoadTimesWay) {
   FilmStepper stepper(film_reference_bearing({4, 3}, 0.1));
   const FilmBearing& bearing = stepper.bearing();

@@ -115,7 +115,7 @@ TEST(FilmStepper, ImpedanceAtRestIsTheStiffness) {
     EXPECT_LT(((*Z)[0] - *K).norm(), 1e-8 * K->norm());
     EXPECT_LT(((*Z)[1] - (*Z)[2].conjugate()).norm(), 1e-12 * K->norm());
     EXPECT_GT((*Z)[1].imag()(0, 0), 0.0);
-    // What else is asked for decides where the equations are factored.
+    // Other requested results affect where the equations are factorised.
     const auto alone = stepper.impedances(state, {whirl / 7.0}, stuck);
     const auto with_others = stepper.impedances(state, {whirl / 7.0, 5.0 * whirl}, stuck);
     ASSERT_TRUE(alone.has_value() && with_others.has_value());

@@ -136,7 +136,7 @@ TEST(FoilStepper, CountsTheFrictionOfTheAssembly) {
   EXPECT_EQ(step.state.work, 0.0);
 }
 
-/// Gap offsets that change on the way, with the journal at rest: a bump that grows by 60 um.
+/// Gap offsets that change with the journal at rest: a bump that grows by 60 um.
 TEST(FoilStepper, FollowsGapsThatChange) {
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
   Case grown = case_with_given_constants();
@@ -155,10 +155,9 @@ TEST(FoilStepper, FollowsGapsThatChange) {
   EXPECT_GT(built.state.contacts.normal_force.maxCoeff(), 1.0);
 }
 
-/// The second kind of excitation: a pressure on the top foil. Sucked off the bumps, with the journal out of its way,
-/// the foil stands as a free cantilever under a uniform load q does: with a the angle of its free end
-///
-///     u = (R^4 q / EI') (1 - cos(theta) - (theta sin(theta - a) + sin(a) sin(theta)) / 2)
+/// The second kind of excitation: a pressure on the top foil. Lifted off the bumps by suction, with the journal out of
+/// reach, the foil is a free cantilever under a uniform load q: with a the angle of its free end
+/// |     u = (R^4 q / EI') (1 - cos(theta) - (theta sin(theta - a) + sin(a) sin(theta)) / 2)
 TEST(FoilStepper, APressureLiftsTheTopFoilAsTheClosedFormSays) {
   Case input = case_with_given_constants();
   input.bearing.radial_clearance = 1.9e-3;
@@ -221,7 +220,7 @@ TEST_P(Pushed, TangentsAreTheSlopesOfSmallSteps) {
   const TangentStiffnesses tangent = tangents();
   constexpr double step = 1e-11;  // short of the next event
   EXPECT_NEAR(slope(step), tangent.loading.value(), 1e-4 * *tangent.loading);
-  // A few lightly loaded contacts lose their grip at once as the journal turns back; by definition they are stuck.
+  // A few lightly loaded contacts slip immediately as the journal reverses; the unloading tangent assumes stick.
   EXPECT_NEAR(slope(-step), tangent.unloading.value(), 0.01 * *tangent.unloading);
   EXPECT_GT(*tangent.unloading, 1.5 * *tangent.loading);
 }

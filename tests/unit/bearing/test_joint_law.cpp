@@ -48,7 +48,7 @@ TEST(JointLaw, OfOneBearingIsThatOfItsJournal) {
   }
 }
 
-/// A body that only translates, under a load that two unlike bearings share: each carries what it does alone with its
+/// A body that only translates, under a load shared by two different bearings: each carries the same as alone with its
 /// journal held there.
 TEST(SolveTogether, LetsBearingsShareALoad) {
   const double speed = speed_of_rpm(-45000.0);
@@ -82,7 +82,7 @@ TEST(SolveTogether, LetsBearingsShareALoad) {
   }
   EXPECT_LT((carried - Eigen::Vector2d(40.0, 0.0)).norm(), 1e-7);
 
-  // What cannot be carried leaves all as it was.
+  // A load that cannot be carried leaves all states unchanged.
   const std::vector<BearingState> before = states;
   const Eigen::VectorXd y_before = y;
   move.law.journals.front().force *= 1e6;

@@ -37,7 +37,7 @@ std::optional<FilmPole> found(const Matrix& C, double frequency) {
   return rightmost_pole([&](const Vector& w) -> Vector { return C * w; }, C.rows(), frequency);
 }
 
-/// What a film has: a few poles beside the axis, and ever faster decay.
+/// As for a film: a few poles near the axis, and increasingly fast decay.
 std::vector<Complex> with_decays(std::vector<Complex> poles) {
   for (int i = 1; i <= 80; ++i) poles.emplace_back(-3.0 - 1.2 * i, i % 3 == 0 ? 0.5 * i : 0.0);
   return poles;

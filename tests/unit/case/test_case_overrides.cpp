@@ -87,7 +87,7 @@ TEST(Overrides, WithNumbersThatAreNone) {
     EXPECT_EQ(refusal({"bump_foil.bumps=" + number}),
               "--set: bump_foil.bumps = " + number + ": is out of range; give a number that the program can hold");
   }
-  // What TOML does not know is a text, which is not said of what was not quoted.
+  // Invalid TOML is a text; the message does not call it one if it was not quoted.
   EXPECT_EQ(refusal({"bump_foil.bumps=026"}),
             "--set: bump_foil.bumps = 026: is not a whole number; write a whole number without quotes, such as 26");
   EXPECT_EQ(refusal({"friction.coefficient=.1"}),

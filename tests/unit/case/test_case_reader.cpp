@@ -65,7 +65,7 @@ TEST(ParseCase, EnsemblesOfCyclesFollowEventsUnlessASolverIsNamed) {
   EXPECT_EQ(solver("montecarlo", {"bump_foil.model=frame"}), SolverName::events);
   EXPECT_EQ(solver("montecarlo", {"solver.name=newton"}), SolverName::newton);
   EXPECT_EQ(solver("montecarlo", {"solver.name=uzawa"}), SolverName::uzawa);
-  // It follows what is straight between events, and films are beyond it.
+  // The event-following solver requires piecewise linear problems, without films.
   EXPECT_EQ(solver("montecarlo", {"bump_foil.model=frame", "bump_foil.geometry=nonlinear"}), SolverName::newton);
   EXPECT_EQ(solver("montecarlo", {"montecarlo.command=equilibrium", "equilibrium.speeds=[\"45000 rpm\"]",
                                   "equilibrium.loads=[[\"50 N\", \"0 N\"]]"}),
@@ -238,7 +238,7 @@ TEST(ParseCase, TakesADiameterForTheRadius) {
   };
   const std::string text = written("\"38.1 mm\"");
   EXPECT_EQ(parse_case(text, "case.toml"), parse_case(whole_case(), "case.toml"));
-  // What is wrong with it is said of what was written.
+  // Errors refer to the key as written.
   const auto refused = [&written](const std::string& diameter) {
     try {
       static_cast<void>(parse_case(written(diameter), "case.toml"));
@@ -251,7 +251,7 @@ TEST(ParseCase, TakesADiameterForTheRadius) {
             "case.toml:3: bearing.diameter = -2 mm: must be positive; give a value from 1e-09 m to 1000 m");
   EXPECT_EQ(refused("\"2 N\"").find("case.toml:3: bearing.diameter = 2 N: is a force, expected a length"), 0);
   EXPECT_EQ(refused("\"2 N\"").find('\n'), std::string::npos);
-  // On the command line it stands in for the radius of the file, and the radius for a diameter there.
+  // On the command line it replaces the radius of the file, and the radius replaces a diameter there.
   EXPECT_EQ(with({"bearing.diameter=40 mm"}).bearing.radius, 20e-3);
   const CaseRequest request{.overrides = {"bearing.radius=20 mm"}, .commands = {}};
   EXPECT_EQ(parse_case(text, "case.toml", request).bearing.radius, 20e-3);
@@ -408,7 +408,7 @@ TEST(ParseCase, ReportsATrussThatCannotBeIdentified) {
   // Flats longer than the bumps; refused where the case is read.
   const std::vector<std::string> odd{"bump_foil.pitch=7.6 mm", "bump_foil.bumps=10"};
   EXPECT_NE(refusal_of("cycle", odd).find("bump_foil.truss.k2: is identified as -"), std::string::npos);
-  EXPECT_NO_THROW(with(odd));  // properties can still be told
+  EXPECT_NO_THROW(with(odd));  // properties can still be computed
   EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.truss.k2=1 MN/m"}));
   EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.model=frame"}));
 }

@@ -292,7 +292,7 @@ TEST(CaseReference, SaysWhatAKeyIsWithoutItsLine) {
   const auto says = [&](const std::string& row) { return page.find("\n| " + row) != std::string::npos; };
   EXPECT_TRUE(says("`radius` | length | required | R of the circle"));
   EXPECT_TRUE(says("`diameter` | length | – | instead"));
-  EXPECT_TRUE(says("`weld_angle` | angle | `\"180 deg\"` |"));  // as its author would write it
+  EXPECT_TRUE(says("`weld_angle` | angle | `\"180 deg\"` |"));  // as an author would write it
   EXPECT_TRUE(says("`wrap` | \"clockwise\", \"counterclockwise\" | `\"clockwise\"` |"));
   EXPECT_TRUE(says("`yield_stress` | pressure | none |"));
   EXPECT_TRUE(says("`youngs_modulus` | pressure | that of `bump_foil.youngs_modulus` |"));

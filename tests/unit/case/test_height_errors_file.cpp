@@ -83,7 +83,7 @@ TEST(HeightErrorsFile, IsReadBesideAWrongListOfDimensions) {
       EXPECT_EQ(error.faults()[1].line, 3U) << error.what();
     }
   }
-  // Without nominal heights nothing is said of those that are right.
+  // Without nominal heights, valid ones cause no message.
   std::string heights = "height_mm\n";
   for (int bump = 0; bump < 26; ++bump) heights += "0.505\n";
   folder.write("heights.csv", heights);

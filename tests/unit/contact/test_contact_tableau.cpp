@@ -33,7 +33,7 @@ ContactState led_by_rates(const ContactProblem& problem, ContactTableau& tableau
   return piece.target;
 }
 
-/// Where all stick nothing moves but by round-off: displacements are 1e-5 m, forces tens of N.
+/// With full stick only round-off remains: displacements are 1e-5 m, forces tens of N.
 void expect_near(const Vector& found, const Vector& expected, double tolerance, std::uint64_t seed) {
   const double size = std::max(expected.cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), tolerance * size) << seed;
@@ -67,8 +67,8 @@ class DriftingSystem : public ModeSystem {
   double part_;
 };
 
-/// Random modes follow each other, more than are collected before they are carried out: with friction and without,
-/// few contacts at once and all of them, each change that there is.
+/// Sequences of random modes, more than are collected before an update: with and without friction, a few contacts at
+/// once and all of them, every possible change.
 TEST(ContactTableau, LeadsWhereTheLinearSystemDoes) {
   constexpr int blocks = 7;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
@@ -102,8 +102,8 @@ TEST(ContactTableau, LeadsWhereTheLinearSystemDoes) {
   }
 }
 
-/// Its rates are compared with those of the linear system after 128 exchanges: a thousandth of what they may differ by,
-/// and a thousand times as much.
+/// Its rates are compared with those of the linear system after 128 exchanges: with deviations of a thousandth of the
+/// tolerance, and a thousand times as much.
 TEST(ContactTableau, IsBuiltAnewWhereDisplacementsHaveDrifted) {
   const RandomProblem random = make_random_problem(3, 7, 6, 0.3);
   const auto system_after_changes = [&](double part) {
@@ -141,7 +141,7 @@ TEST(ContactTableau, TakesAnotherPath) {
   }
 }
 
-/// A block that nothing but friction holds along the floor.
+/// A block held along the floor by friction only.
 TEST(ContactTableau, RefusesModesThatLeaveAMechanism) {
   ContactProblem problem = toy::dragged_block();
   problem.K = BlockTridiagonal(1, 2);
@@ -153,7 +153,7 @@ TEST(ContactTableau, RefusesModesThatLeaveAMechanism) {
   EXPECT_TRUE(tableau.set_modes({ContactMode::stick}));
 }
 
-/// An ensemble asks for the same to the last bit whatever ran before.
+/// Ensembles require bit-identical results, independent of previous ones.
 TEST(ContactTableau, ForgetsToTheLastBit) {
   const RandomProblem random = make_random_problem(4, 5, 6, 0.3);
   const auto rates_after_all = [&](ContactTableau& tableau) {
@@ -169,7 +169,7 @@ TEST(ContactTableau, ForgetsToTheLastBit) {
   used.forget();
   ContactTableau fresh(random.problem, make_mode_system(random.problem));
   const ContactRates expected = rates_after_all(fresh);
-  EXPECT_NE(before.normal, expected.normal);  // other roundings: or this test could not fail
+  EXPECT_NE(before.normal, expected.normal);  // different round-off: otherwise this test could not fail
   const ContactRates after = rates_after_all(used);
   EXPECT_EQ(after.normal, expected.normal);
   EXPECT_EQ(after.tangential, expected.tangential);

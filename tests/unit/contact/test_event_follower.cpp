@@ -75,8 +75,7 @@ TEST(EventFollower, ABlockAtItsBoundSlipsAtOnceToEitherSide) {
   }
 }
 
-/// A block that was lifted while friction held it: it jumps to where its spring lets it go, and what the spring gives
-/// off on the way is dissipated.
+/// A block lifted while friction held it: it jumps to the free length of its spring, whose energy is dissipated.
 TEST(EventFollower, AnOpenContactHasNoFriction) {
   const ContactProblem block = toy::dragged_block();
   EventFollower follower(block, make_mode_system(block));
@@ -157,7 +156,7 @@ TEST_P(EventFollowerRates, EveryEventIsASolution) {
     };
     follower.set_out({random.first, random.second}, state.mode);
     EXPECT_TRUE(follower.follow_to(1.0, state, visit).arrived) << seed;
-    // What is returned is complete, whatever the parts tell.
+    // The returned state is complete, independent of the parts.
     EXPECT_LT((state.x - exact.x).norm(), 1e-12 * exact.x.norm()) << seed;
   }
 }
@@ -174,7 +173,7 @@ TEST(EventFollower, WithoutFrictionThePathDoesNotMatter) {
   EXPECT_LT((path.state.x - direct).norm(), 1e-11 * direct.norm());
 }
 
-/// Halts do not change the path: what lies between them is interpolated, without a solve where nothing happens.
+/// Halts do not change the path: states in between are interpolated, without a solve unless there is an event.
 TEST(EventFollower, HaltsAnywhereOnTheWay) {
   const RandomProblem random = make_random_problem(21, 6, 6, 0.3);
   Path direct(random.problem);

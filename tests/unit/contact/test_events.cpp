@@ -27,7 +27,7 @@ TEST(EventStepper, FractionsRunFromBeginToEndOfTheStep) {
   std::vector<ContactEvent> events;
   ASSERT_TRUE(follow_events(*stepper, toy::pull(0.0, 40.0), toy::pull(0.0, 40.0), state, {}, events).converged());
   events.clear();
-  // There and back: slips at 20 N, sticks at once on the way back, slips back when 40 N are taken.
+  // Forward and back: slips at 20 N, sticks immediately on reversal, slips back after a change of 40 N.
   ASSERT_TRUE(follow_events(*stepper, toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state, {}, events).converged());
   const FollowReport back = follow_events(*stepper, toy::pull(30.0, 40.0), toy::pull(-30.0, 40.0), state, {}, events);
   EXPECT_TRUE(back.converged());
@@ -63,8 +63,8 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
   EXPECT_EQ(events.size(), 2U);
 }
 
-/// Two springs against walls, one of them let go of: what is nothing beside the 1000 N where the path begins is tension
-/// beside the 0.1 mN where it ends.
+/// Two springs against walls, one of them released: a negligible force compared with 1000 N at the start of the path is
+/// a tension compared with 0.1 mN at its end.
 TEST(EventStepper, JudgesForcesByThoseThatAreLeft) {
   ContactProblem problem;
   problem.K = BlockTridiagonal(2, 1);
@@ -93,8 +93,8 @@ TEST(EventStepper, JudgesForcesByThoseThatAreLeft) {
   EXPECT_NEAR(state.normal_force[1], 1.0, 1e-9);
 }
 
-/// Heavy friction on random springs: the response jumps, and after some events no modes lead on. A small increment then
-/// stands in the response and is counted, and the path goes on from its end; every part is a solution all the same.
+/// Strong friction on random springs: the response jumps, and after some events no modes continue. A small increment is
+/// then inserted in the response and counted, and the path continues from its end; every part is still a solution.
 TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
   int substeps = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -129,7 +129,7 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
       report = stepper->follow_to(fraction, state, visit, events);
       if (!report.converged()) break;
       substeps += report.substeps;
-      // Where it says that it has arrived: gaps as the loading there leaves them, to roundings of lengths of 1e-4 m.
+      // At the reported end: gaps agree with the loading there, up to round-off of lengths of 1e-4 m.
       const Vector gap =
           contact_gaps(problem, LoadingPath{random.first, random.second}.at(fraction).initial_gap, state.x);
       EXPECT_LT((state.gap - gap).cwiseAbs().maxCoeff(), 1e-17) << seed << " at " << fraction;

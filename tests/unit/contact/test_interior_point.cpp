@@ -131,7 +131,7 @@ TEST(InteriorPoint, CountsItsSolves) {
   interior.start(toy::pull(30.0, 40.0), ContactState::unstressed(problem), 1.0, 0.995);
   EXPECT_TRUE(interior.step());
   EXPECT_EQ(interior.solves(), 2);
-  problem.K.diagonal[0](0, 0) = 0.0;  // nothing holds the block along the floor
+  problem.K.diagonal[0](0, 0) = 0.0;  // only friction holds the block along the floor
   problem.sites[0].tangential = -1;
   InteriorPoint loose(problem);
   loose.start(toy::pull(30.0, 40.0), ContactState::unstressed(problem), 1.0, 0.995);
@@ -164,8 +164,8 @@ TEST(InteriorPoint, TakesHardlyMoreStepsForMoreContacts) {
   }
 }
 
-/// Slips start as much longer as friction is smaller. Tiny friction takes a few steps more: it stays an open question
-/// for longer which way a contact slips.
+/// Initial slips scale with the inverse of friction. Tiny friction takes a few more steps: the slip direction stays
+/// undecided for longer.
 TEST(InteriorPoint, TakesHardlyMoreStepsForTinyFriction) {
   for (const double friction : {0.1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -89,7 +89,7 @@ TEST_P(ModeSystemSizes, SolvesLikeDenseMultipliers) {
         << seed;
     EXPECT_EQ(state.mode, mode);
 
-    // The state balances what it was solved for.
+    // The state is in balance with the loading of the solve.
     ContactLoading balanced;
     system->loading_of(state, balanced);
     EXPECT_LT(distance(balanced.initial_gap, random.first.initial_gap),
@@ -136,7 +136,7 @@ TEST_P(ModeSystemSizes, TakesAnotherK) {
   const std::unique_ptr<ModeSystem> fresh_modes = make_mode_system(other);
   ASSERT_TRUE(fresh_modes->set_modes(mode));
   fresh_modes->solve(random.first, previous_x, fresh);
-  // Constraint rows keep the scale of the first K, which leaves roundings.
+  // Constraint rows keep the scale of the first K: differences are round-off.
   EXPECT_LT(distance(given.x, fresh.x), 1e-11 * fresh.x.cwiseAbs().maxCoeff());
   EXPECT_LT(distance(given.normal_force, fresh.normal_force), 1e-11 * fresh.normal_force.cwiseAbs().maxCoeff());
 }
@@ -167,7 +167,7 @@ TEST(ModeSystem, MayReturnTensionAndFrictionBeyondTheCone) {
 
 TEST(ModeSystem, ReportsAMechanism) {
   ContactProblem loose = toy::dragged_block();
-  loose.K.diagonal[0](0, 0) = 0.0;  // nothing but friction holds it along the floor
+  loose.K.diagonal[0](0, 0) = 0.0;  // only friction holds it along the floor
   const std::unique_ptr<ModeSystem> system = make_mode_system(loose);
   EXPECT_TRUE(system->set_modes({ContactMode::stick}));
   EXPECT_FALSE(system->set_modes({ContactMode::open}));

@@ -288,8 +288,8 @@ TEST(NewtonSolver, MeetsAHardeningSpring) {
   EXPECT_EQ(run.state.mode[0], ContactMode::slip_backward);
 }
 
-/// A shallow arch of one unknown, e = c x (x - a) (x - 2a), pressed beyond its limit load of 0.385 c a^3 against a wall
-/// behind it. No tangent leads there: between the limit points it is negative.
+/// A shallow arch with one unknown, e = c x (x - a) (x - 2a), pressed beyond its limit load of 0.385 c a^3 against a
+/// wall behind it. The tangent does not lead there: it is negative between the limit points.
 TEST(NewtonSolver, SnapsToWhereTheFoilIsHeld) {
   constexpr double a = 1e-5;
   constexpr double c = 1e6 / (2.0 * a * a);
@@ -358,9 +358,9 @@ TEST(NewtonSolver, SaysThatALawWasNotMet) {
   EXPECT_FALSE(without_numbers.solve(loading, ContactState::unstressed(problem), state).converged());
 }
 
-/// Thirty blocks land at once, five of them pulled: held as they are pulled by less than friction bears, those are
-/// first tried slipping. All contradict their modes at first, only five after one round; it is the thirty that tell how
-/// many events there would be.
+/// Thirty blocks land at once, five of them pulled. These are held, as the pull is below the friction bound, but are
+/// first tried slipping. All contradict their modes at first, only five after one round; the thirty determine the
+/// expected number of events.
 TEST(NewtonSolver, FollowsEventsOnlyWhereFewContactsContradictAtFirst) {
   constexpr int blocks = 30;
   ContactProblem problem = toy::dragged_block();
@@ -391,7 +391,7 @@ TEST(NewtonSolver, LeavesAMechanismBehind) {
   EXPECT_NEAR(run.state.friction_force[0], -15.0, 1e-12);
 }
 
-/// An unknown that nothing holds: every factorisation fails, and no solve can follow.
+/// An unconstrained unknown: every factorisation fails, and no solve can follow.
 TEST(NewtonSolver, CountsNoSolvesOfSingularSystems) {
   ContactProblem loose = toy::dragged_block();
   loose.K.diagonal[0](0, 0) = 0.0;

@@ -123,7 +123,7 @@ TEST(IncrementFollower, ShowsEveryPartThatConverged) {
   std::vector<double> ends;
   const auto visit = [&](const ResponsePart& part) {
     EXPECT_EQ(part.begin.x[0], ends.empty() ? 0.0 : ends.back());
-    EXPECT_FALSE(part.linear);  // an increment knows nothing of what is between
+    EXPECT_FALSE(part.linear);  // an increment ignores the path in between
     ends.push_back(part.end.x[0]);
   };
   EXPECT_TRUE(follow(short_reach(0.5), {at(0.0), at(0.5)}, state, visit).converged());
@@ -154,7 +154,7 @@ TEST(LoadingPath, IsStraightAndMeetsItsEnds) {
   EXPECT_EQ(path.at(1.0).load[0], 4.1);
 }
 
-/// Block pressed by 40 N (20 N of friction) and pulled by 30 N against a spring of 2 N/um: both followers behind one
+/// Block pressed by 40 N (20 N of friction) and pulled by 30 N against a spring of 2 N/um: both followers have the same
 /// interface.
 TEST(PathFollower, SeesPartsAndEventsWhereItFollowsThem) {
   const ContactProblem problem = toy::dragged_block();

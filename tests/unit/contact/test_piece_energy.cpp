@@ -26,7 +26,7 @@ TEST(PieceEnergy, AStraightPieceHasNoDefect) {
   EXPECT_NEAR(energy.defect(), 0.0, 1e-18);
 }
 
-// Pulled from 0 N: 15 N on 5 um as the chord has it, 25 uJ in the spring; friction grows on the way.
+// Pulled from 0 N: 15 N over 5 um along the chord, 25 uJ in the spring; friction grows on the way.
 TEST(PieceEnergy, AChordOverABendHasOne) {
   const PieceEnergy energy = piece_energy(toy::dragged_block(), block_at(0.0, 0.0, ContactMode::stick),
                                           block_at(5e-6, -20.0, ContactMode::slip_forward));

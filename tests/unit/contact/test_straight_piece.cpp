@@ -120,8 +120,7 @@ TEST(StraightPiece, SeesWhetherItsBeginObeysItsModes) {
   EXPECT_FALSE(piece.begin_obeys_modes());
 }
 
-/// Part of the way from `begin` to `target` at which the first contact breaks an inequality of its mode; 1 if none
-/// does.
+/// Fraction of the distance from `begin` to `target` at which the first contact violates its mode; 1 if none does.
 double first_limit(const ContactProblem& problem, const ContactState& begin, const ContactState& target) {
   double first = 1.0;
   const auto consider = [&](double now, double then) {
@@ -141,8 +140,8 @@ double first_limit(const ContactProblem& problem, const ContactState& begin, con
   return first;
 }
 
-/// Whatever piece was looked at before: the contacts that are left out as they are clear of their limits must not be
-/// those that end the piece.
+/// Independent of the previous piece: contacts screened out as far from their limits must not include those that end
+/// the piece.
 TEST(StraightPiece, FindsTheFirstLimitOfManyContacts) {
   int with_limit = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -169,7 +168,7 @@ TEST(StraightPiece, FindsTheFirstLimitOfManyContacts) {
   EXPECT_GT(with_limit, 40);
 }
 
-/// A begin in random modes with any margins, many of them none, as after events and where nothing is loaded.
+/// A start in random modes with random margins, many of them zero, as after events and without load.
 ContactState random_begin(std::mt19937_64& random, const ContactProblem& problem) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto happens = [&] { return uniform(random) < -0.7; };
@@ -190,7 +189,7 @@ ContactState random_begin(std::mt19937_64& random, const ContactProblem& problem
   return begin;
 }
 
-/// A piece that has seen a short one begins to look nearby, a new one looks all the way at once.
+/// After a short piece the search starts nearby; a new one covers the whole distance at once.
 TEST(StraightPiece, FindsTheSameHoweverFarItLooksAtFirst) {
   int with_changes = 0;
   int with_one_limit = 0;
@@ -205,7 +204,7 @@ TEST(StraightPiece, FindsTheSameHoweverFarItLooksAtFirst) {
       ContactState begin = random_begin(random, problem);
       ContactRates rate{.normal = rates(), .tangential = rates()};
       if (i % 2 == 0) rate.normal = rate.normal.cwiseAbs();  // nothing opens or closes
-      // What carries nothing but roundings is in its cone nearby, and at the end it is not.
+      // A contact with only round-off forces is inside its cone nearby, but not at the end.
       for (Eigen::Index c = 0; c < problem.contacts(); ++c) {
         if (begin.mode[static_cast<std::size_t>(c)] != ContactMode::stick || begin.normal_force[c] > 0.0) continue;
         begin.friction_force[c] = f * 1e-9;

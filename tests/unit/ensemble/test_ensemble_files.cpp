@@ -36,7 +36,7 @@ TEST_F(EnsembleFiles, SummaryTellsStatisticsAndFailures) {
   EXPECT_EQ(summary.at("bump_loads").at("+X").at("mean_N").size(), 26U);
   const json& heights = summary.at("sensitivities").at("+X").at("max_force").at("bump_height");
   ASSERT_EQ(heights.size(), 26U);
-  EXPECT_TRUE(heights.at(0).is_null());  // three samples tell nothing of 27 factors
+  EXPECT_TRUE(heights.at(0).is_null());  // three samples do not determine 27 factors
   EXPECT_TRUE(summary.at("sensitivities").at("+X").at("max_force").contains("friction_top_bump"));
   EXPECT_EQ(summary.at("limits").at(0).at("limit"), "max_force > 1 N");
   EXPECT_EQ(summary.at("yield").at("passed"), 3);

@@ -77,7 +77,7 @@ TEST_F(EnsembleRuns, AreEnoughAfterWholeRoundsOnly) {
   EXPECT_TRUE(run_ensemble(input, layout, log, {.threads = 2, .enough = enough}));
   EXPECT_EQ(asked, (std::vector<std::size_t>{1000, 2000}));
   EXPECT_EQ(log.rows(), 2000U);
-  // Asked again, they are enough as they are.
+  // A repeated request finds them sufficient.
   EXPECT_TRUE(run_ensemble(input, layout, log, {.threads = 2, .enough = enough}));
   EXPECT_EQ(log.rows(), 2000U);
 }

@@ -38,7 +38,7 @@ TEST(Sample, DependsOnSeedAndNumberAlone) {
   EXPECT_NE(seventh.height_deviations, draw_sample(other, 7).height_deviations);
 }
 
-/// A rotor that is drawn has the same deviations in all of its bearings, each from what it is.
+/// A random rotor has the same deviations in all of its bearings, each from its own nominal values.
 TEST(Sample, DeviatesEveryBearingOfARotor) {
   Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres},
                               .radial_clearance = Distribution{.sigma = 1e-6},
@@ -89,7 +89,7 @@ TEST(Sample, DrawsEveryBumpOfEveryPad) {
   const Case common = sampled_case(input, draw_sample(input, 3));
   EXPECT_FALSE(common.pads[0].bump_foil);
   EXPECT_EQ(common.bump_foil.thickness.at(0, 7), 0.102e-3 + thicker);
-  // Heights correlate along a pad and not across: the first of each is drawn as it would be alone.
+  // Heights correlate along a pad but not between pads: the first of each is independent.
   input.montecarlo->bump_height = HeightScatter{ten_micrometres, 20e-3};
   const std::vector<double> correlated = draw_sample(input, 3).height_deviations;
   EXPECT_NEAR(correlated[0], sample.height_deviations[0], 1e-15);

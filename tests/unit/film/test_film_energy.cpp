@@ -26,7 +26,8 @@ FilmState some_film(const FilmMesh& mesh, double edge, double t = 0.0) {
   return film;
 }
 
-/// What surfaces and edges put in is what the flow dissipates and what unsteady volumes store, whatever the fields are.
+/// For any fields, the power supplied by surfaces and edges equals the dissipation of the flow and the storage of
+/// unsteady volumes.
 TEST(FilmPowers, AreResidualsTimesTheLogarithmOfThePressure) {
   for (const double edge : {1.0, 1.3}) {
     for (const FilmMesh& mesh : {make_slotted_mesh(12, 4, 0.5, 2.0), make_closed_mesh(12, 4, 0.5)}) {

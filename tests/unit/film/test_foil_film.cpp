@@ -109,7 +109,7 @@ TEST(FoilFilmSystem, FindsNewtonsStep) {
     EXPECT_EQ(step.lift.col(0).norm(), 0.0);
     EXPECT_EQ(step.moment.col(foil.mesh.columns).norm(), 0.0);
 
-    // Along the step all residuals fall in proportion, but for what is of second order.
+    // Along the step all residuals decrease in proportion, up to second order.
     constexpr double h = 1e-6;
     FoilFilmResidual plus, minus;
     FoilFilmState moved = state;

@@ -22,7 +22,7 @@ TEST(BearingDesign, IsRoundWithoutWavesProfilesAndTaper) {
   EXPECT_FALSE(bearing.is_round());
 }
 
-/// Cases differ in what is done to a bearing, too; designs do not.
+/// Cases may also differ in their loading; designs do not.
 TEST(BearingDesign, IsThePartOfACaseThatIsTheBearing) {
   const Case input = reference_case();
   Case other = input;

@@ -95,7 +95,7 @@ TEST(Pads, HaveFoilsAndWeldsOfTheirOwn) {
   EXPECT_EQ(find_bump(input, 7).bump, 0);
 }
 
-/// From the side z < 0 on, with the weld where the strip has it.
+/// From the side z < 0 on, with the weld at that of the strip.
 TEST(Pads, AreCutIntoTheirStripsUnderAFilm) {
   Case input = of_pads(2);
   EXPECT_EQ(place_film_pads(input).size(), 2U);

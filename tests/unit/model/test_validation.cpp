@@ -114,7 +114,7 @@ TEST(FindFaults, JudgesPads) {
   EXPECT_EQ(pads([](Case& input) { input.pads[1].weld_angle = nan; }), Keys{"pad[2].weld_angle"});
   EXPECT_EQ(pads([](Case& input) { input.pads[1].arc = 0.0; }), Keys{"pad[2].arc"});
   EXPECT_EQ(pads([](Case& input) { input.pads[0].lobe = 5e-3; }), Keys{"pad[1].lobe"});
-  // Foils of their own, by themselves and stretched to their arcs.
+  // Foils per pad, unstretched and stretched to their arcs.
   EXPECT_EQ(pads([](Case& input) {
               input.pads[2].bump_foil = input.bump_foil;
               input.pads[2].bump_foil->thickness = -1.0;
@@ -249,7 +249,7 @@ TEST(FindFaults, WantsFinitePositiveSizes) {
   };
   for (const auto& [key, size] : sizes) {
     for (const double value : {0.0, -1e-3, nan, infinity, -infinity, 1e300, 1e-300}) {
-      // Once, and nothing that follows from it.
+      // Reported once, without consequential errors.
       EXPECT_EQ(faulty_keys([&, member = size](Case& input) { member(input) = value; }), Keys{key}) << value;
     }
   }

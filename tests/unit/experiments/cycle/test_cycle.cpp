@@ -39,7 +39,7 @@ TEST(Cycle, GoesThereAndBackInEqualIncrements) {
     EXPECT_NEAR(increment.x, increment.displacement * std::cos(2.0), 1e-19);
     EXPECT_NEAR(increment.y, increment.displacement * std::sin(2.0), 1e-19);
   }
-  EXPECT_EQ(cycle.increments[10].displacement, 79.5e-6);  // not a rounding beside it
+  EXPECT_EQ(cycle.increments[10].displacement, 79.5e-6);  // without round-off
   EXPECT_EQ(cycle.increments[20].displacement, 0.0);
 }
 
@@ -138,8 +138,8 @@ TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {
   EXPECT_EQ(cycle.clearances[0].displacement, std::nullopt);
 }
 
-/// An ensemble wants a few numbers of many cycles: the same ones, and nothing else. To the last bit where they are
-/// found as with all records; where rates add up from piece to piece, to what is promised.
+/// An ensemble needs a few numbers of many cycles: the same ones, without records. They are bit-identical to those with
+/// all records, or within tolerance if rates accumulate from piece to piece.
 TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
   const std::pair<SolverName, double> solvers[] = {{SolverName::newton, 0.0}, {SolverName::events, 1e-9}};
   for (const auto& [solver, tolerance] : solvers) {
@@ -174,7 +174,7 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
   }
 }
 
-/// Whatever ran before, and in whatever order directions are taken: ensembles are the same to the last bit.
+/// Independent of previous runs and of the order of directions: ensembles are bit-identical.
 TEST(CycleRunner, RemembersNothing) {
   Case input = short_case(20);
   input.bump_foil.height_errors = random_case(3).bump_foil.height_errors;
@@ -192,7 +192,7 @@ TEST(CycleRunner, RemembersNothing) {
   }
 }
 
-/// Foils whose gaps alone differ share what was built of their stiffness; stiffer ones must not.
+/// Foils that differ only in their gaps share their stiffness; stiffer ones must not.
 TEST(CycleRunner, TakesOtherFoils) {
   std::vector<Case> inputs(4, short_case(20));
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -242,7 +242,7 @@ TEST(Cycle, FormedFoilsBalanceTheirEnergies) {
   }
 }
 
-/// However few the increments: no load before the first contact, and where `events` knows every piece no difference.
+/// Also for few increments: no load before the first contact, and no difference if `events` resolves every piece.
 TEST(CycleRunner, FindsClearancesInsideIncrements) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     Case input = reference_case();
@@ -329,7 +329,7 @@ TEST(CycleRunner, FollowsALoad) {
     for (std::size_t k = 1; k < cycle.increments.size(); ++k) {
       const Increment& increment = cycle.increments[k];
       const double load = 80.0 * static_cast<double>(k <= 10 ? k : 20 - k) / 10.0;
-      // A millionth stands for none; there the journal only has to be let go.
+      // A millionth replaces zero; there the journal is only to be released.
       EXPECT_NEAR(increment.force_direct, std::max(load, 80e-6), load > 0.0 ? 1e-7 : 40e-6);
       EXPECT_NEAR(increment.force_cross, 0.0, load > 0.0 ? 1e-7 : 240e-6);
       EXPECT_DOUBLE_EQ(increment.displacement, Eigen::Vector2d(increment.x, increment.y).dot(unit_vector(direction)));

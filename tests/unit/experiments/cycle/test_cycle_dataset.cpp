@@ -49,7 +49,7 @@ Cycle ended(Status status) {
   return cycle;
 }
 
-/// A result as its readers find it.
+/// A result as seen by its readers.
 class OpenedResult {
  public:
   explicit OpenedResult(const CycleResult& result, const Case& input = described_case(),
@@ -330,7 +330,7 @@ TEST(CycleDataset, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
   }
   EXPECT_EQ(file.at("initial_force", {0}), result.cycles[0].increments[0].force_direct);
   EXPECT_EQ(file.at("initial_force", {1}), NC_FILL_DOUBLE);
-  // Of the increment that failed nothing is known but where it led, what it cost and why.
+  // A failed increment only has its displacement, its cost and its status.
   EXPECT_EQ(file.at("displacement", {0, 3}), result.cycles[0].increments[3].displacement);
   EXPECT_EQ(file.at("force_direct", {0, 3}), NC_FILL_DOUBLE);
   EXPECT_EQ(file.at("residual", {0, 3}), NC_FILL_DOUBLE);
@@ -342,7 +342,7 @@ TEST(CycleDataset, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
   EXPECT_EQ(file.at("status", {1}), NC_FILL_BYTE);  // never begun
   EXPECT_EQ(file.at("increment_converged", {0, 2}), 1);
   EXPECT_EQ(file.at("increment_converged", {0, 3}), 0);
-  // Readers are told which number is none.
+  // The fill value is declared for readers.
   double fill = 0.0;
   file.variable("force_direct").getAtt("_FillValue").getValues(&fill);
   EXPECT_EQ(fill, NC_FILL_DOUBLE);

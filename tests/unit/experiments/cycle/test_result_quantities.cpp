@@ -27,7 +27,7 @@ const CycleQuantity& called(const std::vector<CycleQuantity>& quantities, std::s
   return *found;
 }
 
-/// Every quantity says what it is, in words that need no more, and no two have the same name.
+/// Every quantity has a self-contained description, and a unique name.
 template <typename Quantities>
 void expect_described(const Quantities& quantities, const Wording& wording, std::set<std::string_view>& names) {
   for (const auto& quantity : quantities) {

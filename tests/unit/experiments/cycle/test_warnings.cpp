@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A result of one cycle in which nothing is worth a warning.
+/// A result of one cycle without a reason for warnings.
 CycleResult harmless() {
   Cycle cycle;
   cycle.amplitude = 50e-6;

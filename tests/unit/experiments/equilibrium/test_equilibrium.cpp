@@ -112,7 +112,7 @@ TEST(Equilibrium, PrefersStableStatesWhereThereAreAny) {
   EXPECT_TRUE(result.states[1].instead_of_unstable);
   EXPECT_FALSE(result.states[1].before.has_value());                                  // from rest
   EXPECT_LT((result.states[1].outcome->force - settings.loads.back()).norm(), 1e-7);  // N
-  // Several paths are kept as they are.
+  // Several paths are kept unchanged.
   const EquilibriumResult both = run_equilibrium(running_case(settings), {FilmPath::load_ramp, FilmPath::speed_ramp});
   EXPECT_EQ(both.states[1].held.is_stable(), false);
   EXPECT_EQ(both.states[3].held.is_stable(), true);
@@ -268,7 +268,7 @@ TEST(Equilibrium, SaysHowFarAClearanceClosed) {
   EXPECT_EQ(result.states.at(1).report.status, Status::not_reached);
 }
 
-/// Lobes of all the clearance and more: the journal finds room between the pads' middles once they give way.
+/// Pad offsets of the clearance and more: the journal finds room between the pads' middles once they deflect.
 TEST(Equilibrium, ClosesPadsInOnTheJournal) {
   Case input = running_case({.speeds = {speed}, .loads = {{20.0, 0.0}}, .steps = 3});
   input.bump_foil.bumps = 8;
@@ -302,7 +302,7 @@ TEST(Equilibrium, BeginsAtTheCentreWhereTheColdStartTouches) {
   ASSERT_EQ(ray.report.status, Status::converged);
   EXPECT_EQ(ramped.last->position, ray.last->position);
   EXPECT_EQ(state_on(FilmPath::speed_ramp).report.status, Status::converged);
-  // The same where that position is asked for.
+  // The same for a request of that position.
   input.equilibrium->loads.clear();
   input.equilibrium->positions = {{0.6 * input.bearing.radial_clearance, 0.0}};
   EXPECT_EQ(state_on(FilmPath::cold_start).report.status, Status::touchdown);

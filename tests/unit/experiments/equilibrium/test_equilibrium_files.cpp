@@ -332,7 +332,7 @@ TEST(EquilibriumLines, SayWhatFailedAndWhatToKnow) {
   EXPECT_NE(warnings[2].find("the top foil yields: its bending stress reaches"), std::string::npos);
 }
 
-/// The state depends on what was before: names say so.
+/// The state depends on its history: names include it.
 TEST(EquilibriumLines, NameStatesByWhereTheyCameFrom) {
   RunningState state = example().states[0];
   EXPECT_EQ(name_of_state(state), "load_ramp from rest, 45000 rpm, load (30, 0) N");
@@ -376,7 +376,7 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
   EXPECT_TRUE(says("load (30, 0) N: the state is nearly singular: the top foil moves 1e+04 times as far"));
 }
 
-/// A load capacity that is bounded by stability, and a lift-off speed that there is none of.
+/// A load capacity limited by stability, and a lift-off speed that does not exist.
 TEST(EquilibriumFiles, TellWhatBoundsALimitAndWhatIsUnstable) {
   EquilibriumResult result = example();
   result.with_limits = true;

@@ -17,7 +17,7 @@ Case limited_case(double speed, double load) {
   return input;
 }
 
-/// The state at the limit, found by another path, is as thin as it should be.
+/// The state at the limit, found by another path, has the threshold film thickness.
 TEST(FilmLimits, LieWhereTheFilmIsAsThinAsItMayBe) {
   const Case input = limited_case(speed_of_rpm(45000.0), 50.0);
   const std::vector<FilmLimit> limits = run_film_limits(input);
@@ -69,7 +69,7 @@ TEST(FilmLimits, AreNoneWhereNoStateIsStable) {
     EXPECT_TRUE(std::isnan(limit.value));
     EXPECT_EQ(limit.bounded_by, LimitBound::stability);
     EXPECT_EQ(limit.stable, false);
-    // Where the film is as thin as it may be is known all the same.
+    // The threshold crossing is known nevertheless.
     EXPECT_GE(limit.h_thick, 8e-6);
     EXPECT_LT(limit.h_thin, 8e-6);
     ASSERT_EQ(limit.unstable.size(), 1U);

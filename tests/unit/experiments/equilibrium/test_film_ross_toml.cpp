@@ -134,7 +134,7 @@ TEST(FilmRossToml, SaysWhatSynchronousCoefficientsAreFor) {
   EXPECT_EQ(written(case_with({2.0}), states, 3).find("The case names no frequencies"), std::string::npos);
 }
 
-/// Version 2 knows one axis, and looks it up at the speed of the rotor.
+/// Version 2 supports one axis, and evaluates it at the rotor speed.
 TEST(FilmRossToml, OfVersion2IsSynchronous) {
   const toml::table document = parsed(case_with({40.0, 50.0}),
                                       {state_of(-20.0, {1.0, 0.0}, {whirl_of(40.0, 3.0), whirl_of(50.0, 4.0)}),
@@ -186,8 +186,8 @@ std::complex<double> least_damped(double mass, const Eigen::Matrix2d& K, const E
                            [](const auto& a, const auto& b) { return a.real() < b.real(); });
 }
 
-/// A rotor of 1 kg per bearing under its weight whirls unstably above 13,100 rpm (gas enters at the weld). The
-/// coefficients at the frequency of the whirl tell, those of synchronous whirl do not.
+/// A rotor of 1 kg per bearing under its weight whirls unstably above 13,100 rpm (gas inlet at the weld). The
+/// coefficients at the whirl frequency show this, those of synchronous whirl do not.
 TEST(FilmRossToml, TellsAnUnstableRotorByItsTableAloneNotBySynchronousWhirl) {
   const double mass = 1.0;
   const double speed = speed_of_rpm(15000.0);

@@ -55,7 +55,7 @@ TEST(MeshError, IsThatOfTheForceAtAPosition) {
   }
 }
 
-/// What a state has of friction stays as it is on the other mesh, as do pads.
+/// Friction history and pads are transferred to the other mesh.
 TEST(MeshError, IsKnownWithFrictionAndPads) {
   Case input = film_reference_case({6, 6}, 0.1);
   input.bump_foil.bumps = 8;

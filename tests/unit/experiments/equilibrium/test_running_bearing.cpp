@@ -100,7 +100,7 @@ TEST(RunningBearing, TellsProgressOfAllParts) {
   EXPECT_LE(*std::max_element(fractions.begin(), fractions.end()), 1.0);
 }
 
-/// Bit by bit: what is judged on other threads depends neither on them nor on the order.
+/// Bit-identical: results of checks on other threads do not depend on threads or order.
 TEST(RunningBearing, IsJudgedOnAllCoresAsOnOne) {
   const Case input = rough_case({0.0, speed_of_rpm(20000.0), speed_of_rpm(30000.0), speed_of_rpm(45000.0)});
   const EquilibriumResult parallel = analyse_running_bearing(input);
@@ -132,7 +132,7 @@ TEST(RunningBearing, IsJudgedOnAllCoresAsOnOne) {
   }
 }
 
-/// States that were found before an interruption, or before the callback throws, are judged all the same.
+/// States found before an interruption, or before the callback throws, are still checked.
 TEST(RunningBearing, JudgesWhatItFoundBeforeAnInterruption) {
   const Case input = rough_case({speed_of_rpm(45000.0), speed_of_rpm(40000.0), speed_of_rpm(35000.0)});
   const EquilibriumResult result = analyse_running_bearing(input, [](double fraction) { return fraction < 0.6; });
@@ -152,8 +152,8 @@ TEST(RunningBearing, JudgesWhatItFoundBeforeAnInterruption) {
   EXPECT_THROW(static_cast<void>(analyse_running_bearing(input, throws)), std::runtime_error);
 }
 
-/// A journal comes to rest on rough surfaces in a hundred or two of Newton's steps: steps that must not make the
-/// residuals larger were 1251 and 524.
+/// A journal comes to rest on rough surfaces within 100 to 200 Newton steps: with steps that must reduce the residuals,
+/// it took 1251 and 524.
 TEST(RunningBearing, ComesToRestOnRoughSurfacesInFewSteps) {
   const EquilibriumResult result = run_equilibrium(rough_case({0.0, speed_of_rpm(100.0)}));
   ASSERT_TRUE(result.converged());

@@ -107,7 +107,7 @@ TEST(Fit, ProfilesStayOpenAtBounds) {
 TEST(Fit, ProfilesAreWideWhereHardlyMoreThanASumIsSeen) {
   const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 3);
   const FitParameter clearance = fitted("bearing.radial_clearance", 28e-6, 26e-6, 30e-6);
-  // Wide is what is open on a side.
+  // Infinite if open on a side.
   const auto width = [&](const std::vector<FitParameter>& parameters) {
     Case input = fit_of(few_bumps(0.1, 28e-6), data, parameters);
     input.settings.find<FitSettings>()->profile = true;
@@ -161,7 +161,7 @@ TEST(Fit, NamesWhatOnlyASumIsSeenOf) {
   EXPECT_NEAR(result.correlation(1, 1), 1.0, 1e-12);
 }
 
-/// What is known before is not told by the data: a prior ends the ambiguity, and the words on the data stay.
+/// A prior is not information from the data: it resolves the ambiguity, but the remark on the data stays.
 TEST(Fit, NamesWhatOnlyASumIsSeenOfBesideAPrior) {
   const FitData data = rig_loop(run_cycles(few_bumps(0.1, 28e-6)), {}, 0.5, 3);
   FitParameter origin = fitted("fit.data[1].displacement_origin", 0.0, -10e-6, 10e-6);

@@ -123,7 +123,7 @@ TEST(FitTables, FindTheDeeperOfTwoMinimaFromFurtherStarts) {
   EXPECT_GT(near.minima[1].cost, near.minima[0].cost + 1.0);
   const FitResult far = fit_from(5, 0.002, 0.2);  // too much higher to be listed
   EXPECT_EQ(far.minima.size(), 1U);
-  // A second start is the best of the places, not the first of them, which lies beside the other minimum.
+  // The second start is the best of the sample points, not the first, which is near the other minimum.
   friction.start = 0.05;
   friction.mean = 0.55;
   EXPECT_LT(fit_from(1, 0.004, 0.3).parameters[0].value, 0.2);
@@ -222,7 +222,7 @@ FitResult friction_of(const FitData& damping, double start) {
   return run_fit(input);
 }
 
-/// Where contacts begin to slide, damping jumps: what lies beside it, differences over it do not tell, and all outputs
+/// Damping jumps when contacts start to slide: differences across the jump do not represent the slope, and all outputs
 /// say so.
 TEST(FitTables, TellNoStandardErrorAtAJump) {
   const auto damping = [](double friction) { return damping_at(friction).column(FitColumn::cyy).values.front(); };
@@ -249,7 +249,7 @@ TEST(FitTables, TellNoStandardErrorAtAJump) {
   EXPECT_EQ(told.at("at_jump"), true);
   EXPECT_TRUE(told.at("standard_error").is_null());
 
-  // A hundredth of the bounds away the model is smooth.
+  // At 1 % of the bounds away, the model is smooth.
   const double beside = before - 3e-4;
   const FitResult smooth = friction_of(damping_at(beside), beside);
   EXPECT_FALSE(smooth.parameters.at(0).at_jump);

@@ -22,7 +22,7 @@ Case read_optimisation(const std::string& text) {
                     {.overrides = {}, .commands = {"optimise"}, .check = faults_of_run});
 }
 
-/// What is wrong, a line for each fault; each has its place in the file, but for tables that are not there.
+/// The errors, one per line; each has its position in the file, except for missing tables.
 std::string faults_in(const std::string& text) {
   try {
     read_optimisation(text);
@@ -85,7 +85,7 @@ TEST(OptimiseSettings, TellWhatIsWrongAndWhere) {
   expect_fault(with("maximise = \"loss_factor\"\nbearing_limits = [\"max_force > 1 N\"]\n"), "optimise.bearing_limits",
                "ensemble");
   expect_fault(with("maximise = \"loss_factor\"\nevaluations = 0\n"), "optimise.evaluations", "number of points");
-  // A key that is none says nothing of its bounds, whose unit nobody knows; without it, too.
+  // The bounds of an unknown or missing key cause no further errors, as their unit is unknown.
   const auto faults = [&](const std::string& key) {
     return faults_in(std::string(table) + "[[optimise.key]]\n" + key + "lower = \"25 um\"\nupper = \"45 um\"\n");
   };
@@ -95,7 +95,7 @@ TEST(OptimiseSettings, TellWhatIsWrongAndWhere) {
   EXPECT_EQ(misspelt.find("upper"), std::string::npos) << misspelt;
   EXPECT_EQ(faults("").find("lower"), std::string::npos);
   EXPECT_NE(faults("key = \"friction.coefficient\"\n").find("optimise.key[1].lower"), std::string::npos);
-  // Quantities beside other errors of the table, but for its command.
+  // Errors of quantities are reported with other errors of the table, except its command.
   const std::string other = "[[optimise.key]]\nkey = \"friction.coeficient\"\nlower = 0\nupper = 1\n";
   const std::string all =
       faults_in("\n[optimise]\ncommand = \"cycle\"\nmaximise = \"los_factor\"\nstarts = 0\n" + other);
@@ -138,7 +138,7 @@ TEST(OptimiseSettings, TellUnknownQuantitiesBesideErrorsElsewhere) {
       faults_in(elsewhere + "[montecarlo]\nsamples = 2\nbump_height.std = \"1 um\"\n\n[optimise]\n" +
                 "command = \"montecarlo\"\nmaximise = \"yeld\"\nbearing_limits = [\"max_forc > 1 N\"]\n" + clearance),
       {"nonsense", "\"yield\"", "\"max_force\"?"});
-  // Of a command that nobody knows, nothing is known.
+  // An unknown command has no known quantities.
   EXPECT_EQ(faults_in(elsewhere + "\n[optimise]\ncommand = \"cicle\"\n" + wrong + clearance).find("loss_factor"),
             std::string::npos);
 }

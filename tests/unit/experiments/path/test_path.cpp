@@ -114,7 +114,7 @@ TEST(RunPath, AlongALineIsACycle) {
   }
 }
 
-/// A bearing whose foils run the other way from the same weld is its mirror image about X.
+/// A bearing with foils in the opposite direction from the same weld is its mirror image about X.
 TEST(RunPath, OfTheMirrorImageIsTheMirrorImage) {
   const Case input = orbiting();
   Case mirrored = input;
@@ -166,7 +166,7 @@ TEST(RunPath, OrbitsWithoutFrictionTakeNothing) {
   EXPECT_NEAR(only(result).orbits.front().force_defect, 0.0, 1e-8);
 }
 
-/// The trapezoidal rule leaves more or less than nothing of a force that is not linear over an increment.
+/// The trapezoidal rule has an error for a force that is not linear over an increment.
 TEST(RunPath, OrbitsWithoutFrictionTakeExactlyNothing) {
   for (const SolverName solver : {SolverName::newton, SolverName::events}) {
     for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
@@ -296,7 +296,7 @@ TEST(RunPath, ForgetsWhatItHasPassedOn) {
     EXPECT_EQ(increments[k].force_x, only(whole).increments[k].force_x);
     EXPECT_EQ(increments[k].work, only(whole).increments[k].work);
   }
-  // What is told of the whole does not need what was forgotten.
+  // Totals do not need discarded increments.
   EXPECT_EQ(only(streamed).top_foil_stress, only(whole).top_foil_stress);
   EXPECT_EQ(only(streamed).bump_foil_stress, only(whole).bump_foil_stress);
   EXPECT_EQ(only(streamed).compression, only(whole).compression);

@@ -202,7 +202,7 @@ TEST(Stability, EndsWhereItIsStopped) {
   EXPECT_FALSE(std::isnan(value_of(late.dataset(), "growth", 2)));
 }
 
-/// A film thinner than its threshold: the speed says so, and those behind it are named.
+/// A film below its threshold thickness: the speed reports it, and the following speeds are named.
 TEST(Stability, SaysWhatIsNotFound) {
   Case input = rotor_case({-12000.0, -13500.0}, {4, 4});
   input.film.h_floor = 1e-3;
@@ -212,7 +212,7 @@ TEST(Stability, SaysWhatIsNotFound) {
   EXPECT_NE(failed.failures[0].find("-12000 rpm: no equilibrium found"), std::string::npos);
 }
 
-/// The default sense of rotation, a foil formed to the bearing: its free end flutters, whatever it carries.
+/// The default direction of rotation with a foil formed to the bearing: its free end flutters under any load.
 TEST(Stability, WarnsOfFoilsThatFlutter) {
   const Outcome run = experiment_named("stability").run(rotor_case({12000.0}), {});
   ASSERT_EQ(run.warnings.size(), 1U);

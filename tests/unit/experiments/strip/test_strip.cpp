@@ -150,7 +150,7 @@ TEST_P(FreeStrip, IsSymmetric) {
     for (const FullIncrement& increment : full_increments(result.cycles[0])) {
       const double force = std::max(1.0, increment.force_direct);
       for (const InterfaceRow* fields : {&increment.top_bump, &increment.bump_sleeve}) {
-        // Loose springs and roundings; where everything slips the balance along the foil is left to them.
+        // Weak springs and round-off: if all contacts slip, only they determine the balance along the foil.
         EXPECT_LT((fields->normal_force - fields->normal_force.reverse()).cwiseAbs().maxCoeff(), 1e-6 * force);
         EXPECT_LT((fields->friction_force + fields->friction_force.reverse()).cwiseAbs().maxCoeff(), 1e-6 * force);
       }

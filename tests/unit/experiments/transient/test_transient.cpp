@@ -100,7 +100,7 @@ TEST(Transient, GoesOnToTheLastBit) {
   EXPECT_FALSE(machine_state_of(*bytes + "more").has_value());
 }
 
-/// The same on the disk, as the command does it: what is kept is gone on with by the same case alone.
+/// The same on disk, as in the command: a stored run is only resumed by the same case.
 TEST(Transient, GoesOnFromItsFolder) {
   const ExperimentInfo& experiment = experiment_named("transient");
   const Case input = marched_case({turning(-12000.0, 2.0)});
@@ -187,7 +187,7 @@ TEST(Transient, TellsHarmonicsOfATurn) {
   EXPECT_FALSE(turns[0].places[0].half.has_value());
   EXPECT_FALSE(turns[7].places[0].half.has_value());
   EXPECT_NEAR(std::abs(turns[7].places[0].orbit.once[0]), 2e-6, 1e-15);
-  // Whirl at half of the frequency is nothing at the whole of it.
+  // Whirl at half the frequency has no component at the full frequency.
   const std::vector<TransientTurn> whirling = turns_of(synthetic(0.5, 2e-6));
   ASSERT_TRUE(whirling[3].places[0].half.has_value());
   EXPECT_NEAR(std::abs((*whirling[3].places[0].half)[0]), 2e-6, 1e-15);
@@ -221,7 +221,7 @@ TEST(Transient, ShowsAWaveAtItsOrderWithItsAmplitude) {
   EXPECT_NEAR(waterfall.speeds[0], 2.0 * std::numbers::pi / 0.032, 1e-9);
 }
 
-/// A sweep keeps the last spectrum of each run, and of those without one that there is none.
+/// A sweep stores the last spectrum of each run, and marks runs without one.
 TEST(Transient, LeavesItsLastSpectrumToASweep) {
   const TransientReading none(transient_not_begun(marched_case({turning(12000.0, 1.0)})));
   TransientResult result = synthetic(0.5, 2e-6);
@@ -257,7 +257,7 @@ TEST(Transient, TellsRubsApart) {
             "journals touch foils in 1 intervals: from 0.04 s on asperities of bearing 1 carry up to 0.99 N");
 }
 
-/// What is doubtful about a bearing is told of the one that is so.
+/// Warnings name the bearing concerned.
 TEST(Transient, WarnsOfEachBearing) {
   Case input = marched_case({turning(12000.0, 1.0)});
   RotorSettings& rotor = *input.settings.find<RotorSettings>();
@@ -290,7 +290,7 @@ TEST(Transient, SaysWhatIsWrongWithItsTable) {
             (Keys{"transient.pulse[1].force", "transient.pulse[1].begin"}));
   settings_of(input).pulses = {{.force = {1.0, 0.0}, .begin = 0.0, .duration = 1.0, .at = "moon"}};
   EXPECT_THROW(transient_not_begun(input), Error);
-  // Only the rotor tells its places: the check of a case that is sound but for them.
+  // Places of the rotor require a case without other errors.
   settings_of(input).pulses.push_back(settings_of(input).pulses.front());
   settings_of(input).pulses.front().at = "bearing 1";
   const std::vector<Fault> found = faults_of_run("transient", input);

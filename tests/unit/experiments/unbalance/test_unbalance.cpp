@@ -190,7 +190,7 @@ TEST(Unbalance, IsSwept) {
   EXPECT_EQ(swept.rows, file_of(outcome, "unbalance.csv"));
 }
 
-/// An orbit lasts where it was found and no multiplier is larger than 1; without multipliers nobody knows.
+/// An orbit is stable if it was found and no multiplier exceeds 1; without multipliers it is unknown.
 TEST(Unbalance, SaysWhichOrbitsLast) {
   Orbit orbit;
   orbit.status = Status::converged;
@@ -224,7 +224,7 @@ TEST(Unbalance, FindsThePeak) {
   EXPECT_GE(summary.at("peaks").at(0).at("semi_major_m").get<double>(), largest);
 }
 
-/// A wiggle of 2 % on the way to the only maximum, and a rise to the end, are no peaks.
+/// A ripple of 2 % on the way to the only maximum, and an increase up to the end, are not peaks.
 TEST(Unbalance, TakesNoWiggleForAPeak) {
   UnbalanceResult result;
   result.machine.rotor = make_point_mass(1.0);
@@ -254,8 +254,8 @@ TEST(Unbalance, WarnsOfOrbitsThatDoNotLast) {
       << outcome.warnings.back();
 }
 
-/// With friction, orbits last where all free motions of the rotor with stuck contacts decay, whatever speed the search
-/// comes from: differences of creeping friction are no motion that grows.
+/// With friction, orbits are stable if all free motions of the rotor with full stick decay, for any previous speed:
+/// differences due to friction creep are not a growing motion.
 TEST(Unbalance, OrbitsLastWhereFreeMotionsDecay) {
   Case input = unbalanced_case({-15000.0, -12000.0, -9000.0});
   input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
@@ -288,8 +288,8 @@ TEST(Unbalance, NoiseIsNoMultiplier) {
   }
 }
 
-/// At -9,000 rpm nothing has to be extrapolated from the orbit of the speed before; a disturbance decays as the free
-/// motion does that decays least, exp(2 pi growth) in a turn. Implicit steps, 60 in a turn, damp by up to 2 %.
+/// At -9,000 rpm the orbit of the previous speed needs no extrapolation; a disturbance decays like the least damped
+/// free motion, exp(2 pi growth) in a turn. Implicit steps, 60 in a turn, damp by up to 2 %.
 TEST(Unbalance, MultipliersAreThoseOfFreeMotions) {
   Case input = unbalanced_case({-9000.0, -9001.0});
   const UnbalanceSettings settings = with_orbits(input, 60);

@@ -198,13 +198,13 @@ TEST(RunVibration, ToNoAmplitudeIsStuck) {
   const VibrationResult result = run_vibration(input);
   const LinearFoils foils = only(input, result);
   const Eigen::Matrix2d stuck = *result.loads[0].tangents.unloading;
-  // What slips at first comes to rest in a few dozen loops. The force goes up and down by 0.1 N, out of 80 N which are
+  // Contacts that slip at first come to rest in a few dozen loops. The force varies by 0.1 N, out of 80 N which are
   // known to 1e-9.
   EXPECT_LT((foils.stiffness - stuck).norm(), 1e-5 * stuck.norm());
   EXPECT_NEAR(stuck(0, 1), stuck(1, 0), 1e-9 * stuck.norm());
   EXPECT_LT(foils.loss.norm(), 1e-5 * stuck.norm());
   EXPECT_LT(foils.residual, 1e-4);
-  // It is not what further motion would meet.
+  // It differs from the tangent stiffness.
   EXPECT_GT((*result.loads[0].tangents.loading - stuck).norm(), 0.05 * stuck.norm());
 }
 
@@ -223,7 +223,7 @@ TEST_P(RunVibrationWith, Dissipates) {
     EXPECT_GE(*one.cycle.loop_energy, 0.0);
     const Eigen::Vector2d n = unit_vector(one.cycle.direction);
     const double X = one.cycle.amplitude;
-    // Two ways to one integral.
+    // Two ways to compute the same integral.
     EXPECT_NEAR(pi * X * X * n.dot(one.harmonic->loss), *one.cycle.loop_energy, 1e-6 * *one.cycle.loop_energy + 1e-15);
     EXPECT_NEAR(*one.cycle.loss_factor, *one.cycle.loop_energy / (pi * *one.cycle.loaded_stiffness * X * X), 1e-12);
     EXPECT_GT(n.dot(one.harmonic->stiffness), 0.0);
@@ -306,7 +306,7 @@ TEST(LinearFoilsOf, OneDirectionAreItsColumn) {
 TEST(LinearFoilsOf, TwoDirectionsAreTheMatrix) {
   Case input = vibration_case();
   input.vibration->loads = {{80.0, 20.0}};
-  input.vibration->amplitudes = {1e-9};  // stuck: one matrix answers in all directions
+  input.vibration->amplitudes = {1e-9};  // stick: one matrix for all directions
   const LinearFoils axes = only(input, run_vibration(input));
   input.vibration->directions = {0.5, 0.5 - 0.5 * pi};
   const LinearFoils skew = only(input, run_vibration(input));
