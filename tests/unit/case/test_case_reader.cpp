@@ -577,7 +577,8 @@ TEST(ParseCase, ReadsBearingsOfARotor) {
   // Dimensions that only together are wrong.
   expect_in(refused("[{bearing={radius=\"10 mm\"}}, {}]"),
             "rotor.bearing[1].bump_foil.bumps = 26: the foil would overlap itself");
-  expect_in(refusal({"rotor.mass=2 kg", "rotor.bearing=[{}, {}]"}), "rotor.bearing: is of a rotor that does not tilt");
+  expect_in(refusal({"rotor.mass=2 kg", "rotor.bearing=[{}, {}]"}),
+            "rotor.bearing: is given for a rotor that does not tilt");
 }
 
 TEST(ParseCase, SaysWhereABearingOfARotorIsWrong) {

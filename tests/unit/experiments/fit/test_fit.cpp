@@ -156,7 +156,8 @@ TEST(Fit, NamesWhatOnlyASumIsSeenOf) {
   const FitResult result =
       run_fit(fit_of(few_bumps(0.1, 28e-6), data,
                      {any_friction, any_clearance, fitted("fit.data[1].displacement_origin", 0.0, -10e-6, 10e-6)}));
-  EXPECT_TRUE(warns(result, "bearing.radial_clearance and fit.data[1].displacement_origin: only their sum is seen"));
+  EXPECT_TRUE(
+      warns(result, "bearing.radial_clearance and fit.data[1].displacement_origin: only their sum can be identified"));
   EXPECT_LT(result.correlation(1, 2), -0.9);
   EXPECT_NEAR(result.correlation(1, 1), 1.0, 1e-12);
 }
@@ -168,7 +169,8 @@ TEST(Fit, NamesWhatOnlyASumIsSeenOfBesideAPrior) {
   origin.mean = 0.0;
   origin.std = 1e-9;
   const FitResult result = run_fit(fit_of(few_bumps(0.1, 28e-6), data, {any_clearance, origin}));
-  EXPECT_TRUE(warns(result, "bearing.radial_clearance and fit.data[1].displacement_origin: only their sum is seen"));
+  EXPECT_TRUE(
+      warns(result, "bearing.radial_clearance and fit.data[1].displacement_origin: only their sum can be identified"));
   EXPECT_NEAR(*result.parameters[1].standard_error, 1e-9, 0.3e-9);
 }
 

@@ -55,11 +55,11 @@ TEST(FitStatistics, NameWhatIsHardlyTold) {
   std::vector<std::string> lines = hardly_told(sensitivities, parameters, {"m", "m", "1"}, collinearity);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0], "c does not change the data");
-  EXPECT_EQ(lines[1], "a and b: only their sum is seen");
+  EXPECT_EQ(lines[1], "a and b: only their sum can be identified");
   EXPECT_GT(collinearity, 10.0);
   sensitivities.col(1) *= -1.0;
   EXPECT_EQ(hardly_told(sensitivities, parameters, {"m", "m", "1"}, collinearity)[1],
-            "a and b: only their difference is seen");
+            "a and b: only their difference can be identified");
   sensitivities.col(1) *= 3.0;
   EXPECT_EQ(hardly_told(sensitivities, parameters, {"m", "N", "1"}, collinearity)[1],
             "a and b are hardly separable: +0.02 m of one makes up for +0.00666 N of the other");

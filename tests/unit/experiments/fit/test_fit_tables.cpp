@@ -341,7 +341,7 @@ TEST(FitTables, AreJudged) {
   expect_refusal(vibration + "stiffness_std = \"1 MN/m\"\nloss_factor_std = 0.01\n" + readings, "without readings");
   expect_refusal(vibration + "h_min_std = \"1 um\"\nloss_factor_std = 0.01\n" + readings, "does not apply to data");
   expect_refusal(vibration + "loss_factor_std = -1\n" + readings, "must be positive");
-  expect_refusal("experiment = \"vibration\"\nloss_factor_std = 0.01\n" + readings, "no load");
+  expect_refusal("experiment = \"vibration\"\nloss_factor_std = 0.01\n" + readings, "not a load");
   expect_refusal(
       vibration + "loss_factor_std = 0.01\nreadings = { amplitude = [\"1 um\"], loss_factor = [0.4, 0.3] }\n",
       "not as many");

@@ -68,7 +68,7 @@ TEST(OptimiseSettings, TellWhatIsWrongAndWhere) {
   expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"friction.coeficient\"\nlower = 0\nupper = 0.1\n",
                "optimise.key[1].key", "did you mean \"friction.coefficient\"?");
   expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"bump_foil.bumps\"\nlower = 10\nupper = 20\n",
-               "optimise.key[1].key", "real number");
+               "optimise.key[1].key", "real-valued key");
   expect_fault(good + clearance, "optimise.key[2].key", "chosen twice");
   std::string six = table;
   for (const char* key : {"bearing.radial_clearance", "bump_foil.height", "bump_foil.length", "bump_foil.thickness",

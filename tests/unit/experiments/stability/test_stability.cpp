@@ -216,7 +216,7 @@ TEST(Stability, SaysWhatIsNotFound) {
 TEST(Stability, WarnsOfFoilsThatFlutter) {
   const Outcome run = experiment_named("stability").run(rotor_case({12000.0}), {});
   ASSERT_EQ(run.warnings.size(), 1U);
-  EXPECT_NE(run.warnings[0].find("at 1 of 1 speeds (first at 12000 rpm) it is the foils"), std::string::npos);
+  EXPECT_NE(run.warnings[0].find("at 1 of 1 speeds (first at 12000 rpm) the foils themselves"), std::string::npos);
   EXPECT_EQ(value_of(run.dataset(), "fastest_of_foils"), 1.0);
 }
 
