@@ -62,6 +62,7 @@ Matrix crest_stiffness(const FoilDesign& foils, bool feet_slide, Joined joined) 
       const Eigen::Index row = Eigen::Index{bump} * sheet.block_size() + i;
       const auto is_one_of = [i](const std::vector<int>& feet) { return std::ranges::find(feet, i) != feet.end(); };
       if (i < dofs.size) of_slices.push_back(row);
+      if (i >= dofs.size && joined == Joined::as_slices) continue;
       if (i == dofs.top_u || i == dofs.top_moment || is_one_of(dofs.foot_v)) continue;
       if (!feet_slide && is_one_of(dofs.foot_u)) continue;
       (i == dofs.crest_v ? crests : others).push_back(row);
