@@ -142,7 +142,7 @@ Vector top_foil_intervals(const FoilDesign& foils, int columns_per_pitch, double
   const auto bumps = static_cast<Eigen::Index>(foils.bumps.size());
   Vector intervals((2 * bumps - 1) * half + further + beyond);
   for (Eigen::Index i = 0; i < bumps; ++i) {
-    const Eigen::Index count = i + 1 < bumps ? 2 * half : half + further;
+    const Eigen::Index count = i + 1 < bumps ? Eigen::Index{2} * half : half + further;
     intervals.segment(2 * i * half, count).setConstant(foils.bumps[static_cast<std::size_t>(i)].pitch / pitch);
   }
   intervals.tail(beyond).setConstant(overhang * half / beyond * last / pitch);
