@@ -86,7 +86,7 @@ free-end: ## the free end of the top foil: data, tables of its page, pictures
 	$(call BUILD,release)
 	/usr/bin/python3 -B studies/free_end/free_end.py build/release/bumpfoil results/free_end
 
-test: ## install what is missing, build with assertions armed, run every test
+test: ## install what is missing, build with assertions armed, run all tests but the long ones
 	@scripts/require_packages.sh build plot designer python docs test
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
