@@ -104,11 +104,13 @@ export async function saved(page, panelName, button) {
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
-/** Plots within a place, once they show what is chosen now: a chart out of sight is drawn when one comes to it. */
+/** Plots within a place, once they show what is chosen now: a chart out of sight is drawn when one comes to it, and knows a
+frame later that it is in sight. */
 export async function plotsIn(place) {
   const charts = place.locator('.chart');
   for (const chart of await charts.all()) {
     await chart.scrollIntoViewIfNeeded();
+    await chart.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     await chart.and(chart.page().locator(':not([aria-busy])')).waitFor();
   }
   return charts.locator('.plot');

@@ -119,7 +119,7 @@ test('a click on a histogram or a loop shows the bearing, which is that of cycle
     const bearing = await page.locator('.round').innerHTML();
     await runs.selectOption('Sample 0');
     assert.notEqual(await page.locator('.round').innerHTML(), bearing);
-    await histogram.scrollIntoViewIfNeeded();
+    await plotsIn(histogram);
     const chart = await histogram.locator('.chart').boundingBox();
     await page.mouse.click(there.x, chart.y + 100);
     assert.equal(await runs.evaluate((list) => list.options[list.selectedIndex].textContent), 'Sample 17');

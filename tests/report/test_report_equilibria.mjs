@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, assertPanelsFitPaper, folder, laptop, near, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
+import { assertAccessible, assertFits, assertPanelsFitPaper, folder, laptop, near, plotsIn, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=6'];
 
@@ -314,7 +314,7 @@ test('a click on a curve looks at its state, and pictures are complete', () =>
   withReport('grid.html', async (page) => {
     const panel = panelOf(page, 'Minimum film thickness');
     await chooser(page, 'Speed').selectOption('30000 rpm');
-    await panel.scrollIntoViewIfNeeded();
+    await plotsIn(panel);
     const there = await panel.locator('.cursor.point').boundingBox();
     await chooser(page, 'Speed').selectOption('45000 rpm');
     await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);

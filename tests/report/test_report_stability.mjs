@@ -161,7 +161,7 @@ test('a click on a mark selects speed and motion', () =>
     const panel = panelOf(page, 'Campbell diagram');
     await chooser(page, 'Speed').selectOption('12000 rpm');
     await chooser(page, 'Motion').selectOption('mode 1');
-    await panel.scrollIntoViewIfNeeded();
+    await plotsIn(panel);
     const there = await panel.locator('.cursor.point').boundingBox();
     await chooser(page, 'Speed').selectOption('24000 rpm');
     await chooser(page, 'Motion').selectOption('mode 2');

@@ -90,7 +90,7 @@ test('maps over two keys come first, and pale is what misses a limit', () =>
       const same = expected.find((one) => Math.abs(one.cycle_amplitude_m - row.cycle_amplitude_m) < 1e-9 && Math.abs(one.friction_coefficient - row.friction_coefficient) < 1e-6);
       near(Number(row.max_force_N), Number(same.max_force_N), 1e-6, JSON.stringify(row));
     }
-    const lines = () => map.locator('.plot path[fill=none]').count();
+    const lines = async () => (await plotsIn(map)).locator('path[fill=none]').count();
     const limit = page.getByRole('group', { name: 'Feasible region' });
     // At first that of the case.
     assert.match(await map.locator('.subject').textContent(), /feasible where Maximum stress, top foil ≤ 2\.000 GPa/);
@@ -103,8 +103,9 @@ test('maps over two keys come first, and pale is what misses a limit', () =>
     assert.match(await map.locator('.subject').textContent(), /feasible where Maximum force ≤ 500\.0 N/);
     assert.equal(await lines(), without + 1);
     // A click takes the nearest point, here that at the foot on the right.
-    const { width, height } = await map.locator('.plot').boundingBox();
-    await map.locator('.plot').click({ position: { x: width - 24, y: height - 52 } });
+    const plot = await plotsIn(map);
+    const { width, height } = await plot.boundingBox();
+    await plot.click({ position: { x: width - 24, y: height - 52 } });
     assert.equal(await chooser(page, 'Amplitude').inputValue(), '90 µm');
     assert.equal(await chooser(page, 'Both coefficients').inputValue(), '0');
   }));
@@ -134,7 +135,7 @@ test('a click on a point looks at it, and its loop is the thick one', () =>
     const mark = panel.locator('.cursor.point');
     await chooser(page, 'Amplitude').selectOption('70 µm');
     await chooser(page, 'Both coefficients').selectOption('0.3');
-    await panel.scrollIntoViewIfNeeded();
+    await plotsIn(panel);
     const there = await mark.boundingBox();
     const subject = await loops.locator('.subject').textContent();
     assert.equal(subject, 'Direct force vs. displacement · Both coefficients 0.3, +X · thick: Amplitude 70 µm · grid');

@@ -86,7 +86,7 @@ test('lines are solid where contacts stick and dashed where they slide, and mark
 test('the polar plot is in true shape', () =>
   withReport('orbits.html', async (page) => {
     const panel = panelOf(page, 'Polar plot');
-    await panel.scrollIntoViewIfNeeded();
+    await plotsIn(panel);
     const plot = await plotsIn(panel);
     // The circles of its guides, of many points, are as high as they are wide.
     const sizes = await plot.locator('path').evaluateAll((paths) => paths.filter((path) => path.getAttribute('d').split('L').length > 70).map((path) => path.getBBox()).map(({ width, height }) => [width, height]));
@@ -207,7 +207,7 @@ test('a click on a point selects its speed', () =>
   withReport('tilting.html', async (page) => {
     const panel = panelOf(page, 'Bode plot: amplitude');
     await chooser(page, 'Speed').selectOption('8000 rpm');
-    await panel.scrollIntoViewIfNeeded();
+    await plotsIn(panel);
     const there = await panel.locator('.cursor.point').first().boundingBox();
     await chooser(page, 'Speed').selectOption('18000 rpm');
     await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
