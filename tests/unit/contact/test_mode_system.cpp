@@ -141,7 +141,7 @@ TEST_P(ModeSystemSizes, TakesAnotherK) {
   EXPECT_LT(distance(given.normal_force, fresh.normal_force), 1e-11 * fresh.normal_force.cwiseAbs().maxCoeff());
 }
 
-INSTANTIATE_TEST_SUITE_P(BlockSize, ModeSystemSizes, testing::Values(5, 6, 8, 11));
+INSTANTIATE_TEST_SUITE_P(BlockSize, ModeSystemSizes, testing::Values(5, 6, 8, 11, 14, 22, 28));
 
 TEST(ModeSystem, PrescribesStickByThePreviousState) {
   const ContactProblem block = toy::dragged_block();

@@ -143,7 +143,7 @@ TEST_P(SoftContactSystemSizes, TakesAnotherK) {
   EXPECT_EQ(x, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(BlockSize, SoftContactSystemSizes, testing::Values(5, 6, 8, 11));
+INSTANTIATE_TEST_SUITE_P(BlockSize, SoftContactSystemSizes, testing::Values(5, 6, 8, 11, 14, 22, 28));
 
 }  // namespace
 }  // namespace bumpfoil
