@@ -1,4 +1,5 @@
-# Installs into one prefix, moves it to another, runs the program from there and builds a consumer against it.
+# Installs into one prefix, moves it to another, runs the program from there and builds a consumer against it
+# by each of the compilers.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -54,8 +55,11 @@ if(HAS_REPORT)
 endif()
 
 list(JOIN FLAGS " " flags)
-run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/consumer -G Ninja -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
-    -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${flags}" "-DCMAKE_PREFIX_PATH=${prefix}")
-run(${CMAKE_COMMAND} --build ${WORK_DIR}/consumer)
-run(${WORK_DIR}/consumer/consumer)
-message("${output}")
+foreach(compiler IN LISTS COMPILERS)
+  file(REMOVE_RECURSE ${WORK_DIR}/consumer)
+  run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/consumer -G Ninja -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+      -DCMAKE_CXX_COMPILER=${compiler} "-DCMAKE_CXX_FLAGS=${flags}" "-DCMAKE_PREFIX_PATH=${prefix}")
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/consumer)
+  run(${WORK_DIR}/consumer/consumer)
+  message("${compiler}:\n${output}")
+endforeach()
