@@ -116,6 +116,15 @@ export async function plotsIn(place) {
   return charts.locator('.plot');
 }
 
+/** Where the middle of a mark is on its chart, for a click there: that holds wherever the page moves the chart meanwhile. */
+export function placeOf(mark) {
+  return mark.evaluate((one) => {
+    const chart = one.closest('.chart').getBoundingClientRect();
+    const { x, y, width, height } = one.getBoundingClientRect();
+    return { x: x + width / 2 - chart.x, y: y + height / 2 - chart.y };
+  });
+}
+
 /** What is drawn of the foils, and where the bar says that it is. */
 export async function state(page) {
   return {

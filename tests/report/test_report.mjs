@@ -6,7 +6,7 @@ import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { assertFits, assertLoopsInSight, caseFile, cycle, folder, laptop, moveTo, near, program, quantity, report, rowsOf, run, saved, state, stripFile, summaryOf, withReport } from './support.mjs';
+import { assertFits, assertLoopsInSight, caseFile, cycle, folder, laptop, moveTo, near, program, placeOf, quantity, report, rowsOf, run, saved, state, stripFile, summaryOf, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> {a|b} \u2028 & <b>bold</b>';
 const steps = 100;
@@ -132,14 +132,14 @@ test('a click on the loop moves the bearing there, and the mark on the loop foll
     const mark = page.locator('#cycle-loops .cursor.point');
     await moveTo(page, 75);
     const wanted = await state(page);
-    const there = await mark.boundingBox();
+    const there = await placeOf(mark);
     await moveTo(page, 180);
-    const elsewhere = await mark.boundingBox();
+    const elsewhere = await placeOf(mark);
     assert.ok(Math.hypot(there.x - elsewhere.x, there.y - elsewhere.y) > 50);
-    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    await page.locator('#cycle-loops .chart', { has: page.locator('.cursor.point') }).click({ position: there });
     const reached = await state(page);
     assert.deepEqual(reached, wanted);
-    assert.deepEqual(await mark.boundingBox(), there);
+    assert.deepEqual(await placeOf(mark), there);
     // Values with units stand beside the pointer.
     const tip = await page.locator('#cycle-loops .tip').textContent();
     const cycle = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8')).find(

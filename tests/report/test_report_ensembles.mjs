@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, runningFile, saved, summaryOf, unfold, withReport } from './support.mjs';
+import { assertAccessible, assertFits, caseFile, folder, near, paper, placeOf, plotsIn, print, quantity, report, rowsOf, run, runningFile, saved, summaryOf, unfold, withReport } from './support.mjs';
 
 const samples = 60;
 const settings = ['montecarlo.bump_height.distribution="normal"', 'montecarlo.bump_height.std="10 um"', 'montecarlo.friction_top_bump.distribution="uniform"', 'montecarlo.friction_top_bump.lower=-0.05', 'montecarlo.friction_top_bump.upper=0.05', 'cycle.directions=["+X", "+Y"]', 'cycle.steps=20'];
@@ -115,13 +115,11 @@ test('a click on a histogram or a loop shows the bearing, which is that of cycle
     assert.equal(widths.filter((width) => width === 1.1).length, 19);
     // Its number stands in the histogram, at which a click looks at it again.
     const histogram = panelOf(page, 'Maximum force');
-    const there = await histogram.locator('.cursor.line').boundingBox();
+    const { x } = await placeOf(histogram.locator('.cursor.line'));
     const bearing = await page.locator('.round').innerHTML();
     await runs.selectOption('Sample 0');
     assert.notEqual(await page.locator('.round').innerHTML(), bearing);
-    await plotsIn(histogram);
-    const chart = await histogram.locator('.chart').boundingBox();
-    await page.mouse.click(there.x, chart.y + 100);
+    await histogram.locator('.chart').click({ position: { x, y: 100 } });
     assert.equal(await runs.evaluate((list) => list.options[list.selectedIndex].textContent), 'Sample 17');
     // The direction that is looked at goes with the bearing, and the other way round.
     await page.getByRole('region', { name: /^Position along the cycle/ }).getByRole('combobox', { name: 'Direction' }).selectOption('+Y');

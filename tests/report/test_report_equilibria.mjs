@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, assertPanelsFitPaper, folder, laptop, near, plotsIn, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
+import { assertAccessible, assertFits, assertPanelsFitPaper, folder, laptop, near, placeOf, plotsIn, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=6'];
 
@@ -315,9 +315,9 @@ test('a click on a curve looks at its state, and pictures are complete', () =>
     const panel = panelOf(page, 'Minimum film thickness');
     await chooser(page, 'Speed').selectOption('30000 rpm');
     await plotsIn(panel);
-    const there = await panel.locator('.cursor.point').boundingBox();
+    const there = await placeOf(panel.locator('.cursor.point'));
     await chooser(page, 'Speed').selectOption('45000 rpm');
-    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    await panel.locator('.chart').click({ position: there });
     assert.equal(await chooser(page, 'Speed').inputValue(), '30000 rpm');
     for (const name of ['Pressure over the unwrapped foil', 'Film around the journal', 'Bearing in operation']) {
       const words = (await saved(page, name, /SVG/)).bytes.toString().replace(/<[^>]*>/g, ' ');

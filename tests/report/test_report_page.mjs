@@ -37,8 +37,8 @@ test('of several runs, a point chosen on any loop moves a bearing that is in sig
           // Its end, which is where the points are.
           await plot.evaluate((one) => window.scrollBy(0, one.getBoundingClientRect().bottom - window.innerHeight + 130));
           const before = await bearing.innerHTML();
-          const { x, y, width, height } = await plot.boundingBox();
-          await page.mouse.click(x + 0.62 * width, y + 0.62 * height);
+          const { width, height } = await plot.boundingBox();
+          await plot.click({ position: { x: 0.62 * width, y: 0.62 * height } });
           assert.notEqual(await bearing.innerHTML(), before, `panel ${i}`);
           const box = await bearing.boundingBox();
           const bar = await page.locator('.player').boundingBox();

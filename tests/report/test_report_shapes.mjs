@@ -76,8 +76,7 @@ test('deviations over the angle are those of the case, as data and drawn', () =>
       }
     });
     // The tip of the pointer, and a picture.
-    const box = await plot.boundingBox();
-    await page.mouse.move(box.x + 62 + 0.25 * (box.width - 86), box.y + 60);
+    await plot.hover({ position: { x: 62 + 0.25 * (width - 86), y: 60 } });
     const tip = await panel.locator('.tip').textContent();
     assert.match(tip, /^90° from X towards Y/);
     assert.match(tip, /journal−3\.00 µm/);

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, assertPanelsFitPaper, assertReads, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, unfold, withReport } from './support.mjs';
+import { assertAccessible, assertFits, assertPanelsFitPaper, assertReads, folder, near, placeOf, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, unfold, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=4'];
 
@@ -162,10 +162,10 @@ test('a click on a mark selects speed and motion', () =>
     await chooser(page, 'Speed').selectOption('12000 rpm');
     await chooser(page, 'Motion').selectOption('mode 1');
     await plotsIn(panel);
-    const there = await panel.locator('.cursor.point').boundingBox();
+    const there = await placeOf(panel.locator('.cursor.point'));
     await chooser(page, 'Speed').selectOption('24000 rpm');
     await chooser(page, 'Motion').selectOption('mode 2');
-    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    await panel.locator('.chart').click({ position: there });
     assert.equal(await chooser(page, 'Speed').inputValue(), '12000 rpm');
     assert.equal(await chooser(page, 'Motion').inputValue(), 'mode 1');
     for (const name of ['Campbell diagram', 'Growth over speed', 'Root locus', 'Mode shape']) {

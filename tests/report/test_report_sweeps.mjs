@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rotorFile, rowsOf, run, saved, stripFile, unfold, withReport } from './support.mjs';
+import { assertAccessible, assertFits, axeFindings, caseFile, folder, near, paper, placeOf, plotsIn, print, quantity, report, rotorFile, rowsOf, run, saved, stripFile, unfold, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> & <b>bold</b>';
 /** In the order of sweep.nc. */
@@ -123,8 +123,10 @@ test('a waterfall has the last spectrum of every run in time, and a click on one
     for (const row of once) assert.ok(row.amplitude_m > 0.8e-6 && row.amplitude_m < 3e-6, row.amplitude_m);
     assert.equal(await chooser(page, 'To').inputValue(), '12000 rpm');
     assert.deepEqual(once.map((row) => Number(row.transient_speed_1_to_rpm).toFixed(3)), ['9000.000', '10500.000', '12000.000']);
-    const image = await (await plotsIn(panel)).locator('image').boundingBox();
-    await page.mouse.click(image.x + image.width / 2, image.y + image.height - 10);
+    const plot = await plotsIn(panel);
+    const middle = await placeOf(plot.locator('image'));
+    const { height } = await plot.locator('image').boundingBox();
+    await plot.click({ position: { x: middle.x, y: middle.y + height / 2 - 10 } });
     assert.equal(await chooser(page, 'To').inputValue(), '9000 rpm');
   }));
 
@@ -136,16 +138,16 @@ test('a click on a point looks at it, and its loop is the thick one', () =>
     await chooser(page, 'Amplitude').selectOption('70 µm');
     await chooser(page, 'Both coefficients').selectOption('0.3');
     await plotsIn(panel);
-    const there = await mark.boundingBox();
+    const there = await placeOf(mark);
     const subject = await loops.locator('.subject').textContent();
     assert.equal(subject, 'Direct force vs. displacement · Both coefficients 0.3, +X · thick: Amplitude 70 µm · grid');
     await chooser(page, 'Amplitude').selectOption('90 µm');
     await chooser(page, 'Both coefficients').selectOption('0');
-    assert.notDeepEqual(await mark.boundingBox(), there);
-    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    assert.notDeepEqual(await placeOf(mark), there);
+    await panel.locator('.chart').click({ position: there });
     assert.equal(await loops.locator('.subject').textContent(), subject);
-    assert.deepEqual(await mark.boundingBox(), there);
-    await page.mouse.move(there.x + there.width / 2 + 2, there.y + there.height / 2);
+    assert.deepEqual(await placeOf(mark), there);
+    await panel.locator('.chart').hover({ position: { ...there, x: there.x + 2 } });
     const tip = await panel.locator('.tip').textContent();
     const row = rowsIn('grid').find((one) => one.direction_deg === '0' && Math.abs(one.cycle_amplitude_m - 7e-5) < 1e-9 && Number(one.friction_coefficient) > 0.25);
     near(quantity(tip.split('Structural stiffness').pop(), 'N/m'), Number(row.loaded_stiffness_N_per_m), 1e-3, tip);

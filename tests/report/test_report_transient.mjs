@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, assertPanelsFitPaper, assertReads, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+import { assertAccessible, assertFits, assertPanelsFitPaper, assertReads, folder, near, placeOf, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
 
 const coarse = ['film.columns_per_pitch=4', 'film.rows=4', 'transient.steps_per_revolution=30', 'transient.revolutions_per_spectrum=2'];
 
@@ -128,11 +128,11 @@ test('play moves the journal from revolution to revolution, and a click on a cha
     assert.ok(index < 360);
     const film = panelOf(page, 'Film');
     await plotsIn(film);
-    const cursor = await film.locator('.cursor.point').first().boundingBox();
+    const mark = film.locator('.cursor.point').first();
+    const cursor = await placeOf(mark);
     await moveSlider(page, 355);
-    assert.notDeepEqual(await film.locator('.cursor.point').first().boundingBox(), cursor);
-    await film.scrollIntoViewIfNeeded();
-    await page.mouse.click(cursor.x + cursor.width / 2, cursor.y + cursor.height / 2);
+    assert.notDeepEqual(await placeOf(mark), cursor);
+    await film.locator('.chart').first().click({ position: cursor });
     const shown = Math.floor((index - 1) / 30) + 1;
     assert.match(await panelOf(page, 'Orbits').locator('.subject').textContent(), new RegExp(`^revolution ${shown} of 12`));
   }));
@@ -181,8 +181,9 @@ test('the waterfall has the spectra of the file, with lines at half of the speed
     await panel.getByRole('button', { name: 'Over revolutions' }).click();
     assert.ok((await plot.locator('text').allTextContents()).includes('Revolution'));
     // A spectrum leads to the orbit in its middle: the lowest to that of revolutions 1 and 2.
-    const box = await plot.locator('image').boundingBox();
-    await page.mouse.click(box.x + 0.4 * box.width, box.y + box.height - 4);
+    const middle = await placeOf(plot.locator('image'));
+    const { width, height } = await plot.locator('image').boundingBox();
+    await plot.click({ position: { x: middle.x - 0.1 * width, y: middle.y + height / 2 - 4 } });
     assert.match(await panelOf(page, 'Orbits').locator('.subject').textContent(), /^revolution [12] of 12/);
     await page.getByRole('button', { name: 'Dark' }).click();
     assert.notEqual(await plot.locator('image').evaluate((one) => one.getAttribute('href') ?? one.getAttribute('xlink:href')), light);

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertAccessible, assertFits, assertPanelsFitPaper, assertReads, folder, near, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, unfold, withReport } from './support.mjs';
+import { assertAccessible, assertFits, assertPanelsFitPaper, assertReads, folder, near, placeOf, plotsIn, quantity, report, rotorFile, rowsOf, run, saved, summaryOf, unfold, withReport } from './support.mjs';
 
 const mesh = ['film.columns_per_pitch=4', 'film.rows=4'];
 
@@ -208,9 +208,9 @@ test('a click on a point selects its speed', () =>
     const panel = panelOf(page, 'Bode plot: amplitude');
     await chooser(page, 'Speed').selectOption('8000 rpm');
     await plotsIn(panel);
-    const there = await panel.locator('.cursor.point').first().boundingBox();
+    const there = await placeOf(panel.locator('.cursor.point').first());
     await chooser(page, 'Speed').selectOption('18000 rpm');
-    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    await panel.locator('.chart').click({ position: there });
     assert.equal(await chooser(page, 'Speed').inputValue(), '8000 rpm');
     for (const name of [...plots, 'Orbits']) {
       const words = (await saved(page, name, /SVG/)).bytes.toString().replace(/<[^>]*>/g, ' ');
