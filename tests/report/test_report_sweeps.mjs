@@ -126,6 +126,13 @@ test('a waterfall has the last spectrum of every run in time, and a click on one
     const plot = await plotsIn(panel);
     const middle = await placeOf(plot.locator('image'));
     const { height } = await plot.locator('image').boundingBox();
+    // Lines stay above the picture where the pointer is, too.
+    const drawn = () => plot.locator('image, path[stroke-dasharray]').evaluateAll((all) => all.map((one) => one.tagName));
+    const before = await drawn();
+    assert.deepEqual([before[0], before.length], ['image', 4]);
+    await plot.hover({ position: middle });
+    await panel.locator('.tip').waitFor();
+    assert.deepEqual(await drawn(), before);
     await plot.click({ position: { x: middle.x, y: middle.y + height / 2 - 10 } });
     assert.equal(await chooser(page, 'To').inputValue(), '9000 rpm');
   }));

@@ -19,6 +19,26 @@ export interface RenderApi {
   value(dimension: number): number;
 }
 
+type Rendered = object | undefined;
+
+interface Series {
+  renderItem?: (...given: unknown[]) => Rendered;
+}
+
+/** What is under the pointer stays where it is: lifted above the rest, a picture would hide the lines on it, and a click whose
+ * element moves between press and release is lost. */
+function unlifted(series: Series): Series {
+  const { renderItem } = series;
+  if (!renderItem) return { emphasis: { disabled: true }, ...series } as Series;
+  return {
+    ...series,
+    renderItem: (...given) => {
+      const element = renderItem(...given);
+      return element && { ...element, emphasisDisabled: true };
+    },
+  };
+}
+
 /** Charts that wait for their first drawing: one at a time, so that the page is there before the last of them. */
 const waiting: Chart[] = [];
 
@@ -102,12 +122,14 @@ export class Chart {
     // First: paper takes what the option draws at once, and would not wait for the frame in which a new size is drawn.
     if (this.instance.getWidth() !== width || this.instance.getHeight() !== height) this.instance.resize({ width, height });
     const current = look();
+    const { series = [], ...rest } = this.build(current, width) as { series?: Series[] };
     this.instance.setOption(
       {
         animation: false,
         backgroundColor: current.background,
         textStyle: { fontFamily, color: current.text },
-        ...this.build(current, width),
+        ...rest,
+        series: series.map(unlifted),
       },
       { notMerge: true },
     );
