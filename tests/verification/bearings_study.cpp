@@ -1,4 +1,4 @@
-/// Not a test: draws bearings, solves them, and has what comes out judged (docs/verification/drawn_bearings.md).
+/// Not a test: solves random bearings and checks the results (docs/verification/drawn_bearings.md).
 ///
 ///     bearings_study COUNT [FROM]      bearings FROM (0) to FROM + COUNT - 1
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Bearings that both solvers are compared on: every so many.
+/// Both solvers are compared on one bearing of this many.
 constexpr std::uint64_t compared_every = 10;
 
 struct Tally {

@@ -1,4 +1,4 @@
-/// Prints what the program says of the cases of tests/data/fe/shells.json, as rows of the same form, for
+/// Prints the results of the program for the cases of tests/data/fe/shells.json, as rows of the same form, for
 /// docs/verification/fe_shells.md.
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ nlohmann::json answers() {
   for (const FeShells& shells : fe_shells()) {
     if (shells.refined > 1) continue;
     for (const int modes : {1, 3}) {
-      if (modes == 1 && shells.name == "tilt") continue;  // foils that are uniform cannot follow
+      if (modes == 1 && shells.name == "tilt") continue;  // uniform foils cannot follow a tilt
       const ShellNumbers own = shells_by_program(shells.name, shells.feet, modes);
       nlohmann::json row{{"case", shells.name}, {"feet", shells.feet}, {"modes", modes}};
       if (own.crest_w.size() > 0) row["crest_w_m"] = rows_of_matrix(own.crest_w);

@@ -13,19 +13,19 @@
 #include "support/siconos_contacts.hpp"
 
 /// Not a test: prints how Siconos solves small random problems, tests/data/siconos.json. Every problem has two
-/// increments, the second from Siconos' own state after the first.
+/// increments; the second starts from Siconos' own state after the first.
 namespace bumpfoil {
 namespace {
 
 constexpr std::uint64_t seeds = 25;
 constexpr int block_size = 6;
 constexpr int most_blocks = 4;
-/// With three unknowns for each contact, 2^9 combinations; the next larger problems have 2^18.
+/// With three unknowns per contact there are 2^9 combinations; the next larger problems have 2^18.
 constexpr int blocks_to_enumerate = 1;
 
 struct Forces {
-  bool converged{};                      ///< says Siconos
-  bool right{};                          ///< says the residual of both increments
+  bool converged{};                      ///< as reported by Siconos
+  bool right{};                          ///< by the residuals of both increments
   std::vector<Vector> normal, friction;  ///< per increment
 };
 
@@ -36,7 +36,7 @@ Forces run(SiconosMethod method, const RandomProblem& random) {
   for (const ContactLoading* loading : {&random.first, &random.second}) {
     const Vector previous_x = state.x;
     forces.converged = siconos.solve(method, *loading, previous_x, state) && forces.converged;
-    // Iterative methods end at 1e-7 N, which is some picometres.
+    // Iterative methods stop at 1e-7 N, which corresponds to a few picometres.
     forces.right = forces.right &&
                    contact_residuals(random.problem, random.problem.K.multiply(state.x), *loading, previous_x, state)
                        .within(1e-7, 1e-11);
@@ -50,7 +50,7 @@ std::string lists(const std::vector<Vector>& values) {
   return fmt::format("[[{:.12g}], [{:.12g}]]", fmt::join(values[0], ","), fmt::join(values[1], ","));
 }
 
-/// How one method did on all problems of one size.
+/// Results of one method on all problems of one size.
 struct Tally {
   int problems{}, converged{}, right{};
 };
@@ -58,7 +58,7 @@ struct Tally {
 constexpr std::array methods = {SiconosMethod::lemke, SiconosMethod::gauss_seidel, SiconosMethod::conjugate_gradients,
                                 SiconosMethod::enumeration};
 
-/// Runs all problems; prints how the methods did and the forces of the first method that succeeded.
+/// Runs all problems; prints the tally of each method and the forces of the first method that succeeded.
 void study() {
   std::string rows;
   std::map<std::pair<int, SiconosMethod>, Tally> tallies;

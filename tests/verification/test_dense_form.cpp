@@ -13,7 +13,7 @@
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 
-/// States of the reference cycles against dense matrices: truss and inverted compliance of the top foil, unknowns
+/// Compares states of the reference cycles with dense matrices: truss and inverted compliance of the top foil, unknowns
 /// foil by foil, contact forces as multipliers. Nothing of the block form is used.
 namespace bumpfoil {
 namespace {
@@ -88,7 +88,7 @@ TEST_P(DenseForm, SolvesTheSameModesToTheSameState) {
     const ContactLoading loading{.initial_gap = at.initial_gap, .load = Vector::Zero(dense.K.rows())};
     const DenseState expected =
         solve_dense(dense, loading, displacements(increment_at(cycle, static_cast<int>(k) - 1)), mode);
-    // Inverting the compliance loses 5 digits of 16.
+    // Inverting the compliance loses 5 of 16 digits.
     EXPECT_LT(
         (to_vector(interleave(now.journal_top.normal_force, now.top_bump.normal_force, now.bump_sleeve.normal_force)) -
          expected.normal_force)
@@ -103,7 +103,7 @@ TEST_P(DenseForm, SolvesTheSameModesToTheSameState) {
                   .maxCoeff(),
               1e-10 * largest_force)
         << "increment " << k;
-    // The free end of the top foil nearly floats: forces fix it a hundred times worse than they are fixed themselves.
+    // The free end of the top foil nearly floats: displacements are a hundred times less accurate than forces.
     EXPECT_LT((displacements(now) - expected.x).cwiseAbs().maxCoeff(), 1e-9 * largest_displacement)
         << "increment " << k;
   }

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The first of the bearings of docs/verification/drawn_bearings.md.
+/// The first bearings of docs/verification/drawn_bearings.md.
 TEST(DrawnBearings, AreResolvedAndNoneIsWronglyCalledConverged) {
   for (std::uint64_t number = 0; number < 100; ++number) {
     const Case input = drawn_bearing(number);
@@ -27,8 +27,8 @@ TEST(DrawnBearings, AreResolvedAndNoneIsWronglyCalledConverged) {
   }
 }
 
-/// Ensembles find quantities in another way than runs that keep everything, and promise them to some 1e-9: in the first
-/// 5,000 forces are 7e-11 apart at most and energies and loads of bumps 5e-10.
+/// Ensembles compute quantities in a different way than runs that keep all records; both must agree to about 1e-9. In
+/// the first 5,000 bearings forces differ by at most 7e-11, energies and bump loads by at most 5e-10.
 TEST(DrawnBearings, HaveTheSameQuantitiesAloneAsWithAllRecords) {
   for (std::uint64_t number = 0; number < 100; ++number) {
     Case input = drawn_bearing(number);
@@ -52,7 +52,7 @@ TEST(DrawnBearings, AreFunctionsOfTheirNumber) {
   EXPECT_EQ(drawn_bearing(7), drawn_bearing(7));
   EXPECT_NE(drawn_bearing(7).bump_foil.height_errors, drawn_bearing(8).bump_foil.height_errors);
   const Case input = drawn_bearing(9);
-  EXPECT_EQ(input.friction.top_bump, input.friction.bump_sleeve);  // every third
+  EXPECT_EQ(input.friction.top_bump, input.friction.bump_sleeve);  // as for every third bearing
 }
 
 }  // namespace

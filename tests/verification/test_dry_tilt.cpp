@@ -1,4 +1,4 @@
-// docs/verification/width.md: the bearing without a film under a tilted journal, against an independent program.
+// docs/verification/width.md: the bearing without a film and with a tilted journal, against an independent program.
 
 #include <gtest/gtest.h>
 
@@ -23,16 +23,16 @@ namespace {
 
 constexpr double length = 38.1e-3;
 
-/// Pushed to +X until it carries 100 N.
+/// Result of pushing the journal to +X until it carries 100 N.
 struct Pushed {
   double x{};
   double moment{};                     ///< N m
   std::vector<double> loads, moments;  ///< of bumps 9 to 19, N and N m
 };
 
-/// The reference bearing with a frame for its bump foil, whose top foil is bonded to the crests and whose feet never
-/// lift, as in the independent program; the contact of the journal is unilateral.
-/// @param stuck  feet do not slide, either
+/// The reference bearing with a frame as bump foil. As in the independent program, the top foil is bonded to the crests
+/// and feet never lift; the contact of the journal is unilateral.
+/// @param stuck  feet do not slide either
 /// @param tilt   over the width towards X, m
 Pushed pushed(bool stuck, int modes, double tilt) {
   Case input = reference_case();
@@ -144,7 +144,7 @@ TEST(DryTilt, IsWhatTheIndependentProgramFinds) {
   }
 }
 
-/// Foils on a circle, or three pads whose top foils are formed to a larger radius.
+/// Foils on a circle, or three pads with top foils formed to a larger radius.
 Case some_case(bool pads, double friction) {
   Case input = reference_case();
   input.friction = {.top_bump = friction, .bump_sleeve = friction};
@@ -155,7 +155,7 @@ Case some_case(bool pads, double friction) {
   return input;
 }
 
-/// Takes foils from their assembly to places, one after the other.
+/// Moves the journal from the assembled state through `places`.
 Increment taken(const Foils& foils, const std::vector<Eigen::Vector2d>& places) {
   FoilStepper stepper = make_stepper(std::make_shared<const Foils>(foils), {});
   Step step;
@@ -171,7 +171,7 @@ Increment taken(const Foils& foils, const std::vector<Eigen::Vector2d>& places) 
   return last;
 }
 
-/// How foils answer over the width.
+/// Model of the foils over the width.
 struct OverWidth {
   int modes{};
   SheetModel sheet{};
@@ -216,7 +216,7 @@ TEST(DryTilt, MomentsAndForcesAreDerivativesOfTheEnergyWithoutFriction) {
   }
 }
 
-/// A cone narrows one side as much as it widens the other, a barrel widens both: the energy falls by the loads there.
+/// A cone narrows one side and widens the other by as much, a barrel widens both: energy falls by the loads there.
 TEST(DryTilt, WideningsAreWorkedAgainstLikeTilts) {
   const Foils uniform = make_foils(some_case(true, 0.0));
   const Eigen::Vector2d place = there.back();
@@ -264,7 +264,7 @@ TEST(DryTilt, IsMirroredWithTheBearing) {
   }
 }
 
-/// A journal that is not tilted excites nothing over the width, friction and forming included.
+/// Without tilt nothing varies over the width, also with friction and formed foils.
 TEST(DryTilt, OfNothingIsTheAlignedBearing) {
   for (const bool pads : {false, true}) {
     const Foils uniform = make_foils(some_case(pads, 0.1));
@@ -281,8 +281,7 @@ TEST(DryTilt, OfNothingIsTheAlignedBearing) {
   }
 }
 
-/// What the journal and a moment on it put in is stored or rubbed away, to rounding from one change of contact to the
-/// next.
+/// The work of journal and moment is stored or dissipated: exact to round-off, as steps end at contact events.
 TEST(DryTilt, EnergiesOfACycleBalance) {
   const WidthSettings tilted{.modes = 3, .tilt = {3e-4, -2e-4}};
   WidthSettings on_sheet = tilted;
@@ -310,7 +309,7 @@ TEST(DryTilt, EnergiesOfACycleBalance) {
   }
 }
 
-/// Without friction nothing depends on the path: what a tilt needs tilts the journal by as much.
+/// Without friction nothing depends on the path: the moment that holds a tilt, applied instead, gives the same tilt.
 TEST(DryTilt, IsFoundFromTheMomentThatItNeeds) {
   const Eigen::Vector2d slope(3e-4, -2e-4);
   const WidthProfile profile{.conicity = 4e-6, .crowning = 3e-6};
@@ -326,7 +325,7 @@ TEST(DryTilt, IsFoundFromTheMomentThatItNeeds) {
     const Increment held = taken(foils({.slope = slope, .profile = profile}), there);
     const Increment free =
         taken(foils({.moment = Eigen::Vector2d(held.moment_x, held.moment_y), .profile = profile}), there);
-    // The spring that holds a journal which nothing touches takes 1e-10 of the largest stiffness.
+    // The spring that holds a journal without contact is 1e-10 of the largest stiffness.
     EXPECT_NEAR(free.tilt_x, slope.x(), 1e-7 * slope.norm());
     EXPECT_NEAR(free.tilt_y, slope.y(), 1e-7 * slope.norm());
     EXPECT_NEAR(free.moment_x, held.moment_x, 1e-7 * held.moment_x);
@@ -337,7 +336,7 @@ TEST(DryTilt, IsFoundFromTheMomentThatItNeeds) {
   }
 }
 
-/// A journal that no moment acts on stays parallel to alike halves, friction included, and turns to lie on a cone.
+/// Without a moment the journal stays parallel to equal halves, even with friction, and tilts if it is conical.
 TEST(DryTilt, WithoutAMomentEvensOutBothSides) {
   const Foils uniform = make_foils(some_case(true, 0.1));
   const Increment aligned = taken(uniform, there);

@@ -11,7 +11,7 @@
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 
-/// Energies of push-pull cycles: no friction, no loop; with friction, balances that must hold.
+/// Energies of push-pull cycles: no loop without friction, energy balances with friction.
 namespace bumpfoil {
 namespace {
 
@@ -32,10 +32,10 @@ std::vector<InterfaceAt> interfaces(const FullIncrement& increment) {
 ///
 ///     E_k - E_{k-1} = 1/2 (f_k + f_{k-1}).(x_k - x_{k-1})
 ///
-/// with contact forces f. Friction contributes 1/2 (t_k + t_{k-1}) du. A normal force works on the change of gap less
-/// that of the initial gap; the latter, summed over the journal contacts, is the work of the journal (their initial
-/// gap falls by e(phi).dx). With p g = 0 at both ends 1/2 (p_k + p_{k-1}) (g_k - g_{k-1}) is half of
-/// p_{k-1} g_k - p_k g_{k-1}, at the journal as elsewhere.
+/// with contact forces f. Friction contributes 1/2 (t_k + t_{k-1}) du. A normal force works on the change of the gap
+/// minus that of the initial gap; the latter, summed over the journal contacts, is the work of the journal (the initial
+/// gap falls by e(phi).dx). As p g = 0 at both ends, 1/2 (p_k + p_{k-1}) (g_k - g_{k-1}) is half of
+/// p_{k-1} g_k - p_k g_{k-1}, also at the journal.
 double balanced_work(const FullIncrement& before, const FullIncrement& now) {
   double work = now.elastic_energy - before.elastic_energy;
   const std::vector<InterfaceAt> first = interfaces(before);
@@ -74,7 +74,7 @@ TEST_P(ReferenceEnergies, DissipationNeverDecreases) {
   }
   if (has_friction()) {
     EXPECT_GT(*cycle.loop_energy, 0.1 * largest_work(cycle));
-    // A closed loop turns its work into heat; what differs is the first-order defect of the plain balance.
+    // A closed loop dissipates its work; the difference is the first-order defect of the plain balance.
     EXPECT_NEAR(cycle.increments.back().dissipated_energy, *cycle.loop_energy, 0.02 * *cycle.loop_energy);
   } else {
     EXPECT_EQ(cycle.increments.back().dissipated_energy, 0.0);
@@ -107,7 +107,7 @@ TEST(Energy, DefectOfThePlainBalanceShrinksWithTheIncrement) {
       const Cycle cycle = run_single_cycle(input, direction);
       defects.push_back(plain_balance_defect(cycle) / largest_work(cycle));
     }
-    // First order: a quarter each time. Where contacts open and close within an increment it is not smooth.
+    // First order: a quarter each time. It is not smooth where contacts open or close within an increment.
     EXPECT_LT(defects[1], 0.4 * defects[0]) << direction;
     EXPECT_LT(defects[2], 0.4 * defects[1]) << direction;
   }

@@ -1,4 +1,4 @@
-/// The response followed from event to event, against increments and against the energies.
+/// The response computed from event to event, against increments and energy balances.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ double most_work(const Cycle& cycle) {
 
 class EventCycles : public testing::TestWithParam<double> {};
 
-/// Plain balance W = E - E0 + D: an increment has a first-order defect, the path from event to event has none.
+/// Plain balance W = E - E0 + D: increments have a first-order defect, the path from event to event has none.
 TEST_P(EventCycles, KeepThePlainEnergyBalance) {
   for (const Case& input : {case_with_given_constants(), with_height_errors()}) {
     const Cycle cycle = run_single_cycle(with_events(input), GetParam());
@@ -45,13 +45,13 @@ TEST_P(EventCycles, KeepThePlainEnergyBalance) {
     const double scale = most_work(cycle);
     const double start = cycle.increments.front().elastic_energy;
     for (const Increment& k : cycle.increments) {
-      // Sums of some hundred pieces with roundings of 1e-16 each.
+      // Sums of a few hundred pieces, each with a round-off of 1e-16.
       EXPECT_NEAR(k.work, k.elastic_energy - start + k.dissipated_energy, 1e-9 * scale) << k.index;
     }
   }
 }
 
-/// The loop is that of the path, not of its increments.
+/// The loop energy depends on the path, not on its increments.
 TEST_P(EventCycles, DoNotDependOnTheNumberOfSteps) {
   Case input = with_events(case_with_given_constants());
   input.cycle.steps = 10;
@@ -63,7 +63,7 @@ TEST_P(EventCycles, DoNotDependOnTheNumberOfSteps) {
   EXPECT_NEAR(*coarse.loop_energy, *fine.loop_energy, 1e-9 * most_work(fine));
 }
 
-/// Increments of the exact solver that end exactly where something happens see the same response.
+/// The exact solver, with increments that end exactly at the events, gives the same response.
 TEST_P(EventCycles, AgreeWithIncrementsPlacedAtTheEvents) {
   for (const Case& input : {case_with_given_constants(), with_height_errors()}) {
     const Cycle events = run_single_cycle(with_events(input), GetParam());
@@ -97,7 +97,7 @@ TEST_P(EventCycles, AgreeWithIncrementsPlacedAtTheEvents) {
 
 INSTANTIATE_TEST_SUITE_P(Directions, EventCycles, testing::Values(0.0, std::numbers::pi, 0.5 * std::numbers::pi, 4.0));
 
-/// Bumps so short and thick, without friction, that after some events no modes lead on: newton takes small increments.
+/// Frictionless bumps so short and thick that no modes work after some events: newton takes small increments.
 Case short_stiff_bumps() {
   Case input = case_with_given_constants();
   input.bearing = {
@@ -121,7 +121,7 @@ Case short_stiff_bumps() {
   return input;
 }
 
-/// Friction of 1 under a preload: the foils snap on the way.
+/// Friction of 1 under a preload: the foils snap along the path.
 Case snapping_bumps() {
   Case input = case_with_given_constants();
   input.bearing = {.radius = 0.02052479310246199,
@@ -147,7 +147,7 @@ Case snapping_bumps() {
   return input;
 }
 
-/// Where small increments of newton or jumps stand in the response, too, work is stored or dissipated, to 1e-7.
+/// If the response contains small increments of newton or jumps, work is still stored or dissipated, to 1e-7.
 TEST(Events, KeepTheEnergyWhereTheyCannotBeFollowed) {
   for (Case input : {short_stiff_bumps(), snapping_bumps()}) {
     std::vector<double> loops;
@@ -165,11 +165,11 @@ TEST(Events, KeepTheEnergyWhereTheyCannotBeFollowed) {
       }
       loops.push_back(*cycle.loop_energy / scale);
     }
-    EXPECT_NEAR(loops[0], loops[1], 1e-7);  // of the path, not of its increments
+    EXPECT_NEAR(loops[0], loops[1], 1e-7);  // depends on the path, not on its increments
   }
 }
 
-/// Feet over gaps carry nothing before the journal touches and after it has left: all that is left there are roundings.
+/// Feet over gaps carry nothing before the journal touches or after it has left, except for round-off.
 TEST(Events, LeaveContactsOpenWhereNothingIsLoaded) {
   Case input = with_events(case_with_given_constants());
   input.friction = {};
@@ -195,7 +195,7 @@ TEST(Events, UniformIncrementsApproachThePath) {
     input.cycle.steps = steps;
     error.push_back(std::abs(*run_single_cycle(input, 0.0).loop_energy - exact) / exact);
   }
-  // First order would be a quarter for four times the steps; where events fall between increments leaves a factor two.
+  // First order: a quarter for four times the steps; a factor of two allows for events within increments.
   for (std::size_t i = 1; i < error.size(); ++i) EXPECT_LT(error[i], 0.5 * error[i - 1]);
   EXPECT_LT(error.back(), 1e-3);
 }
@@ -203,7 +203,7 @@ TEST(Events, UniformIncrementsApproachThePath) {
 TEST(Events, AreListedInOrderWithWhatChanged) {
   const Cycle cycle = run_single_cycle(with_events(case_with_given_constants()), 0.0);
   ASSERT_FALSE(cycle.events.empty());
-  // Nothing can happen before the journal touches.
+  // No event can occur before the journal touches.
   EXPECT_GE(cycle.events.front().displacement, *cycle.first_contact * (1.0 - 1e-12));
   EXPECT_TRUE(std::is_sorted(cycle.events.begin(), cycle.events.end(), [](const CycleEvent& a, const CycleEvent& b) {
     if (a.branch != b.branch) return a.branch == Branch::loading;

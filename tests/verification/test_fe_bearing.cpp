@@ -7,7 +7,7 @@
 #include "support/fe_records.hpp"
 #include "support/full_increment.hpp"
 
-/// The reference bearing against one of solid elements: docs/verification/fe_bearing.md.
+/// The reference bearing against one made of solid elements: docs/verification/fe_bearing.md.
 namespace bumpfoil {
 namespace {
 
@@ -27,14 +27,14 @@ TEST_P(FeBearing, FrameIsWithinThePagesBounds) {
   ASSERT_EQ(fe.variant, "held");
   const Cycle frame = run_single_cycle(frame_case(fe), fe.direction);
   ASSERT_TRUE(frame.converged());
-  // The page states at most 0.9 % in force. The elements of the next finer mesh are another 0.4 % softer.
+  // The page states at most 0.9 % in force. The next finer mesh is another 0.4 % softer.
   EXPECT_NEAR(frame.turning_point->max_force, fe.max_force, 0.012 * fe.max_force);
   EXPECT_NEAR(frame.turning_point->cross_force, fe.cross_force, 0.012 * fe.max_force);
   // At most 0.8 %.
   if (fe.friction_coefficient > 0.0) {
     EXPECT_NEAR(*frame.loop_energy, fe.loop_energy, 0.012 * fe.loop_energy);
   }
-  // Along the whole loop, where unloading crosses many changes of mode.
+  // Along the whole loop, as unloading passes many changes of mode.
   ASSERT_EQ(fe.force_direct.size(), static_cast<Eigen::Index>(frame.increments.size()));
   double largest = 0.0;
   for (Eigen::Index k = 0; k < fe.force_direct.size(); ++k) {

@@ -11,21 +11,21 @@ namespace {
 
 constexpr double micrometre = 1e-6;
 
-/// Columns of shell_zeta() up to 0.9: beyond lies the layer at the side edge, which no parabola has.
+/// Columns of shell_zeta() up to 0.9: beyond is the boundary layer at the side edge, which a parabola cannot represent.
 Eigen::Index columns_inside() {
   const auto& zeta = shell_zeta();
   return std::upper_bound(zeta.begin(), zeta.end(), 0.9 + 1e-9) - zeta.begin();
 }
 
-/// Largest difference at crests or spans, m; 0 of those that neither has.
+/// Largest difference at crests or spans, m; 0 if neither has any.
 double largest_difference(const Matrix& one, const Matrix& other, Eigen::Index columns) {
   if (one.size() == 0) return 0.0;
   return (one - other).leftCols(columns).cwiseAbs().maxCoeff();
 }
 
-/// What the page states, rounded up: in the mid-plane, inside, and over the whole width. On feet that slide the sheet
-/// of the bump foil gives way, which the program holds: theory/width.md. Elsewhere it is bending of a higher order than
-/// the parabola, and that layer.
+/// Errors stated on the page, rounded up: in the mid-plane, inside, and over the whole width. On sliding feet the sheet
+/// of the bump foil deforms, but the program takes it as rigid: theory/width.md. Elsewhere the error is bending of
+/// higher order than the parabola, and that boundary layer.
 struct ShellBounds {
   double mid_plane{}, inside{}, everywhere{};
 };
@@ -56,7 +56,7 @@ TEST(FeShells, ParabolaIsWithinThePagesBoundsAndUniformFoilIsNot) {
   EXPECT_EQ(compared, 3);
 }
 
-/// Feet that slide, on a sheet that gives way.
+/// Sliding feet, on an elastic sheet.
 TEST(FeShells, ParabolaOnAnElasticSheetIsNearer) {
   int compared = 0;
   for (const FeShells& shells : fe_shells()) {
@@ -71,8 +71,8 @@ TEST(FeShells, ParabolaOnAnElasticSheetIsNearer) {
   EXPECT_EQ(compared, 1);
 }
 
-/// Feet that slide: 1.2 %, as much as both meshes differ by, and bump 1, next to the weld, 1.7 %. Stuck ones: shells
-/// are softer in the last millimetre, and take 1.9 % less.
+/// Sliding feet: 1.2 %, as much as the difference of both meshes, and 1.7 % at bump 1, next to the weld. Stuck feet:
+/// shells are softer in the last millimetre and carry 1.9 % less.
 TEST(FeShells, MomentsUnderATiltedJournalAreWithinThePagesBounds) {
   int compared = 0;
   for (const FeShells& shells : fe_shells()) {
@@ -89,7 +89,7 @@ TEST(FeShells, MomentsUnderATiltedJournalAreWithinThePagesBounds) {
   EXPECT_EQ(compared, 2);
 }
 
-/// What the page says of the shells themselves: both meshes, one after the other in the file.
+/// What the page states about the shells themselves; the two meshes are adjacent in the file.
 TEST(FeShells, MeshesOfShellsAgree) {
   ASSERT_EQ(fe_shells().size(), 10);
   const auto all = static_cast<Eigen::Index>(shell_zeta().size());

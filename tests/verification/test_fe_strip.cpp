@@ -24,13 +24,13 @@ Cycle press_frame(const FeStrip& fe) {
   return run_strip(input).cycles.front();
 }
 
-/// Relative deviations that the page states, rounded up.
+/// Relative deviations stated on the page, rounded up.
 struct Bounds {
   double force{}, loads{}, loop{};
 };
 
-/// Ten bumps at friction 0.3 lock: the first carries eleven times what it carries without friction, and the smallest
-/// difference in its stiffness is multiplied along the strip.
+/// Ten bumps at friction 0.3 lock: the first carries eleven times its load without friction, and the smallest
+/// difference in its stiffness is amplified along the strip.
 bool locks(const FeStrip& fe) {
   return fe.bumps == 10 && fe.friction_coefficient > 0.2;
 }
@@ -44,7 +44,7 @@ Bounds bounds_for(const FeStrip& fe) {
 TEST(FeStrip, FrameIsWithinThePagesBounds) {
   int compared = 0;
   for (const FeStrip& fe : fe_strips()) {
-    // The plate of CalculiX reaches past the first crest towards the weld, where the top foil is bent most.
+    // The plate of CalculiX extends past the first crest towards the weld, where the top foil is bent most.
     if (fe.top_foil && !fe.contact_at_nodes) continue;
     const std::string name = std::to_string(fe.bumps) + " bumps, f = " + std::to_string(fe.friction_coefficient) +
                              (fe.top_foil ? ", top foil" : "") + (fe.large_displacements ? ", large" : ", small") +
@@ -59,7 +59,7 @@ TEST(FeStrip, FrameIsWithinThePagesBounds) {
       EXPECT_NEAR(loads[bump], fe.bump_loads[bump], bounds.loads * fe.bump_loads[bump])
           << name << ", bump " << bump + 1;
     }
-    // Of strips that lock, only exact contact has a loop: CalculiX' force jumps on the way back.
+    // For strips that lock, only exact contact gives a loop: the force of CalculiX jumps during unloading.
     if (fe.friction_coefficient > 0.0 && (fe.contact_at_nodes || !locks(fe))) {
       EXPECT_NEAR(*frame.loop_energy, fe.loop_energy, bounds.loop * fe.loop_energy) << name;
     }

@@ -1,4 +1,4 @@
-// docs/verification/film.md: rough surfaces that touch under the film, against the dry bearing, differences and
+// docs/verification/film.md: rough surfaces in contact under the film, against the dry bearing, differences and
 // symmetry.
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr FilmResolution mesh{.columns_per_pitch = 6, .rows = 4};
 
-/// The reference bearing of rough surfaces, K' = 240 MPa.
+/// The reference bearing with rough surfaces, K' = 240 MPa.
 Case rough_case(double rpm, const Eigen::Vector2d& load, double friction = 0.0) {
   Case input = film_reference_case(mesh, friction);
   input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 240e6, .friction = 0.2};
@@ -34,8 +34,8 @@ RunningState rough_state(const Case& input) {
   return result.states.front();
 }
 
-/// Under surfaces that are all but smooth a journal at rest lies on the foils as without a film, where contacts are
-/// rigid and exact: that is another solver on another matrix.
+/// With almost smooth surfaces a journal at rest lies on the foils as without a film, where contacts are rigid and
+/// exact: another solver on another matrix.
 TEST(FilmAsperities, RestsWhereTheDryBearingDoes) {
   const Eigen::Vector2d load(50.0, 0.0);
   Case input = rough_case(0.0, load);
@@ -47,17 +47,17 @@ TEST(FilmAsperities, RestsWhereTheDryBearingDoes) {
   Step step;
   advance_to_load(dry, BearingState::unstressed(dry.foils()), load, 1e-6, 3.0 * input.bearing.radial_clearance, step);
   ASSERT_TRUE(step.converged());
-  // Peaks hold the surfaces 0.03 um apart.
+  // Asperities keep the surfaces 0.03 um apart.
   EXPECT_NEAR(running.last->position.x(), step.state.position.x(), 0.05e-6);
   const Vector dry_loads = interface_loads(dry.foils(), step.state.contacts, Interface::top_bump);
   ASSERT_EQ(loads.size(), dry_loads.size());
   EXPECT_LT((loads - dry_loads).cwiseAbs().maxCoeff(), 2e-3 * dry_loads.maxCoeff());
   EXPECT_NEAR(running.outcome->asperity_force.x(), 50.0, 1e-6);
-  EXPECT_NEAR(running.outcome->torque, 0.0, 1e-20);  // roundings of P = 1
+  EXPECT_NEAR(running.outcome->torque, 0.0, 1e-20);  // round-off of P = 1
   EXPECT_NEAR(running.outcome->max_pressure, 1.0, 1e-9);
 }
 
-/// Consistent derivatives where peaks carry a good part of the load: held journal, central differences of its force.
+/// Consistent derivatives where asperities carry much of the load: held journal, central differences of its force.
 TEST(FilmAsperities, StiffnessIsThatOfDifferences) {
   const Case input = rough_case(300.0, {30.0, 0.0});
   const RunningState state = rough_state(input);
@@ -70,7 +70,7 @@ TEST(FilmAsperities, StiffnessIsThatOfDifferences) {
     EXPECT_EQ(stepper.advance(OperatingPoint::held_at(position, moved.speed), moved).status, Status::converged);
     return Eigen::Vector2d(film_bearing_outcome(stepper.bearing(), moved).force);
   };
-  const double d = 2e-11;  // m: a roughness over 15,000, so that the difference leaves 1e-8 of the slope
+  const double d = 2e-11;  // m: 1/15,000 of a roughness, so that differences err by 1e-8 of the slope
   ASSERT_TRUE(state.stiffness.has_value());
   for (const int axis : {0, 1}) {
     const Eigen::Vector2d step = d * Eigen::Vector2d::Unit(axis);
@@ -78,14 +78,14 @@ TEST(FilmAsperities, StiffnessIsThatOfDifferences) {
         (force_at(state.last->position + step) - force_at(state.last->position - step)) / (2.0 * d);
     EXPECT_LT((difference - state.stiffness->col(axis)).norm(), 1e-5 * state.stiffness->norm());
   }
-  // The same from the reduced model of motions in time, as they become slow.
+  // The same from the reduced model of motions in time, in the limit of slow motion.
   const auto Z = stepper.impedances(*state.last, {{0.0, 1e-3 * state.last->speed}});
   ASSERT_TRUE(Z.has_value());
   EXPECT_LT((Z->front().real() - *state.stiffness).norm(), 1e-4 * state.stiffness->norm());
-  EXPECT_TRUE(state.held.sliding.has_value());  // whose residual is that of all equations
+  EXPECT_TRUE(state.held.sliding.has_value());  // present only if its residual in all equations is small
 }
 
-/// Power that is put in leaves by shear, flow and friction, and friction is that of the pressures at the columns.
+/// Input power is dissipated by shear, flow and friction; friction follows from the pressures at the columns.
 TEST(FilmAsperities, PowerIsDissipated) {
   const Case input = rough_case(300.0, {30.0, 0.0});
   const FilmBearing bearing = make_film_bearing(input);
@@ -100,7 +100,7 @@ TEST(FilmAsperities, PowerIsDissipated) {
   normal *= bearing.scales.radius * pad.foil.mesh.dtheta * input.bearing.axial_length;
   EXPECT_NEAR(outcome.asperity_torque, 0.2 * bearing.scales.radius * normal, 1e-12);
   EXPECT_GT(outcome.asperity_torque, 0.5 * outcome.torque);
-  // Of the rest the discretisation errs by some per cent on this mesh; a wrong share of friction would by half of all.
+  // The mesh makes an error of a few per cent of the rest; a wrong share of friction would be half of the total.
   EXPECT_NEAR(outcome.dissipation, outcome.power, 0.05 * outcome.power);
   EXPECT_NEAR(outcome.torque_of_moments, outcome.torque, 0.05 * outcome.torque);
 }
@@ -118,7 +118,7 @@ TEST(FilmAsperities, TurnsAndMirrors) {
             1e-7 * input.bearing.radial_clearance);
   EXPECT_NEAR(there.outcome->torque, here.outcome->torque, 1e-7 * here.outcome->torque);
 
-  Case mirrored = input;  // at the X axis
+  Case mirrored = input;  // about the X axis
   mirrored.bearing.weld_angle = -input.bearing.weld_angle;
   mirrored.bearing.wrap = Wrap::counterclockwise;
   mirrored.equilibrium->speeds = {-input.equilibrium->speeds.front()};
@@ -128,8 +128,8 @@ TEST(FilmAsperities, TurnsAndMirrors) {
   EXPECT_NEAR(image.outcome->torque, -here.outcome->torque, 1e-7 * here.outcome->torque);
 }
 
-/// A misaligned journal, whose peaks touch towards the side that it leans to: stiffness in all four motions against
-/// central differences, and power and torque as they leave.
+/// A misaligned journal, with asperity contact on the side it leans to: stiffness in all four motions against central
+/// differences, and the balances of power and torque.
 TEST(FilmAsperities, CarryATiltedJournal) {
   Case input = rough_case(1000.0, {30.0, 0.0});
   input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
@@ -156,7 +156,7 @@ TEST(FilmAsperities, CarryATiltedJournal) {
     const JournalVector difference = (force_at(journal + step) - force_at(journal - step)) / 4e-11;
     JournalMatrix expected = JournalMatrix::Zero(4, 4);
     expected.col(i) = difference;
-    // Of those against displacements, or of those against slopes.
+    // Relative to the columns by displacements, or to those by slopes.
     const double largest = state.stiffness->middleCols(i - i % 2, 2).norm();
     EXPECT_LT((bearing.by_slopes(expected) - *state.stiffness).col(i).norm(), 1e-5 * largest) << i;
   }
@@ -165,7 +165,7 @@ TEST(FilmAsperities, CarryATiltedJournal) {
   EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 0.05 * state.outcome->torque);
 }
 
-/// A journal that may tilt, but does not, is that on half the width.
+/// A journal that may tilt but does not gives the result of half the width.
 TEST(FilmAsperities, AreTheSameOnTheWholeWidth) {
   const Case half = rough_case(500.0, {30.0, 0.0}, 0.1);
   Case whole = half;
@@ -178,8 +178,8 @@ TEST(FilmAsperities, AreTheSameOnTheWholeWidth) {
   EXPECT_NEAR(there.outcome->asperity_torque, here.outcome->asperity_torque, 1e-6 * here.outcome->torque);
 }
 
-/// At rest under a tilt peaks that hardly give way hold the journal as the dry bearing does, where it touches the foils
-/// on three lines over the width instead of at all rows.
+/// At rest under a tilt, stiff asperities hold the journal as in the dry bearing, where it touches the foils on three
+/// lines over the width instead of at all rows.
 TEST(FilmAsperities, HoldATiltedJournalAtRestAsWithoutAFilm) {
   const Eigen::Vector2d load(50.0, 0.0);
   Case input = rough_case(0.0, load);
@@ -192,13 +192,13 @@ TEST(FilmAsperities, HoldATiltedJournalAtRestAsWithoutAFilm) {
   advance_to_load(dry, BearingState::unstressed(dry.foils()), load, 1e-6, 3.0 * input.bearing.radial_clearance, step);
   ASSERT_TRUE(step.converged());
   const double moment = holding_moment(dry.foils(), step.state.contacts.normal_force).x();
-  // Peaks hold the surfaces 0.03 um apart.
+  // Asperities keep the surfaces 0.03 um apart.
   EXPECT_NEAR(running.last->position.x(), step.state.position.x(), 0.05e-6);
   EXPECT_NEAR(running.outcome->moment.x(), moment, 2e-3 * moment);
   EXPECT_GT(moment, 0.1);
 }
 
-/// From rest to speed: the load goes over from peaks to gas, and the torque has its least where they part.
+/// From rest to speed: the load moves from asperities to gas; the torque is minimum where the surfaces separate.
 TEST(FilmAsperities, RunUpFromRestIsACurveOfStribeck) {
   Case input = rough_case(0.0, {50.0, 0.0}, 0.1);
   input.top_foil.formed_radius = {FormedTo::seated};
@@ -218,7 +218,7 @@ TEST(FilmAsperities, RunUpFromRestIsACurveOfStribeck) {
   EXPECT_NEAR(share.front(), 1.0, 1e-7);
   EXPECT_TRUE(std::is_sorted(share.rbegin(), share.rend()));
   EXPECT_LT(share.back(), 1e-9);
-  // All of the load would rub with 0.2 x 50 N x 19.05 mm.
+  // If asperities carried all of the load, friction would be 0.2 x 50 N x 19.05 mm.
   EXPECT_GT(torque[1], 0.5 * 0.1905);
   EXPECT_LT(torque[1], 0.1905);
   const auto least = std::min_element(torque.begin() + 1, torque.end());

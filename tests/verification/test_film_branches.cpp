@@ -1,6 +1,6 @@
-// docs/verification/film.md: states under a load stay on their branch. Several branches exist at one load, often a
-// bump apart, so that a step that is too long reaches another one. Whatever changes the state by next to nothing must
-// therefore lead to the same number of loaded bumps, or to a state that says that the foil jumped.
+// docs/verification/film.md: states under a load stay on their branch. Several branches exist at one load, often one
+// bump apart, so a step that is too long reaches another one. A tiny change of the case must therefore give the same
+// number of loaded bumps, or a state that reports a jump of the foil.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Found found_of(const Case& input) {
           .h_min = state.outcome->thinnest.thickness * result.bearing->scales.thickness};
 }
 
-/// The same state, or one that says that it may be another.
+/// The same state, unless one reports a jump, after which it may be another.
 void expect_same_state(const Found& a, const Found& b, double tolerance) {
   if (a.jumps > 0 || b.jumps > 0) return;
   EXPECT_EQ(a.converged, b.converged);
@@ -49,7 +49,7 @@ Case loaded_reference(double load, double friction, const FilmResolution& resolu
   return input;
 }
 
-/// 20 N on the reference bearing lie where branches with 12, 15 and 16 loaded bumps overlap.
+/// At 20 N the reference bearing has overlapping branches with 12, 15 and 16 loaded bumps.
 TEST(FilmBranches, ALittleMoreLoadOrFrictionIsALittleMore) {
   const FilmResolution mesh{.columns_per_pitch = 6, .rows = 8};
   const Found plain = found_of(loaded_reference(20.0, 0.1, mesh));
@@ -58,7 +58,7 @@ TEST(FilmBranches, ALittleMoreLoadOrFrictionIsALittleMore) {
     SCOPED_TRACE(more);
     const Found loaded = found_of(loaded_reference(20.0 * (1.0 + more), 0.1, mesh));
     const Found rubbing = found_of(loaded_reference(20.0, 0.1 * (1.0 + more), mesh));
-    // Beyond a jump, too: the film is marched from the same place.
+    // Also after a jump: the film is marched from the same state.
     for (const Found& other : {loaded, rubbing}) {
       EXPECT_EQ(other.jumps, plain.jumps);
       EXPECT_EQ(other.loaded_bumps, plain.loaded_bumps);
@@ -97,7 +97,7 @@ TEST(FilmBranches, TurnedBearingsStandInTurnedStates) {
   }
 }
 
-/// On the way up the foil jumps once. From higher speeds: test_film_run_up.cpp.
+/// The foil jumps once during run-up. From higher speeds: test_film_run_up.cpp.
 TEST(FilmBranches, RunningUpUnderALoadArrivesWhereLoadingDoes) {
   std::vector<Found> found;
   for (const FilmPath path : {FilmPath::load_ramp, FilmPath::speed_ramp, FilmPath::position_ray}) {
@@ -112,8 +112,8 @@ TEST(FilmBranches, RunningUpUnderALoadArrivesWhereLoadingDoes) {
   }
 }
 
-/// Bearings drawn at random, without friction: a state then depends on no increments but by its branch. Before steps
-/// were held to the tangent some of these ended up to 25 % apart and said nothing.
+/// Random bearings without friction: a state then depends on the increments only through its branch. Before steps were
+/// held to the tangent, some of these ended up to 25 % apart without reporting it.
 class RandomBranches : public testing::TestWithParam<int> {};
 
 Case random_case(int number) {

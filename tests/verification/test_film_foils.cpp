@@ -1,4 +1,4 @@
-// docs/verification/film.md: the film over foils, against an independent prototype and against rigid walls.
+// docs/verification/film.md: the film over foils, against an independent prototype and rigid walls.
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,14 @@
 namespace bumpfoil {
 namespace {
 
-/// The prototype gives way in its contacts by a proximal term: measured 2e-6 at most.
+/// Contacts of the prototype are compliant by a proximal term: measured effect at most 2e-6.
 constexpr double derivative_tolerance = 1e-5;
 
 TEST(FilmOverFoils, MeetsThePrototypeOnTheCoarsestMesh) {
   for (const ReferenceRun& run : reference_runs()) expect_run(run, run.levels.front());
 }
 
-/// Friction 0.1: pushed to 1.2 C_r in steps of 0.1 and drawn back to 0.4.
+/// Friction 0.1: the journal is pushed to 1.2 C_r in steps of 0.1 and drawn back to 0.4.
 TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
   const ReferencePath& path = reference_friction_path();
   const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
@@ -36,7 +36,7 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
                         tangential_displacements(bearing.problem, state.slip_origin);
     dissipated += state.contacts.friction_force.cwiseProduct(slip).cwiseAbs().sum();
     const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
-    // The prototype's contacts give way by a proximal term: five digits of what it prints.
+    // Contacts of the prototype are compliant by a proximal term: five of its printed digits are exact.
     EXPECT_LT((outcome.force - increment.force).norm(), 1e-5 * increment.force.norm());
     EXPECT_NEAR(outcome.thinnest.thickness * bearing.scales.thickness, increment.thinnest, 1e-5 * increment.thinnest);
     EXPECT_NEAR(outcome.power, increment.power, 1e-5 * increment.power);
@@ -48,8 +48,8 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
   }
 }
 
-/// Loads to +X: cold start at 0.6 C_r along the load, then the load in ten steps. There the stiffness, and the
-/// impedance to a whirl at the speed of rotation.
+/// Loads along +X: cold start at 0.6 C_r along the load, then the load in ten steps. Compared are the stiffness there,
+/// and the impedance to a whirl at the speed of rotation.
 TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
   for (const ReferenceEquilibrium& reference : reference_equilibria()) {
     SCOPED_TRACE(reference.load.x());
@@ -69,7 +69,7 @@ TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
   }
 }
 
-/// With friction, after increments from unstressed foils to 0.8 C_r: closed contacts stuck, or in their modes.
+/// With friction, after increments from unstressed foils to 0.8 C_r: closed contacts all stick, or keep their modes.
 TEST(FilmOverFoils, WhirlsOverFrictionAsThePrototypeDoes) {
   const ReferencePath& path = reference_friction_path();
   const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
@@ -88,7 +88,7 @@ TEST(FilmOverFoils, WhirlsOverFrictionAsThePrototypeDoes) {
   }
 }
 
-/// Foils and bumps 1e9 times stiffer are a rigid wall with a slot.
+/// Foils and bumps made 1e9 times stiffer act as a rigid wall with a slot.
 TEST(FilmOverFoils, TendsToTheRigidSlot) {
   FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
   const double speed = speed_of_rpm(45000.0);
@@ -110,7 +110,7 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
   const FilmIntegrals wall = film_integrals(rigid.equation, rigid.film);
   const FilmIntegrals foils = film_integrals(rigid.equation, state.film);
   const double load = std::hypot(wall.cosine, wall.sine);
-  // The free end, which nothing presses on the sleeve, still moves by some 1e-6 of the clearance.
+  // The free end, which no load presses onto the sleeve, still moves by about 1e-6 of the clearance.
   EXPECT_NEAR(foils.cosine, wall.cosine, 5e-6 * load);
   EXPECT_NEAR(foils.sine, wall.sine, 5e-6 * load);
   EXPECT_GT(std::abs(foils.cosine - wall.cosine), 1e-12 * load);

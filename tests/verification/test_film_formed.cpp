@@ -1,5 +1,5 @@
-// docs/verification/film.md: top foils that are formed flatter than the bearing, an overhang of their own, a feed at
-// the free end, and pitches that differ, under the film: against an independent prototype, closed forms and symmetry.
+// docs/verification/film.md: top foils formed flatter than the bearing, their own overhang, gas feed at the free end,
+// and varying pitches, under the film: against an independent prototype, closed forms and symmetry.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ RunningState state_of(const Case& input) {
   return result.states.front();
 }
 
-/// Bumps and feet in closed contact with a load: "7-21,26".
+/// Ranges of loaded bumps or closed feet, as "7-21,26".
 std::string numbers_text(const Vector& loads) {
   std::string text;
   for (Eigen::Index i = 0; i < loads.size(); ++i) {
@@ -46,13 +46,13 @@ std::string numbers_text(const Vector& loads) {
 
 struct FormedReference {
   double ratio, load;          ///< R_f / R; N along +X
-  double growth, frequency;    ///< with the journal held, in speeds of rotation
+  double growth, frequency;    ///< with the journal held, over the speed of rotation
   double h_min, torque;        ///< um, N m
   double attitude;             ///< degrees
   std::string loaded, closed;  ///< bumps, feet
 };
 
-/// At 45,000 rpm, f = 0, gas entering at the free end. The prototype reaches some of these on other paths.
+/// At 45,000 rpm, f = 0, gas enters at the free end. The prototype reaches some of these states on other paths.
 TEST(FilmFormed, RunsAsInThePrototype) {
   for (const FormedReference& reference :
        {FormedReference{1.0, 10.0, 0.1732509, 0.4813818, 24.94415, 0.004975438, 35.71315, "8-19", "7-19"},
@@ -69,7 +69,7 @@ TEST(FilmFormed, RunsAsInThePrototype) {
     const RunningState state = state_of(input);
     const double speed = state.last->speed;
     ASSERT_TRUE(state.held.sliding.has_value());
-    // Seven digits are printed, and of a root near a double one half of them are exact.
+    // The prototype prints seven digits; near a double root half of them are exact.
     EXPECT_NEAR(state.held.sliding->rate.real() / speed, reference.growth, 2e-6);
     EXPECT_NEAR(std::abs(state.held.sliding->rate.imag()) / speed, reference.frequency, 2e-6);
     EXPECT_NEAR(1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness, reference.h_min, 1e-5);
@@ -86,7 +86,7 @@ TEST(FilmFormed, RunsOnAFinerMeshAsInThePrototype) {
   EXPECT_NEAR(state.held.sliding->rate.real() / state.last->speed, -0.8433085, 2e-6);
 }
 
-/// Growth with the journal held of the three means that seat the free end; three digits of the prototype.
+/// Growth with the journal held for three ways to seat the free end; the prototype gives three digits.
 TEST(FilmFormed, IsSeatedByPressureFeedAndAShorterOverhang) {
   const auto growth = [](const Case& input) {
     const RunningState state = state_of(input);
@@ -105,7 +105,7 @@ TEST(FilmFormed, IsSeatedByPressureFeedAndAShorterOverhang) {
   EXPECT_LT(growth(pressed), -1.0);
 }
 
-/// A pad of 8 bumps with its weld at the trailing end, its middle at +X, the journal held at (e, 0) C_r.
+/// A pad of 8 bumps, welded at its trailing end, with its middle at +X; the journal is held at (e, 0) C_r.
 TEST(FilmFormed, PadsFlutterAwayFromTheJournalUnlessTheyAreFormed) {
   struct PadReference {
     double ratio, e, growth, hold_down;
@@ -127,25 +127,25 @@ TEST(FilmFormed, PadsFlutterAwayFromTheJournalUnlessTheyAreFormed) {
   }
 }
 
-/// Largest inward displacement of the assembled foil over c kappa_0 R^2 (both of the film), at its columns.
+/// Largest inward displacement of the assembled foil at its columns, m.
 double assembled_bulge(const FilmResolution& resolution) {
   const Case input = formed_case(1.01, 10.0, resolution);
   FilmStepper stepper(make_film_bearing(input));
   const BearingState state = assembled(stepper, Eigen::Vector2d::Zero(), speed_of_rpm(45000.0));
-  EXPECT_NEAR(bump_loads(stepper.bearing(), state)[25], 0.02549644, 1e-7);  // of the prototype, on any mesh
+  EXPECT_NEAR(bump_loads(stepper.bearing(), state)[25], 0.02549644, 1e-7);  // prototype, on any mesh
   return -stepper.bearing().scales.thickness * state.film.lift.minCoeff();
 }
 
-/// Rigid bumps: 0.1047423 R^2 kappa_0. Bumps are compliant, and the largest of the columns is at most half an interval
-/// away.
+/// Rigid bumps: 0.1047423 R^2 kappa_0. The bumps here are compliant, and the maximum may lie half an interval from a
+/// column.
 TEST(FilmFormed, AssemblesAsABeamReleasedOntoItsSupports) {
   const double kappa = (1.0 - 1.0 / 1.01) / 19.05e-3;
   const double closed_form = 0.1047423 * 19.05e-3 * 19.05e-3 * kappa;
   EXPECT_NEAR(assembled_bulge({.columns_per_pitch = 6, .rows = 8}), closed_form, 0.005 * closed_form);
-  EXPECT_NEAR(assembled_bulge({.columns_per_pitch = 6, .rows = 8}), 19.66985e-6, 1e-11);  // the prototype
+  EXPECT_NEAR(assembled_bulge({.columns_per_pitch = 6, .rows = 8}), 19.66985e-6, 1e-11);  // prototype
 }
 
-/// Foils whose pitches differ, on three meshes: differences of the force fall by four.
+/// Foils with varying pitches, on three meshes: differences of the force fall by a factor of four.
 TEST(FilmFormed, VariablePitchesConvergeWithSecondOrder) {
   std::vector<double> force;
   for (const int columns : {6, 12, 24}) {
@@ -174,7 +174,7 @@ TEST(FilmFormed, TurnsAndMirrorsWithTheBearing) {
   Case turned = input;
   turned.bearing.weld_angle += angle;
   turned.equilibrium->loads = {40.0 * Eigen::Vector2d(std::cos(angle), std::sin(angle))};
-  Case mirrored = input;  // at the X axis
+  Case mirrored = input;  // about the X axis
   mirrored.bearing.weld_angle = -input.bearing.weld_angle;
   mirrored.bearing.wrap = Wrap::counterclockwise;
   mirrored.equilibrium->speeds = {-input.equilibrium->speeds.front()};

@@ -22,7 +22,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// In speeds of rotation.
+/// Rate with the journal held, over the speed of rotation.
 Complex held_rate(FilmStepper& stepper, const BearingState& state, bool stuck = false) {
   const std::optional<HeldMotion> motion = stepper.held_motion(state, stuck);
   EXPECT_TRUE(motion.has_value());
@@ -31,13 +31,13 @@ Complex held_rate(FilmStepper& stepper, const BearingState& state, bool stuck = 
   return motion->rate / std::abs(state.speed);
 }
 
-/// Largest real part of film and foils with the journal held, load along +X, f = 0; speed in rpm, load in N.
+/// Motion of film and foils with the largest real part, journal held, load along +X, f = 0; speed in rpm, load in N.
 struct HeldReference {
   double rpm, load;
-  Complex rate;  ///< in speeds of rotation
+  Complex rate;  ///< over the speed of rotation
 };
 
-/// Gas that enters at the free end makes it flutter, gas that enters at the weld does not.
+/// Gas that enters at the free end causes flutter, gas that enters at the weld does not.
 TEST(FilmHeld, GrowsAndDecaysAsInThePrototype) {
   const std::vector<HeldReference> references{
       {45000.0, 9.81, {0.1727, 0.4808}},   {45000.0, 20.0, {0.1922, 0.516}},     {45000.0, 50.0, {0.2469, 0.6118}},
@@ -51,7 +51,7 @@ TEST(FilmHeld, GrowsAndDecaysAsInThePrototype) {
     SCOPED_TRACE(reference.rpm);
     SCOPED_TRACE(reference.load);
     const BearingState state = state_under(stepper, {reference.load, 0.0}, speed_of_rpm(reference.rpm));
-    // What the prototype prints.
+    // Digits printed by the prototype.
     EXPECT_LT(std::abs(held_rate(stepper, state) - reference.rate), 2e-4);
   }
 }
@@ -62,8 +62,8 @@ TEST(FilmHeld, GrowsOnAFinerMeshAsInThePrototype) {
   EXPECT_LT(std::abs(held_rate(stepper, state) - Complex(0.50035, 0.78645)), 2e-5);
 }
 
-/// All equations of film and foil, bump foil and contacts about a state, J X + s T0 S X = 0, as dense matrices:
-/// unknowns P, U, M, displacements of the bump foil over c, contact forces over EI' c / p^3.
+/// All equations of film, foil, bump foil and contacts, linearised about a state, J X + s T0 S X = 0, as dense
+/// matrices: unknowns P, U, M, displacements of the bump foil over c, contact forces over EI' c / p^3.
 class DensePencil {
  public:
   DensePencil(const FilmBearing& bearing, const BearingState& state, bool stuck)
@@ -80,14 +80,14 @@ class DensePencil {
     add_contacts(state, stuck);
   }
 
-  /// Rightmost pole in speeds of rotation, of those with imaginary parts up to ten of them.
+  /// Rightmost pole over the speed of rotation, of those with imaginary parts up to ten.
   [[nodiscard]] Complex rightmost(double speed) const {
     const double unit = std::abs(speed) * bearing_.scales.squeeze_time();
     const double shift = 0.7 * unit;
     const Eigen::EigenSolver<Matrix> solver(Matrix((J_ + shift * S_).partialPivLu().solve(S_)), false);
     Complex found(-1e9, 0.0);
     for (const Complex mu : solver.eigenvalues()) {
-      if (std::abs(mu) < 1e-3 / unit) continue;  // infinite: no volumes store in most equations
+      if (std::abs(mu) < 1e-3 / unit) continue;  // infinite: most equations have no storage term
       const Complex s = (shift - 1.0 / mu) / unit;
       if (s.real() > found.real()) found = {s.real(), std::abs(s.imag())};
     }
@@ -98,7 +98,7 @@ class DensePencil {
   [[nodiscard]] Eigen::Index pressure(int j, int k) const { return Eigen::Index{k - 1} * mesh_.rows + j; }
   [[nodiscard]] Eigen::Index lift(int k) const { return first_lift_ + k - 1; }
   [[nodiscard]] Eigen::Index moment(int k) const { return first_lift_ + mesh_.columns + k; }
-  /// Of a place in the block of a bump. The place of the moment over the crest stays empty.
+  /// Index of a degree of freedom of a bump. That of the moment over the crest is unused.
   [[nodiscard]] Eigen::Index displacement(int bump, int place) const {
     if (place == bearing_.dofs().top_u) return lift(pad_.foil.supports[static_cast<std::size_t>(bump)]);
     return first_bump_ + Eigen::Index{bump} * size_ + place;
@@ -132,7 +132,7 @@ class DensePencil {
     }
   }
 
-  /// Balance of columns 1 to the last, compatibility of 0 to the last but one, by unit changes.
+  /// Balance of columns 1 to the last, compatibility of 0 to the last but one, from unit changes of the unknowns.
   void add_foil() {
     FoilFilmState unit = undeformed(pad_.foil, {});
     FoilFilmResidual residual;
@@ -157,7 +157,7 @@ class DensePencil {
       const auto at = static_cast<std::size_t>(b);
       for (int i = 0; i < size_; ++i) {
         if (!is_bump(i)) {
-          J_(first_bump_ + b * size_ + i, first_bump_ + b * size_ + i) = 1.0;  // an empty place
+          J_(first_bump_ + b * size_ + i, first_bump_ + b * size_ + i) = 1.0;  // unused
           continue;
         }
         for (int j = 0; j < size_; ++j) {
@@ -214,7 +214,7 @@ Case short_foil(double friction_coefficient) {
   return input;
 }
 
-/// Pushed towards +X step by step, so that bumps slip, and drawn back.
+/// The journal is pushed towards +X step by step, so that bumps slip, and drawn back.
 TEST(FilmHeld, IsTheRightmostPoleOfAllEquations) {
   for (const double friction_coefficient : {0.0, 0.3}) {
     const FilmBearing bearing = make_film_bearing(short_foil(friction_coefficient));
@@ -236,7 +236,7 @@ TEST(FilmHeld, IsTheRightmostPoleOfAllEquations) {
   }
 }
 
-/// Z has the same pole: there it grows like 1 / |s - s_0|.
+/// Z has the same pole: it grows like 1 / |s - s_0| there.
 TEST(FilmHeld, IsAPoleOfTheImpedance) {
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   const double speed = speed_of_rpm(12000.0);
@@ -249,7 +249,7 @@ TEST(FilmHeld, IsAPoleOfTheImpedance) {
   EXPECT_NEAR((*Z)[2].norm() / (*Z)[1].norm(), 1.0, 0.02);
 }
 
-/// Turned with its load, or mirrored with its load and speed, a bearing is the same.
+/// A bearing turned with its load, or mirrored with its load and speed, is the same.
 TEST(FilmHeld, IsTheSameTurnedAndMirrored) {
   const Eigen::Vector2d load(40.0, 15.0);
   const double speed = speed_of_rpm(45000.0);
@@ -292,9 +292,9 @@ TEST(FilmHeld, MovesMostWhereTheFoilIsDetached) {
   EXPECT_GE(motion->column, 100);  // of 104, the last of them at the free end
 }
 
-/// A rigid rotor of m on each of two bearings, carrying m g along +X, begins to whirl at these speeds: found by a
-/// secant over the speed on eigenvalues of rotor, film and foils together, f = 0, gas entering at the weld. There the
-/// critical mass is m.
+/// Onset speeds of whirl of a rigid rotor with mass m on each of two bearings and load m g along +X, found by a secant
+/// over the speed on eigenvalues of rotor, film and foils together, f = 0, gas enters at the weld. There the critical
+/// mass is m.
 TEST(FilmHeld, CriticalMassesAreThoseAtTheOnsetOfWhirl) {
   struct Onset {
     double mass, rpm, whirl_ratio;
@@ -311,11 +311,11 @@ TEST(FilmHeld, CriticalMassesAreThoseAtTheOnsetOfWhirl) {
     EXPECT_NEAR(state.critical_mass->mass, onset.mass, 1e-6 * onset.mass);
     EXPECT_NEAR(state.critical_mass->frequency, onset.whirl_ratio * std::abs(state.last->speed),
                 1e-6 * std::abs(state.last->speed));
-    EXPECT_NEAR(state.stuck_critical_mass->mass, onset.mass, 1e-6 * onset.mass);  // without friction none sticks
+    EXPECT_NEAR(state.stuck_critical_mass->mass, onset.mass, 1e-6 * onset.mass);  // without friction no contact sticks
   }
 }
 
-/// Of the unstable states of foils whose free end is the inlet nothing is said.
+/// Unstable states, here of foils whose free end is the inlet, have no critical mass.
 TEST(FilmHeld, CriticalMassesAreOfStatesThatLast) {
   Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8});
   input.equilibrium = {.speeds = {speed_of_rpm(45000.0)}, .loads = {{10.0, 0.0}}};

@@ -18,7 +18,7 @@ RunningState state_of(double clearance, double load, const FilmResolution& resol
   return run_equilibrium(input).states.at(0);
 }
 
-/// From interference to clearance: no part of the range is left out, and the film grows with the clearance all along.
+/// From interference to clearance: a state exists at every clearance, and the film grows steadily with it.
 TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
   double before = 0.0;
   for (const double clearance : {-0.05e-6, -0.01e-6, 0.0, 1e-9, 0.01e-6, 0.02e-6, 0.05e-6, 0.07e-6, 0.1e-6}) {
@@ -34,20 +34,19 @@ TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
   }
 }
 
-/// Hardly anything leaves a film this thin and fast at the sides: P H is what it is where the gas enters.
+/// A film this thin and fast loses hardly any gas at the sides: P H keeps its inlet value.
 TEST(FilmInterference, FilmsAreAsThinAsWhatEntersAndThePressureMakeThem) {
   const RunningState state = state_of(-2e-6, 100.0, {.columns_per_pitch = 6, .rows = 8});
   ASSERT_TRUE(state.found());
   const FilmState& film = state.last->film;
   const double entering = film.thickness(0, 0);  // P = 1 there
   EXPECT_LT(std::abs(film.pressure.row(0).maxCoeff() * film.thickness.minCoeff() / entering - 1.0), 0.05);
-  // The journal is off the weld by more than it is too large.
+  // The journal moves off the weld by more than the interference.
   EXPECT_GT(state.last->position.x(), 2e-6);
 }
 
-/// Where gas enters under the free end, no more does than the foil leaves of its own shape: its radius less that of the
-/// journal. The film ends with the clearance, and the other sense of rotation, or a load that holds less, is what
-/// helps.
+/// Gas that enters under the free end is limited by the foil's own shape: its radius minus that of the journal. The
+/// film vanishes with the clearance; the other direction of rotation, or a load that holds less, helps.
 TEST(FilmInterference, FreeEndsLetInNoMoreThanTheClearance) {
   const FilmResolution coarse{.columns_per_pitch = 6, .rows = 8};
   for (const double clearance : {2e-6, 1e-6}) {

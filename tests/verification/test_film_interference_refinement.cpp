@@ -1,4 +1,4 @@
-// docs/verification/film.md: a journal as large as the foils, on finer and finer meshes. Long: the finest has 24
+// docs/verification/film.md: a journal as large as the foils, on successively finer meshes. Slow: the finest has 24
 // columns per pitch and 32 rows.
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Slower than thicker films: the layers at their edges are as thin as those of any mesh.
+/// Converges more slowly than thicker films: their edge layers are as thin as the intervals of any mesh.
 TEST(FilmInterferenceRefinement, ConvergesWithTheMesh) {
   std::vector<double> x;
   for (const int fineness : {1, 2, 4}) {

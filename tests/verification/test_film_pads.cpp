@@ -1,4 +1,4 @@
-// The film of a bearing of pads against bearings without, against pads alone, and by its identities.
+// The film of a bearing with pads, against bearings without pads, against single pads, and by identities.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Case film_pads(std::size_t pads, const FilmResolution& resolution = coarse) {
   return input;
 }
 
-/// Pads that differ in all they may.
+/// Pads that differ in every respect.
 Case unlike_pads(const FilmResolution& resolution = coarse) {
   Case input = film_pads(3, resolution);
   input.pads[0].lobe = 4e-6;
@@ -81,7 +81,7 @@ TEST(FilmPads, TurnWithTheLoadWhereTheyAreEqual) {
   ASSERT_GT(size, 10.0);
   EXPECT_LT((turn * here.outcome.force - there.outcome.force).norm(), 1e-9 * size);
   EXPECT_NEAR(here.outcome.torque, there.outcome.torque, 1e-9 * here.outcome.torque);
-  // Pad 1 takes then what pad 2 took: pads follow each other against the turn.
+  // Pad 1 now carries the force of pad 2: pads are numbered against the turn.
   for (Eigen::Index k = 0; k < 3; ++k) {
     EXPECT_LT((turn * here.outcome.pad_forces.col((k + 1) % 3) - there.outcome.pad_forces.col(k)).norm(), 1e-9 * size);
   }
@@ -108,7 +108,7 @@ TEST(FilmPads, ALobeIsAShiftedJournal) {
   EXPECT_NEAR(a.outcome.power, b.outcome.power, 1e-9 * a.outcome.power);
 }
 
-/// A pad about X, welded at one edge and the other: with the journal turning the other way each is the other's image.
+/// A pad about X, welded at one edge or the other: with the speed reversed each is the mirror image of the other.
 TEST(FilmPads, WeldedAtTheOtherEdgeMirrorTheForce) {
   Case leading = film_pads(1);
   leading.bearing.weld_angle = 0.5 * foil_angle(place_pads(leading).front().alone);
@@ -120,11 +120,11 @@ TEST(FilmPads, WeldedAtTheOtherEdgeMirrorTheForce) {
   EXPECT_NEAR(a.outcome.force.x(), b.outcome.force.x(), 1e-9 * a.outcome.force.norm());
   EXPECT_NEAR(a.outcome.force.y(), -b.outcome.force.y(), 1e-9 * a.outcome.force.norm());
   EXPECT_NEAR(a.outcome.torque, -b.outcome.torque, 1e-9 * a.outcome.torque);
-  // Not with the journal turning as it did.
+  // Not so without reversing the speed.
   EXPECT_GT((a.outcome.force - Running(trailing, {14e-6, 5e-6}).outcome.force).norm(), 0.01 * a.outcome.force.norm());
 }
 
-/// Forces, torque, flows, stiffness and impedances add up, and foils lie as in the pad alone.
+/// Forces, torque, flows, stiffness and impedances of pads add up, and foils deflect as in a single pad.
 TEST(FilmPads, AddUp) {
   const Case input = unlike_pads();
   const Eigen::Vector2d position(9e-6, -8e-6);
@@ -149,7 +149,7 @@ TEST(FilmPads, AddUp) {
     sides += one.outcome.flows.sides;
     K += *one.stepper.stiffness(one.state);
     Z += one.stepper.impedances(one.state, rates)->back();
-    // Newton's last step is below 1e-9 of c in each.
+    // Newton's last step is below 1e-9 of c in each solution.
     EXPECT_LT((all.outcome.pad_forces.col(static_cast<Eigen::Index>(k)) - one.outcome.force).norm(), 1e-7 * size) << k;
     const Vector own = bump_loads(one.stepper.bearing(), one.state);
     EXPECT_LT((loads.segment(bump, own.size()) - own).cwiseAbs().maxCoeff(), 1e-6 * loads.maxCoeff()) << k;
@@ -169,7 +169,7 @@ TEST(FilmPads, AddUp) {
   EXPECT_LT((Z - impedances->back()).norm(), 1e-6 * Z.norm());
 }
 
-/// The stiffness is the derivative of the force, and carries the journal to its load.
+/// The stiffness is the derivative of the force, and finds the journal position under a load.
 TEST(FilmPads, CarryALoad) {
   Case input = unlike_pads();
   input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
@@ -189,7 +189,7 @@ TEST(FilmPads, CarryALoad) {
       forces[static_cast<std::size_t>(side)] = film_force(pads.stepper.bearing(), moved.film.pressure);
     }
     const Eigen::Vector2d rate = (forces[1] - forces[0]) / (2.0 * step);
-    // Roundings of differences of 25 N over 2 nm, and the curvature.
+    // Round-off in differences of 25 N over 2 nm, and curvature.
     EXPECT_LT((rate - K->col(axis)).norm(), 1e-4 * K->norm());
   }
 }
@@ -210,7 +210,7 @@ TEST(FilmPads, KeepTheirBalances) {
   EXPECT_LT(moments[1], 0.4 * moments[0]);
 }
 
-/// Foils and bumps 1e9 times stiffer are rigid arcs.
+/// Foils and bumps made 1e9 times stiffer act as rigid arcs.
 TEST(FilmPads, TendToRigidArcs) {
   FilmBearing bearing = make_film_bearing(unlike_pads());
   const Eigen::Vector2d position(6e-6, 4e-6);
@@ -231,7 +231,7 @@ TEST(FilmPads, TendToRigidArcs) {
   for (Matrix& block : bearing.problem.K.diagonal) block *= stiffer;
   for (Matrix& block : bearing.problem.K.upper) block *= stiffer;
   BearingState state;
-  // Heights differ: crests that stand back are out of reach of stiff foils.
+  // Heights differ: stiff foils would not reach the lower crests.
   bearing.assembled_gap.setZero();
   FilmStepper stepper(bearing);
   ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);

@@ -15,9 +15,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A closed plain bearing of L = D on half as many rows as columns over six, held at eps C_r along X.
+/// A closed plain bearing of L = D, with a sixth as many rows as columns, held at eps C_r along X.
 struct PlainBearing {
-  /// @param whirl_ratios  at which the impedance is asked for
+  /// @param whirl_ratios  at which the impedance is computed
   PlainBearing(double bearing_number, double eccentricity, int bumps, const std::vector<double>& whirl_ratios = {}) {
     input = reference_case();
     input.bearing.axial_length = 2.0 * input.bearing.radius;
@@ -37,7 +37,7 @@ struct PlainBearing {
   }
 
   [[nodiscard]] const RunningState& state() const { return result.states.front(); }
-  /// Of forces: pa R^2.
+  /// Unit of forces: pa R^2.
   [[nodiscard]] double force() const {
     return input.gas.ambient_pressure * input.bearing.radius * input.bearing.radius;
   }
@@ -70,12 +70,12 @@ TEST(FilmPlain, CriticalMassesAreThoseOfThePrototype) {
   }
 }
 
-/// Forward circular whirl x + i y ~ e^{i nu t} is steady in a frame that turns at nu, so that the impedance is the
-/// conjugate of the static answer at Lam' = Lam (1 - 2 nu / Omega):
+/// Forward circular whirl x + i y ~ e^{i nu t} is steady in a frame that turns at nu, so the impedance is the conjugate
+/// of the static response at Lam' = Lam (1 - 2 nu / Omega):
 ///
 ///     Z (1, -i)' = (1, -i)' z*,   z = 2 pi l [i Lam' / (1 + i Lam')] (1 - tanh(g l) / (g l)),   g^2 = 1 + i Lam'
 ///
-/// with l = L / D, in pa R^2 / c. Numbers on 48 x 8 and 96 x 16, extrapolated.
+/// with l = L / D, in pa R^2 / c. Values on 48 x 8 and 96 x 16, extrapolated.
 TEST(FilmPlain, ImpedanceIsTheClosedFormAtSmallEccentricity) {
   const std::vector<double> ratios{0.25, 0.5, 0.75, 1.0};
   for (const auto& [Lam, tolerance] : {std::pair{1.0, 2e-5}, std::pair{3.0, 2e-4}}) {
@@ -97,7 +97,7 @@ TEST(FilmPlain, ImpedanceIsTheClosedFormAtSmallEccentricity) {
   }
 }
 
-/// An elastic foundation: stiffness is the derivative of the force, by central differences.
+/// With an elastic foundation the stiffness is the derivative of the force, by central differences.
 TEST(FilmPlain, StiffnessOverAFoundationIsTheDerivativeOfTheForce) {
   Case input = reference_case();
   input.film = {.columns_per_pitch = 4, .rows = 4, .wall = FilmWall::springs, .wall_stiffness = 5e9};
@@ -118,7 +118,7 @@ TEST(FilmPlain, StiffnessOverAFoundationIsTheDerivativeOfTheForce) {
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     const Eigen::Vector2d change =
         result.states[2 * axis + 1].outcome->force - result.states[2 * axis + 2].outcome->force;
-    // Third derivatives: (2e-9 / 2e-5)^2; the film is known to 1e-9.
+    // Error from third derivatives: (2e-9 / 2e-5)^2; the film is known to 1e-9.
     EXPECT_LT((change / (2.0 * step) - K.col(static_cast<Eigen::Index>(axis))).norm(), 1e-5 * K.norm());
   }
 }

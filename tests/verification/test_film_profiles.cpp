@@ -1,4 +1,4 @@
-// A film in a sleeve that is not round, against the same film said in another way, and by its identities.
+// A film in a sleeve that is not round, against the same film defined in another way, and by its identities.
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(FilmInSleeves, TurnsWithBearingAndLoad) {
   const Eigen::Vector2d here = outcome_of(input, {15e-6, 2e-6}).force;
   const Eigen::Vector2d there = outcome_of(turned, {-2e-6, 15e-6}).force;
   EXPECT_LT((there - Eigen::Vector2d(-here.y(), here.x())).norm(), 1e-7 * here.norm());
-  // The waves are felt.
+  // The waves have an effect.
   EXPECT_GT(
       (here -
        outcome_of(film_reference_case(FilmResolution{.columns_per_pitch = 4, .rows = 6}, 0.1), {15e-6, 2e-6}).force)

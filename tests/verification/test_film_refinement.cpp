@@ -1,4 +1,4 @@
-// docs/verification/film.md: films on fine meshes, and what they tend to. Takes minutes.
+// docs/verification/film.md: films on fine meshes, and their limits. Takes minutes.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(FilmRefinement, MeetsTheClosedFormOfSmallEccentricities) {
     EXPECT_LT(check.attitude_defect, 2e-6) << l;
     EXPECT_NEAR(check.ratio, 4.0, 0.02) << l;
   }
-  // Fast films need fine columns before upwinding falls behind.
+  // Fast films need fine columns before the upwinding error becomes small.
   const SmallEccentricityCheck fast = check_small_eccentricity(20.0, 0.5, 192, 32);
   EXPECT_LT(fast.load_defect, 3e-5);
   EXPECT_LT(fast.attitude_defect, 3e-5);
@@ -36,7 +36,7 @@ TEST(FilmRefinement, MeetsThePrototypeOverFoilsOnAFinerMesh) {
   for (const ReferenceRun& run : reference_runs()) expect_run(run, run.levels.back());
 }
 
-/// Second order over foils, too: the force converges fourfold to the limit that the prototype extrapolates.
+/// Second order over foils, too: errors of the force fall by a factor of four, to the prototype's extrapolated limit.
 TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
   struct Limit {
     double eccentricity;    ///< in C_r, to +X at 45,000 rpm
@@ -63,7 +63,7 @@ TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
   }
 }
 
-/// Second order: the load and the torque converge fourfold, and their limits are those of the prototype.
+/// Second order: errors of load and torque fall by a factor of four, and their limits are those of the prototype.
 TEST(FilmRefinement, TendsToTheExtrapolatedTables) {
   for (const ReferenceFilm& reference : reference_films()) {
     SCOPED_TRACE(reference.name());
@@ -72,7 +72,7 @@ TEST(FilmRefinement, TendsToTheExtrapolatedTables) {
     for (const int i : {0, 1, 2}) sums[i] = integrals_on(reference, first.columns << i, first.rows << i);
     const auto load = [&](int i) { return std::hypot(sums[i].cosine, sums[i].sine); };
     const double ratio = (load(1) - load(0)) / (load(2) - load(1));
-    // Thin films fall short of 4 on these meshes; fast ones go beyond: upwinding, of the fourth order, is still large.
+    // Thin films stay below 4 on these meshes; fast ones exceed it: upwinding, of fourth order, is still large.
     EXPECT_GT(ratio, 3.4);
     EXPECT_LT(ratio, 4.6);
     const ReferenceFilm::Values& limit = reference.extrapolated;

@@ -12,8 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// At Lam = 1 upwinding is no more than a remainder of the fourth order; test_film_refinement.cpp goes on to faster
-/// films.
+/// At Lam = 1 upwinding is only a remainder of fourth order; test_film_refinement.cpp covers faster films.
 TEST(FilmSmallEccentricity, MeetsTheClosedForm) {
   for (const double width : {0.5, 1.0}) {
     const SmallEccentricityCheck check = check_small_eccentricity(1.0, width, 48, 16);
@@ -23,7 +22,7 @@ TEST(FilmSmallEccentricity, MeetsTheClosedForm) {
   }
 }
 
-/// Printed values of the closed form (perturbation by hand): the function above is not its own judge.
+/// Printed values of the closed form (perturbation by hand), so that the function above does not check itself.
 TEST(FilmSmallEccentricity, ClosedFormHasItsKnownValues) {
   EXPECT_NEAR(std::abs(load_of_small_eccentricity(1.0, 0.5)), 0.118514, 1e-6);
   EXPECT_NEAR(std::abs(load_of_small_eccentricity(1.0, 1.0)), 0.359892, 1e-6);
@@ -49,7 +48,7 @@ TEST(FilmLimits, NarrowBearing) {
       expected += mesh.dtheta * std::sin(theta) * 0.5 * Lam * eps * std::sin(theta) / (H * H * H) * 4.0 / 3.0 * half *
                   half * half;
     }
-    // Eight trapezoids take 1 / (4 8^2) too little of the area under a parabola.
+    // Eight trapezoids underestimate the area under a parabola by 1 / (4 8^2).
     const double s = film_integrals(solved.equation, solved.film).sine / (1.0 - 1.0 / 256.0);
     defect[i] = s / expected - 1.0;
   }
@@ -57,7 +56,7 @@ TEST(FilmLimits, NarrowBearing) {
   EXPECT_LT(std::abs(defect[1]), 0.3 * std::abs(defect[0]));
 }
 
-/// Lam to infinity with a slot: P H = H at the inlet, but for layers at the edges as thick as Lam^-1/2.
+/// Lam to infinity with a slot: P H = H at the inlet, except in edge layers of thickness Lam^-1/2.
 TEST(FilmLimits, HighSpeed) {
   constexpr double eps = 0.6;
   constexpr double theta_end = 6.24;
@@ -78,13 +77,13 @@ TEST(FilmLimits, HighSpeed) {
     const SolvedFilm solved = solve_rigid_film({.mesh = mesh, .bearing_number = Lam}, eccentric_thickness(mesh, eps));
     ASSERT_EQ(solved.report.status, Status::converged);
     distance[i] = film_integrals(solved.equation, solved.film).cosine - limit;
-    EXPECT_NEAR(solved.film.pressure.maxCoeff(), highest, 2e-3 * highest);  // P H is carried through undiminished
+    EXPECT_NEAR(solved.film.pressure.maxCoeff(), highest, 2e-3 * highest);  // P H keeps its inlet value
   }
   EXPECT_NEAR(distance[0], -7.7495 + 8.3746, 0.02);
-  EXPECT_NEAR(distance[0] / distance[1], 2.0, 0.2);  // layers fall like Lam^-1/2
+  EXPECT_NEAR(distance[0] / distance[1], 2.0, 0.2);  // layers shrink like Lam^-1/2
 }
 
-/// Low speed: the load grows with Lam, across the line of centres.
+/// Low speed: the load is proportional to Lam and perpendicular to the line of centres.
 TEST(FilmLimits, LowSpeed) {
   const FilmMesh mesh = make_closed_mesh(60, 8, 1.0);
   double per_speed[2];
@@ -98,7 +97,7 @@ TEST(FilmLimits, LowSpeed) {
   EXPECT_NEAR(per_speed[0] / per_speed[1], 1.0, 1e-5);
 }
 
-/// Flux Lam P H - H^3 P dP/dtheta of a bearing without sides, P(0) = 1: the pressure at theta_end by Runge-Kutta.
+/// Pressure at theta_end of a bearing without sides by Runge-Kutta: flux Lam P H - H^3 P dP/dtheta, P(0) = 1.
 /// @param pressure  receives P at all steps, if given
 double end_pressure(double Lam, double eps, double theta_end, double flux, int steps, Vector* pressure = nullptr) {
   const auto slope = [&](double theta, double P) {
@@ -120,14 +119,14 @@ double end_pressure(double Lam, double eps, double theta_end, double flux, int s
   return P;
 }
 
-/// Far from the sides of a wide bearing the film is that of one dimension.
+/// Far from its sides the film of a wide bearing is one-dimensional.
 TEST(FilmLimits, WideBearing) {
   constexpr double Lam = 1.5;
   constexpr double eps = 0.5;
   constexpr double theta_end = 6.0;
   constexpr int columns = 800;
-  double low = 0.0;   // too little flux lets the pressure rise without end
-  double high = 3.0;  // too much lets it fall below zero
+  double low = 0.0;   // too little flux: the pressure rises without bound
+  double high = 3.0;  // too much: it falls below zero
   for (int i = 0; i < 60; ++i) {
     const double flux = 0.5 * (low + high);
     (end_pressure(Lam, eps, theta_end, flux, 4 * columns) > 1.0 ? low : high) = flux;
@@ -144,7 +143,7 @@ TEST(FilmLimits, WideBearing) {
   EXPECT_GT(exact.maxCoeff(), 1.5);
 }
 
-/// Identities of the continuum, exact up to the order of the scheme.
+/// Identities of the continuum, which hold to the order of the scheme.
 TEST(FilmIdentities, EnergyAndMomentsCloseToSecondOrder) {
   constexpr double Lam = -1.852606648;
   double energy[2], moments[2];
@@ -153,9 +152,9 @@ TEST(FilmIdentities, EnergyAndMomentsCloseToSecondOrder) {
     const Matrix H = eccentric_thickness(mesh, 0.6, 0.7);
     const SolvedFilm solved = solve_rigid_film({.mesh = mesh, .bearing_number = Lam, .knudsen = 0.01}, H);
     const FilmIntegrals sums = film_integrals(solved.equation, solved.film);
-    // The power of the pressure gradient's shear is what the gradient dissipates.
+    // The shear power of the pressure gradient equals the dissipation by the gradient.
     energy[i] = Lam * sums.poiseuille - sums.dissipation;
-    // Integral of H dP/dtheta by parts: with H' = -eps sin(theta - 0.7), -(-eps) times the sine of the load there.
+    // Integral of H dP/dtheta by parts: as H' = -eps sin(theta - 0.7), eps times the sine of the load there.
     const double across = sums.sine * std::cos(0.7) - sums.cosine * std::sin(0.7);
     moments[i] = sums.poiseuille - 0.6 * across;
     EXPECT_LT(std::abs(energy[i]), 2e-3 * sums.dissipation);
@@ -189,7 +188,7 @@ TEST(FilmIdentities, MirroredSpeedGivesTheMirroredFilm) {
   EXPECT_NEAR(a.torque(3.0), b.torque(-3.0), 1e-12);
 }
 
-/// No pressure is negative, however coarse the mesh and however thin the film.
+/// Pressures stay positive, however coarse the mesh and thin the film.
 TEST(FilmPositivity, HoldsFarBeyondWhatAMeshResolves) {
   for (const double Lam : {-1000.0, -30.0, 0.5, 30.0, 1000.0}) {
     for (const double eps : {0.5, 0.9, 0.99}) {

@@ -1,5 +1,5 @@
-// docs/verification/film.md: running up under a load from a speed at which the branch turns round more than once, first
-// where the march drifts by its end slowly. Takes a minute.
+// docs/verification/film.md: run-up under a load from a speed at which the branch has several turning points, the first
+// where the march slowly drifts past its end. Takes a minute.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-// docs/verification/width.md: top foils that are split over the width, under a film: every strip is a bearing by
-// itself.
+// docs/verification/width.md: top foils split over the width, under a film: every strip is a bearing by itself.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +28,7 @@ Case split_case(double friction, double gap = 0.0, int modes = 1) {
   return input;
 }
 
-/// Of strips that differ in all they may, on a foil with room for their stagger.
+/// Strips that differ in every respect, on a foil with room for their stagger.
 Case unlike_case(double friction, double gap) {
   Case input = split_case(friction, gap);
   input.bump_foil.truss = {};  // identified from the thickness
@@ -41,7 +40,7 @@ Case unlike_case(double friction, double gap) {
   return input;
 }
 
-/// The bearing that a strip is, with a width, a stagger and heights of its own.
+/// One strip as a bearing, with its own width, stagger and heights.
 Case alone_case(const Case& split, int strip) {
   Case input = split;
   const double gaps = (strips - 1) * split.bump_foil.strip_gap;
@@ -70,7 +69,7 @@ double middle_of(const Case& split, int strip) {
   return (strip - 1) * (width + gap);
 }
 
-/// A bearing with its journal held, by a way that makes contacts slide. @param beside  what all its places have more
+/// Bearing with its journal held, after a path that makes contacts slide. @param beside  offset of all positions
 struct Held {
   Held(const Case& input, const Eigen::Vector2d& position, const Eigen::Vector2d& beside = Eigen::Vector2d::Zero())
       : stepper(make_film_bearing(input)) {
@@ -90,7 +89,7 @@ struct Held {
 
 const Eigen::Vector2d some_position(24e-6, 7e-6);
 
-/// Equal strips under an aligned journal are as many narrow bearings: the same equations on the same meshes.
+/// Equal strips under an aligned journal are separate narrow bearings: the same equations on the same meshes.
 TEST(FilmOnSplitFoils, OfEqualStripsIsThatOfNarrowBearings) {
   for (const double gap : {0.0, 2e-3}) {
     const Case input = split_case(0.1, gap);
@@ -103,7 +102,7 @@ TEST(FilmOnSplitFoils, OfEqualStripsIsThatOfNarrowBearings) {
     EXPECT_LT((split.outcome.force - 3.0 * one.force).norm(), 1e-9 * split.outcome.force.norm());
     EXPECT_NEAR(split.outcome.power, 3.0 * one.power, 1e-9 * split.outcome.power);
     EXPECT_NEAR(split.outcome.flows.sides, 3.0 * one.flows.sides, 1e-9 * split.outcome.flows.sides);
-    // The outer sides of the first and the last strip are no slits.
+    // The outer sides of the first and last strip are not slits.
     EXPECT_NEAR(split.outcome.slit_flow, 2.0 * one.flows.sides, 1e-9 * split.outcome.flows.sides);
     EXPECT_NEAR(split.outcome.thinnest.thickness, one.thinnest.thickness, 1e-9);
     EXPECT_EQ(split.outcome.loaded_bumps, 3 * one.loaded_bumps);
@@ -117,8 +116,8 @@ TEST(FilmOnSplitFoils, OfEqualStripsIsThatOfNarrowBearings) {
   }
 }
 
-/// Without friction, as what slides hangs on the steps of the way. Each strip is computed as a bearing under a journal
-/// of its own, with the same slope.
+/// Without friction, since sliding depends on the steps of the path. Each strip is computed as a bearing with its own
+/// journal position and the same slope.
 TEST(FilmOnSplitFoils, UnderATiltedJournalIsThatOfBearingsWhereItStands) {
   Case input = unlike_case(0.0, 1e-3);
   input.width.tilt = {some_slope.x(), some_slope.y()};
@@ -132,13 +131,13 @@ TEST(FilmOnSplitFoils, UnderATiltedJournalIsThatOfBearingsWhereItStands) {
     force += one.force;
     moment += one.moment + z * one.force;
   }
-  // As each is to the bounds of its solver.
+  // Each to the tolerance of its solver.
   EXPECT_LT((split.outcome.force - force).norm(), 1e-7 * force.norm());
   EXPECT_LT((split.outcome.moment - moment).norm(), 1e-7 * moment.norm());
   EXPECT_GT(moment.norm(), 0.005);
 }
 
-/// The equations of every strip, by themselves, on the film thickness that the journal leaves there.
+/// The film of every strip satisfies its own equations, on the film thickness under the journal there.
 TEST(FilmOnSplitFoils, SolvesItsEquations) {
   Case input = split_case(0.1, 1e-3, 3);
   input.width.tilt = {some_slope.x(), some_slope.y()};
@@ -166,7 +165,7 @@ TEST(FilmOnSplitFoils, SolvesItsEquations) {
         EXPECT_NEAR(c * H(row, column), h + c * lift[column], 1e-15);
       }
     }
-    // Gas is fed at the sides of the bearing alone.
+    // Gas is fed only at the sides of the bearing.
     const Matrix P = part_of(pad, held.state.film.pressure);
     EXPECT_DOUBLE_EQ(P(0, 5), k == 0 ? 1.02e5 / 101325.0 : 1.0);
     EXPECT_DOUBLE_EQ(P(mesh.rows, 5), k + 1 == bearing.pads.size() ? 1.015e5 / 101325.0 : 1.0);
@@ -176,7 +175,7 @@ TEST(FilmOnSplitFoils, SolvesItsEquations) {
   EXPECT_GT(held.outcome.slit_flow, 0.0);
 }
 
-/// With the strips of one side exchanged for those of the other, and the tilt turned round, it is the mirror image.
+/// Exchanging the strips of both sides and reversing the tilt gives the mirror image.
 TEST(FilmOnSplitFoils, IsMirroredWithThem) {
   Case input = unlike_case(0.1, 1e-3);
   input.width.tilt = {some_slope.x(), some_slope.y()};
@@ -188,7 +187,7 @@ TEST(FilmOnSplitFoils, IsMirroredWithThem) {
   input.width.tilt = {-some_slope.x(), -some_slope.y()};
   input.width.conicity = -2e-6;
   const Held image(input, some_position);
-  // The searches end where steps are below 1e-9.
+  // Searches end when steps are below 1e-9.
   EXPECT_LT((here.outcome.force - image.outcome.force).norm(), 1e-7 * here.outcome.force.norm());
   EXPECT_LT((here.outcome.moment + image.outcome.moment).norm(), 1e-7 * here.outcome.moment.norm());
   for (std::size_t k = 0; k < strips; ++k) {
@@ -204,7 +203,7 @@ TEST(FilmOnSplitFoils, IsMirroredWithThem) {
   EXPECT_NEAR(left_side(here.outcome), image.outcome.flows.right_side, 1e-7 * std::abs(here.outcome.flows.sides));
 }
 
-/// Forces and moments by displacements and tilts; strips resist a tilt even if each is displaced evenly.
+/// Derivatives of forces and moments by displacements and tilts; strips resist a tilt even if each deflects uniformly.
 TEST(FilmOnSplitFoils, HasTheStiffnessOfDifferences) {
   Case input = unlike_case(0.0, 1e-3);
   input.width.tilt = {some_slope.x(), some_slope.y()};
@@ -214,7 +213,7 @@ TEST(FilmOnSplitFoils, HasTheStiffnessOfDifferences) {
   expect_stiffness_of_differences(held.stepper, point, held.state);
 }
 
-/// Pads with foils in strips: every strip of every pad.
+/// Pads with split foils: every strip of every pad.
 TEST(FilmOnSplitFoils, OfPadsIsThatOfPadsSideBySide) {
   Case input = split_case(0.1, 1e-3);
   input.bump_foil.bumps = 8;
@@ -230,7 +229,7 @@ TEST(FilmOnSplitFoils, OfPadsIsThatOfPadsSideBySide) {
   }
 }
 
-/// What the mesh errs by in each strip is what it errs by in the narrow bearing.
+/// The mesh error of each strip is that of the narrow bearing.
 TEST(FilmOnSplitFoils, HasTheMeshErrorOfNarrowBearings) {
   Case input = split_case(0.0);
   input.equilibrium = EquilibriumSettings{.speeds = {split_speed}, .loads = {{90.0, 0.0}}, .paths = ComparedPaths::one};

@@ -1,4 +1,4 @@
-// docs/verification/width.md: bump foils that are split into strips, under a film.
+// docs/verification/width.md: bump foils split into strips, under a film.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ Case split_case(int modes, double friction) {
   return input;
 }
 
-/// Strips whose bumps are not as high as each other.
+/// Strips with bumps of different heights.
 Case differing_case(double friction) {
   Case input = split_case(3, friction);
   input.bump_foil.strip = {FoilStrip{.stagger = 0.0, .height_errors = PerBump(-4e-6, 3e-6, Grading::linear)},
@@ -35,7 +35,7 @@ Case differing_case(double friction) {
   return input;
 }
 
-/// Strips that are staggered, too, one by one column of the mesh, on a foil with room for that, and one thicker.
+/// Strips that are also staggered, one by one column of the mesh, on a foil with room for that, and one thicker.
 Case staggered_case(double friction) {
   Case input = differing_case(friction);
   input.bump_foil.truss = {};  // identified from the thickness
@@ -54,8 +54,8 @@ RunningState state_of(const Case& input, SharedFilmBearing& bearing) {
   return result.states.front();
 }
 
-/// Slices under the points of strips move as those of a whole bump foil where that moves linearly over the width: the
-/// same bearing by other unknowns.
+/// Slices under the points of strips move like those of a whole bump foil that moves linearly over the width: the same
+/// bearing with other unknowns.
 TEST(FilmOnStrips, ThatAreAlikeIsThatOnOneOfTheirWidth) {
   Case split = split_case(2, 0.0);
   split.width.tilt = {4e-6 / split.bearing.axial_length, 2e-6 / split.bearing.axial_length};
@@ -66,7 +66,7 @@ TEST(FilmOnStrips, ThatAreAlikeIsThatOnOneOfTheirWidth) {
   const RunningState reference = state_of(whole, on_one);
   expect_solved(*on_strips, *found.last);
   EXPECT_EQ(on_strips->points.size(), 6U);
-  // As each is to the bounds of its solver.
+  // Each to the tolerance of its solver.
   EXPECT_LT((found.last->position - reference.last->position).norm(), 1e-7 * on_one->clearance);
   EXPECT_LT((found.outcome->moment - reference.outcome->moment).norm(), 1e-6 * reference.outcome->moment.norm());
   EXPECT_LT((bump_loads(*on_strips, *found.last) - bump_loads(*on_one, *reference.last)).norm(),
@@ -74,7 +74,7 @@ TEST(FilmOnStrips, ThatAreAlikeIsThatOnOneOfTheirWidth) {
   EXPECT_LT((*found.stiffness - *reference.stiffness).norm(), 1e-5 * reference.stiffness->norm());
 }
 
-/// The same with friction, taken along the same way: aligned, as points slide one by one under a tilt.
+/// The same with friction along the same path: aligned, since under a tilt points slide one by one.
 TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
   Case split = split_case(2, 0.1);
   split.width.moment = {0.0, 0.0};  // the whole width
@@ -100,8 +100,8 @@ TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
   EXPECT_LT(outcome[0].moment.norm(), 1e-9 * outcome[1].force.norm());
 }
 
-/// At rest peaks that hardly give way hold the journal as the dry bearing does: that is another solver on another
-/// matrix, and touches the foils on three lines over the width instead of at all rows.
+/// At rest stiff asperities hold the journal as in the dry bearing: another solver on another matrix, with contact on
+/// three lines over the width instead of at all rows.
 TEST(FilmOnStrips, ThatDifferHoldsAJournalAtRestAsWithoutAFilm) {
   Case formed = differing_case(0.0);
   formed.top_foil.formed_radius = {FormedTo::seated};
@@ -119,7 +119,7 @@ TEST(FilmOnStrips, ThatDifferHoldsAJournalAtRestAsWithoutAFilm) {
     advance_to_load(dry, BearingState::unstressed(dry.foils()), some_load, 1e-6, 3.0 * input.bearing.radial_clearance,
                     step);
     ASSERT_TRUE(step.converged());
-    // Peaks hold the surfaces 0.03 um apart.
+    // Asperities keep the surfaces 0.03 um apart.
     EXPECT_LT((running.last->position - step.state.position).norm(), 0.06e-6);
     const Vector strips = strip_loads(*bearing, running.last->contacts);
     const Vector dry_strips = strip_loads(dry.foils(), step.state.contacts);
@@ -132,7 +132,7 @@ TEST(FilmOnStrips, ThatDifferHoldsAJournalAtRestAsWithoutAFilm) {
   }
 }
 
-/// Where crests are by the geometry of each strip alone.
+/// The positions of crests follow from the geometry of each strip alone.
 TEST(FilmOnStrips, HasColumnsOverAllTheirCrests) {
   const Case input = staggered_case(0.0);
   const FilmBearing bearing = make_film_bearing(input);
@@ -148,7 +148,7 @@ TEST(FilmOnStrips, HasColumnsOverAllTheirCrests) {
   }
 }
 
-/// Strips so low that they touch nothing may lie where they will: the same bearing with more columns kept over crests,
+/// The stagger of strips too low to touch anything has no effect: the same bearing with more columns kept over crests,
 /// and a top foil that ends as far behind its last one.
 TEST(FilmOnStrips, ThatTouchNothingIsNoneOfTheirStagger) {
   for (const int sixths : {1, 3}) {
@@ -171,7 +171,7 @@ TEST(FilmOnStrips, ThatTouchNothingIsNoneOfTheirStagger) {
     ASSERT_EQ(one->pads.front().stations, 2);
     const Vector strips = strip_loads(*one, found.last->contacts);
     EXPECT_EQ(strips[1], 0.0);
-    // As each is to the bounds of its solver.
+    // Each to the tolerance of its solver.
     EXPECT_LT((found.last->film.pressure - reference.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
     EXPECT_LT((strips - strip_loads(*other, reference.last->contacts)).norm(), 1e-6 * some_load.norm());
     EXPECT_LT((*found.stiffness - *reference.stiffness).norm(), 1e-6 * reference.stiffness->norm());
@@ -181,7 +181,7 @@ TEST(FilmOnStrips, ThatTouchNothingIsNoneOfTheirStagger) {
   }
 }
 
-/// With the strips of one side exchanged for those of the other the film is the mirror image.
+/// Exchanging the strips of both sides gives the mirror image of the film.
 TEST(FilmOnStrips, IsMirroredWithThem) {
   Case input = staggered_case(0.1);
   SharedFilmBearing bearing;
@@ -190,7 +190,7 @@ TEST(FilmOnStrips, IsMirroredWithThem) {
   std::reverse(input.bump_foil.strip.begin(), input.bump_foil.strip.end());
   SharedFilmBearing other;
   const RunningState mirrored = state_of(input, other);
-  // The searches end where steps are below 1e-9.
+  // Searches end when steps are below 1e-9.
   EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - found.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_LT((mirrored.outcome->moment + found.outcome->moment).norm(), 1e-7 * found.outcome->moment.norm());
   EXPECT_LT(
@@ -198,7 +198,7 @@ TEST(FilmOnStrips, IsMirroredWithThem) {
       1e-6 * some_load.norm());
 }
 
-/// Forces and moments by displacements and tilts.
+/// Derivatives of forces and moments by displacements and tilts.
 TEST(FilmOnStrips, HasTheStiffnessOfDifferences) {
   for (const Case& input : {differing_case(0.0), staggered_case(0.0)}) {
     const FilmBearing bearing = make_film_bearing(input);
@@ -215,8 +215,8 @@ TEST(FilmOnStrips, HasTheStiffnessOfDifferences) {
   }
 }
 
-/// The mesh that errors are estimated with has columns over all crests: twice as many as six, and the state of the
-/// bearing on it is that of a bearing made with it.
+/// The mesh for error estimates has columns over all crests, twice six per pitch, and the state on it is that of a
+/// bearing made with it.
 TEST(FilmOnStrips, HasTheMeshErrorOfAMeshWithColumnsOverAllCrests) {
   Case input = staggered_case(0.0);
   input.film.rows = 2;
@@ -231,7 +231,7 @@ TEST(FilmOnStrips, HasTheMeshErrorOfAMeshWithColumnsOverAllCrests) {
   const auto thinnest = [](const SharedFilmBearing& of, const RunningState& state) {
     return of->scales.thickness * state.last->film.thickness.minCoeff();
   };
-  // Of second order: a third of the difference more than it, on a mesh of half the distances.
+  // Second order: the error is 4/3 of the difference to a mesh of half the spacing.
   const double expected = 4.0 / 3.0 * std::abs(thinnest(result.bearing, found) - thinnest(finer, on_finer));
   EXPECT_NEAR(found.mesh_error->minimum_film_thickness, expected, 1e-5 * expected);
 }

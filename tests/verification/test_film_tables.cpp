@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The prototype ends where its residuals are 1e-8.
+/// The prototype stops at residuals of 1e-8.
 constexpr double same_mesh = 1e-7;
 
 void expect_level(const ReferenceFilm& reference, const ReferenceFilm::Values& level) {

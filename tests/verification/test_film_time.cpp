@@ -1,5 +1,4 @@
-// docs/verification/film_time.md: steps in time of second order, against eigenvalues, themselves in smaller steps, and
-// symmetry.
+// docs/verification/film_time.md: time steps of second order, against eigenvalues, smaller steps, and symmetry.
 
 #include <gtest/gtest.h>
 
@@ -20,11 +19,11 @@ using Complex = std::complex<double>;
 
 constexpr FilmResolution coarse_film{.columns_per_pitch = 4, .rows = 4};
 
-/// Steps change the rate of a motion by what they must, to leading order s (s dt)^2 / 3.
+/// Time steps change the rate of a motion by s (s dt)^2 / 3, to leading order.
 TEST(FilmTime, FreeMotionsGrowAndDecayAsTheEigenvalueSays) {
   struct Motion {
     double rpm, load;
-    double part;                   ///< of the gauge pressure, that the motion starts with
+    double part;                   ///< of the gauge pressure, as initial disturbance
     double revolutions, accuracy;  ///< until only this motion is left; of its rate
   };
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 6, .rows = 8}));
@@ -40,12 +39,12 @@ TEST(FilmTime, FreeMotionsGrowAndDecayAsTheEigenvalueSays) {
       const Complex marched = marched_rate(stepper, rest, part, turns, steps);
       EXPECT_LT(std::abs(marched - bdf2_rate(s, dt)), accuracy * std::abs(s));
       const Complex leading = s * (s * dt) * (s * dt) / 3.0;
-      EXPECT_LT(std::abs(marched - s - leading), 0.2 * std::abs(leading));  // the next term is larger by s dt
+      EXPECT_LT(std::abs(marched - s - leading), 0.2 * std::abs(leading));  // the next term is s dt times as large
     }
   }
 }
 
-/// Implicit Euler in growing steps comes to rest where nature does not.
+/// Implicit Euler in growing steps settles in a state that is unstable.
 TEST(FilmTime, AnUnstableStateIsLeftThatImplicitEulerCallsAtRest) {
   FilmStepper stepper(film_reference_bearing(coarse_film));
   const BearingState unstable = state_under(stepper, {9.81, 0.0}, speed_of_rpm(12000.0));
@@ -64,7 +63,7 @@ TEST(FilmTime, AnUnstableStateIsLeftThatImplicitEulerCallsAtRest) {
   }
 }
 
-/// Steps halved twice: the differences of the ends fall by four.
+/// Steps halved twice: differences of the final states fall by a factor of four.
 TEST(FilmTime, IsOfSecondOrder) {
   FilmStepper stepper(film_reference_bearing(coarse_film));
   for (const bool loaded : {false, true}) {
@@ -107,7 +106,7 @@ TEST(FilmTime, GoesOnFromAKeptStateToTheLastBit) {
   expect_same(march_on(other, part, kept), end);
 }
 
-/// The load goes round; then it rests.
+/// The load rotates, then stays constant.
 TEST(FilmTime, FrictionOpposesEverySlipAndStuckContactsDoNotCreep) {
   const FilmBearing bearing = film_reference_bearing(coarse_film, 0.3);
   FilmStepper stepper(bearing);

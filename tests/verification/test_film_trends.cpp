@@ -1,5 +1,5 @@
-// docs/verification/film.md: what is known of foil bearings from experiments and theory, by its trends. The reference
-// bearing without friction, 50 N to +X unless said.
+// docs/verification/film.md: known trends of foil bearings from experiments and theory. The reference bearing without
+// friction, 50 N along +X unless stated otherwise.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Case trend_case(std::vector<double> rpm, std::vector<Eigen::Vector2d> loads, Fil
   return input;
 }
 
-/// Torque falls with the speed until the film is thin, and rises from there: the lift-off of Stribeck's curve.
+/// With falling speed the torque falls until the film is thin, then rises: the lift-off of the Stribeck curve.
 TEST(FilmTrends, TorqueHasALeastValueWhereTheFilmIsThin) {
   const EquilibriumResult result =
       run_equilibrium(trend_case({45000.0, 30000.0, 20000.0, 10000.0, 5000.0, 3500.0, 2500.0, 1800.0, 1400.0, 1200.0},
@@ -36,15 +36,15 @@ TEST(FilmTrends, TorqueHasALeastValueWhereTheFilmIsThin) {
   EXPECT_GT(least, 4U);
   EXPECT_LT(least, result.states.size() - 1);
 
-  // Between 10,000 and 45,000 rpm the power goes with the speed to the 1.4 to 1.6.
+  // Between 10,000 and 45,000 rpm the power grows with the speed to the power of 1.4 to 1.6.
   const double exponent =
       std::log(result.states[0].outcome->power / result.states[3].outcome->power) / std::log(45000.0 / 10000.0);
   EXPECT_GT(exponent, 1.4);
   EXPECT_LT(exponent, 1.6);
 }
 
-/// Under a heavy load the film is the stiffer of two springs in series: with a third less speed it gets much thinner,
-/// while the stiffness, that of the foils, hardly changes.
+/// Under a heavy load the film is the stiffer of two springs in series: a third less speed makes it much thinner, while
+/// the stiffness, that of the foils, hardly changes.
 TEST(FilmTrends, HeavyLoadsForgetTheSpeed) {
   const EquilibriumResult result =
       run_equilibrium(trend_case({45000.0, 30000.0}, {{20.0, 0.0}, {100.0, 0.0}}, FilmPath::load_ramp));

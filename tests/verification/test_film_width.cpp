@@ -115,7 +115,7 @@ TEST(FilmOverTheWidth, MeetsThePrototype) {
     for (int i = 0; i < 4; ++i) {
       const int bump = first_of_bumps + i;
       const Eigen::Index contact = Eigen::Index{bump} * bearing->contacts_per_block();
-      // Printed to four digits behind the point, and its contacts give way by a proximal term.
+      // The prototype prints four decimals, and its contacts are compliant by a proximal term.
       EXPECT_NEAR(state.contacts.normal_force[contact], reference.inner[i], 2e-3);
       EXPECT_NEAR(state.contacts.normal_force[contact + 1], reference.outer[i], 2e-3);
       EXPECT_NEAR(loads[bump], reference.inner[i] + reference.outer[i], 4e-3);
@@ -125,7 +125,7 @@ TEST(FilmOverTheWidth, MeetsThePrototype) {
   }
 }
 
-/// A foil that does not stretch stays uniform over the width, but for its free end.
+/// A foil that does not stretch stays uniform over the width, except at its free end.
 TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
   const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6};
   SharedFilmBearing uniform;
@@ -144,12 +144,12 @@ TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
   ASSERT_EQ(cold_start(stepper, reference.last->position, reference.last->speed, state).status, Status::converged);
   const Vector parabola = (foil.stretching * state.film.lift).row(0).transpose();
   EXPECT_LT(parabola.head(foil.mesh.columns).cwiseAbs().maxCoeff(), 1e-6);  // of c; 0.01 with the foil's own stretch
-  // Both came to the same state, by other paths.
+  // Both reach the same state by different paths.
   EXPECT_LT((film_bearing_outcome(bearing, state).force - reference.outcome->force).norm(), 1e-5 * 80.0);
 }
 
-/// Pitches that are equal are those of any foil, to the last bit; where they differ columns stand at distances of their
-/// own, and the film is thinner than under a uniform foil by about as much as with equal ones.
+/// Equal pitches given one by one change no bit. Where pitches differ, columns have their own distances, and the film
+/// is thinner than under a uniform foil by about as much as with equal pitches.
 TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
   const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6, .width_modes = 3};
   SharedFilmBearing bearing;
@@ -174,7 +174,7 @@ TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
   EXPECT_NEAR(thinning(varying, graded), thinning(equal, {}), 5e-3);
 }
 
-/// Stiffness is the derivative of the force, with all that varies over the width.
+/// Stiffness is the derivative of the force, with all modes over the width.
 TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
   for (const SheetModel sheet : {SheetModel::held, SheetModel::elastic}) {
     const FilmBearing bearing =
@@ -187,7 +187,7 @@ TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
     const auto K = stepper.stiffness(state);
     ASSERT_TRUE(K.has_value());
     const auto held = stepper.held_motion(state);
-    ASSERT_TRUE(held.has_value());  // its residual in the equations of all unknowns is small, or there is none
+    ASSERT_TRUE(held.has_value());  // present only if its residual in all equations is small
     constexpr double h = 1e-9;
     for (const int axis : {0, 1}) {
       Eigen::Vector2d force[2];
@@ -205,7 +205,7 @@ TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
   }
 }
 
-/// With friction all lines of a crest slide as one, and carry no more than f times their loads.
+/// With friction all lines of a crest slide together, and friction is at most f times their loads.
 TEST(FilmOverTheWidth, CrestsSlideAsOneUnlessTheSheetGivesWay) {
   const auto largest_difference = [](SheetModel sheet) {
     const FilmBearing bearing =
@@ -235,8 +235,8 @@ TEST(FilmOverTheWidth, CrestsSlideAsOneUnlessTheSheetGivesWay) {
   EXPECT_GT(elastic, 5e-8);
 }
 
-/// Equilibria under 100 N along +X of a journal that is tilted by 5 um over the width towards +X; the rest as above,
-/// with 24 rows on the whole width.
+/// Equilibria under 100 N along +X of a journal tilted by 5 um over the width towards +X; otherwise as above, with 24
+/// rows on the whole width.
 struct TiltedReference {
   int modes{};
   Eigen::Vector2d position{0.0, 0.0};            ///< um
@@ -304,7 +304,7 @@ TEST(FilmUnderATiltedJournal, MeetsThePrototype) {
 
 const FilmResolution coarse_with_slopes{.columns_per_pitch = 4, .rows = 4, .width_modes = 3};
 
-/// A journal that is tilted the other way is the mirror image, and one that the moment is given of tilts as far.
+/// The opposite tilt gives the mirror image, and a journal with that moment applied tilts as far.
 TEST(FilmUnderATiltedJournal, IsTheMirrorImageOfTheOppositeTilt) {
   Case input = tilted_case(coarse_with_slopes, 80.0);
   input.width.tilt[1] = 0.4 * input.width.tilt[0];
@@ -320,7 +320,7 @@ TEST(FilmUnderATiltedJournal, IsTheMirrorImageOfTheOppositeTilt) {
   SharedFilmBearing same;
   const RunningState mirrored = tilted(opposite, same);
   ASSERT_TRUE(mirrored.found());
-  // The searches end where steps are below 1e-9.
+  // Searches end when steps are below 1e-9.
   EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - found.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_LT((mirrored.outcome->moment + found.outcome->moment).norm(), 1e-8 * found.outcome->moment.norm());
 
@@ -332,8 +332,8 @@ TEST(FilmUnderATiltedJournal, IsTheMirrorImageOfTheOppositeTilt) {
   EXPECT_LT((free.last->position - found.last->position).norm(), 1e-6 * found.last->position.norm());
 }
 
-/// A conical journal is the mirror image of the opposite cone. It loads one side more than the other: held level, it
-/// needs a moment, and free, it tilts until the axis is nearer to parallel with the film's surface.
+/// Opposite cones give mirror images. A cone loads one side more than the other: held level, the journal needs a
+/// moment; free, it tilts until the axis is closer to parallel with the film's surface.
 TEST(FilmUnderAConicalJournal, IsTheMirrorImageOfTheOppositeCone) {
   Case input = tilted_case(coarse_with_slopes, 80.0);
   input.width.tilt = {0.0, 0.0};
@@ -349,7 +349,7 @@ TEST(FilmUnderAConicalJournal, IsTheMirrorImageOfTheOppositeCone) {
   EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - held.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_LT((mirrored.outcome->moment + held.outcome->moment).norm(), 1e-8 * held.outcome->moment.norm());
 
-  // The wide side carries less: what is applied along X against the film must act at z < 0.
+  // The wide side carries less: the force applied along X against the film must act at z < 0.
   EXPECT_LT(held.outcome->moment.x(), 0.0);
   input.width.moment = {0.0, 0.0};
   const RunningState free = tilted(input, bearing);
@@ -358,8 +358,8 @@ TEST(FilmUnderAConicalJournal, IsTheMirrorImageOfTheOppositeCone) {
   EXPECT_LT(free.outcome->moment.norm(), 1e-6 * held.outcome->moment.norm());
 }
 
-/// A barrel-shaped journal is the same on half the width and on all of it, and thins the film of uniform foils least at
-/// the sides.
+/// A barrel-shaped journal gives the same result on half and on the whole width; with uniform foils it moves the
+/// minimum film thickness from the sides to the mid-plane.
 TEST(FilmUnderABarrelShapedJournal, IsTheSameOnHalfTheWidthAndOnAllOfIt) {
   Case input = tilted_case(coarse_with_slopes, 80.0);
   input.width.tilt = {0.0, 0.0};
@@ -382,7 +382,7 @@ TEST(FilmUnderABarrelShapedJournal, IsTheSameOnHalfTheWidthAndOnAllOfIt) {
   EXPECT_EQ(reference.outcome->thinnest.row, 0);
 }
 
-/// A journal that does not tilt leaves the film as it is on half the width, where the foils are uniform.
+/// Where foils are uniform, a journal without tilt gives the film of half the width.
 TEST(FilmUnderATiltedJournal, IsThatOfHalfTheWidthWithoutTilt) {
   const FilmResolution half{.columns_per_pitch = 4, .rows = 4};
   SharedFilmBearing bearing;
@@ -395,13 +395,13 @@ TEST(FilmUnderATiltedJournal, IsThatOfHalfTheWidthWithoutTilt) {
   EXPECT_LT((found.last->film.pressure.bottomRows(5) - reference.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_LT(found.last->tilt.norm(), 1e-9 * bearing->scales.thickness);
   EXPECT_LT((found.stiffness->topLeftCorner<2, 2>() - *reference.stiffness).norm(), 1e-6 * reference.stiffness->norm());
-  // Force and tilt do not know of each other there.
+  // Force and tilt are uncoupled there.
   EXPECT_LT(found.stiffness->topRightCorner(2, 2).norm(), 1e-8 * reference.stiffness->norm());
   EXPECT_LT(std::abs(found.held.sliding->rate - reference.held.sliding->rate),
             1e-6 * std::abs(reference.held.sliding->rate));
 }
 
-/// Four by four: forces and moments by displacements and tilts.
+/// Four by four: derivatives of forces and moments by displacements and tilts.
 TEST(FilmUnderATiltedJournal, StiffnessIsTheDerivativeOfForceAndMoment) {
   for (const SheetModel sheet : {SheetModel::held, SheetModel::elastic}) {
     FilmResolution resolution = coarse_with_slopes;
@@ -427,7 +427,7 @@ TEST(FilmUnderATiltedJournal, StiffnessIsTheDerivativeOfForceAndMoment) {
   }
 }
 
-/// With friction crests and feet slide linearly over the width: their three lines stay on a straight one.
+/// With friction crests and feet slide linearly over the width: their three lines stay collinear.
 TEST(FilmUnderATiltedJournal, SlidesLinearlyOverTheWidth) {
   Case input = tilted_case(coarse_with_slopes, 100.0);
   input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
@@ -451,7 +451,7 @@ TEST(FilmUnderATiltedJournal, SlidesLinearlyOverTheWidth) {
   EXPECT_LT(bow, 2e-2 * slope);
 }
 
-/// Pads tilt with the journal as one foil does: three of them carry moments that add up.
+/// Pads tilt with the journal like a single foil: the moments of three pads add up.
 TEST(FilmUnderATiltedJournal, ActsOnPads) {
   Case input = tilted_case({.columns_per_pitch = 4, .rows = 3, .width_modes = 3}, 40.0);
   input.bump_foil.bumps = 8;
@@ -466,8 +466,8 @@ TEST(FilmUnderATiltedJournal, ActsOnPads) {
   EXPECT_GT(found.outcome->moment.x(), 0.0);  // it resists the tilt
 }
 
-/// Gas flows through the bearing from the side where its pressure is higher: what flows in at both ends and one side
-/// flows out at the other, and the mirror image of both pressures is that of all.
+/// Gas flows through the bearing from the side of higher pressure: inflow at both ends and one side is outflow at the
+/// other. Exchanging both pressures gives the mirror image.
 TEST(FilmBetweenSidePressures, CarriesGasFromSideToSide) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4, .width_modes = 3});
   input.equilibrium =

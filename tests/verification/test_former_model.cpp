@@ -9,9 +9,9 @@ namespace bumpfoil {
 namespace {
 
 struct Comparison {
-  int direction;  ///< place in the case: +X, -X, +Y, -Y
+  int direction;  ///< index in the case: +X, -X, +Y, -Y
   double friction;
-  double former_force;   ///< N, of the page
+  double former_force;   ///< N, from the page
   double present_force;  ///< N
 };
 
@@ -26,7 +26,7 @@ TEST_P(FormerAndPresent, DifferAsThePageSays) {
   input.bump_foil.model = BumpFoilModel::former;
   const Cycle former = run_cycles(input).cycles.front();
   ASSERT_TRUE(present.converged() && former.converged());
-  // One decimal on the page.
+  // The page gives one decimal.
   EXPECT_NEAR(former.turning_point->max_force, expected.former_force, 0.06);
   EXPECT_NEAR(present.turning_point->max_force, expected.present_force, 0.06);
   for (const Increment& increment : former.increments) ASSERT_TRUE(increment.residuals.within()) << increment.index;
@@ -46,7 +46,7 @@ TEST(FormerTowardsTheWeld, TheClampedTopFoilCarriesTheDifferenceTowardsTheWeld) 
   input.bump_foil.model = BumpFoilModel::former;
   const Cycle former = run_cycles(input).cycles.front();
   const FullIncrement with_foil = turning_increment(present);
-  // What the journal pushes and the crests do not take goes into the top foil and its weld.
+  // The part of the journal's load that the crests do not carry goes into the top foil and its weld.
   const double carried = with_foil.journal_top.normal_force.sum() - with_foil.top_bump.normal_force.sum();
   EXPECT_NEAR(carried, 17.0, 3.0);
   EXPECT_NEAR(with_foil.top_bump.normal_force[0], turning_increment(former).top_bump.normal_force[0],

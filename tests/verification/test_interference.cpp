@@ -9,7 +9,7 @@
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 
-/// Clearances of any sign and heights that bridge them: the foils may be squeezed before the journal moves.
+/// Clearances of any sign and heights that bridge them: the foils may be compressed before the journal moves.
 namespace bumpfoil {
 namespace {
 
@@ -63,7 +63,7 @@ TEST(Interference, TighterBearingsAreStifferAndHoldMore) {
   EXPECT_GT(last_load, 100.0);
 }
 
-/// Without friction the foils are elastic: closing the clearance evenly does the work of the sum of journal loads,
+/// Without friction the foils are elastic: closing the clearance uniformly does the work of the sum of journal loads,
 /// dE0/dC_r = -sum of p.
 TEST(Interference, JournalLoadsAreTheDerivativeOfTheAssemblyEnergy) {
   constexpr double step = 1e-9;
@@ -79,7 +79,7 @@ TEST(Interference, JournalLoadsAreTheDerivativeOfTheAssemblyEnergy) {
                          (2.0 * step);
     const double load = assembly(clearance).initial_journal_load;
     EXPECT_GT(load, 1.0);
-    EXPECT_NEAR(-slope, load, 1e-5 * load);  // differences of energies of 1e-4 J over 1e-9 m; a kink may lie between
+    EXPECT_NEAR(-slope, load, 1e-5 * load);  // energies of 1e-4 J differenced over 1e-9 m; there may be a kink between
   }
 }
 
@@ -98,7 +98,7 @@ TEST(Interference, HeightsBeyondTheClearanceSqueezeTheCentredJournal) {
   EXPECT_GT(assembly.elastic_energy, 0.0);
   EXPECT_GT(cycle.assembly_dissipation, 0.0);
   EXPECT_GT(std::hypot(assembly.force_x, assembly.force_y), 1.0);
-  // The tall bumps carry the journal, the neighbours hang free of it.
+  // The tall bumps carry the journal, their neighbours do not touch it.
   EXPECT_GT(assembly.top_bump.normal_force[5], assembly.top_bump.normal_force[18]);
   EXPECT_GT(assembly.top_bump.normal_force[18], 1.0);
   EXPECT_EQ(assembly.top_bump.normal_force[12], 0.0);
@@ -113,7 +113,7 @@ TEST(Interference, SleeveGapsMustCloseBeforeBumpsCarry) {
   ASSERT_EQ(first_failure(cycle), "");
   EXPECT_LT(cycle.turning_point->max_force, plain);
   EXPECT_DOUBLE_EQ(increment_at(cycle, 0).bump_sleeve.gap[10], 5e-6);
-  // Feet that carry have crossed the gap.
+  // Loaded feet have closed their gap.
   const FullIncrement turning = turning_increment(cycle);
   for (Eigen::Index i = 0; i < 26; ++i) {
     if (turning.bump_sleeve.normal_force[i] > 0.0) {

@@ -35,12 +35,12 @@ TEST(LargeDisplacements, SoftenTheBearingInEveryDirection) {
       EXPECT_EQ(first_failure(large), "") << direction;
       EXPECT_EQ(large.substeps, 0) << direction;
       ASSERT_TRUE(large.turning_point) << direction;
-      // Strips of 20 um soften by 0.65 and 3.8 %; here some bumps are compressed by 47 um, most of them by less.
+      // Strips compressed by 20 um soften by 0.65 and 3.8 %; here some bumps are compressed by 47 um, most by less.
       const double softening = 1.0 - large.turning_point->max_force / linear.turning_point->max_force;
       EXPECT_GT(softening, friction > 0.0 ? 0.03 : 0.005) << direction;
       EXPECT_LT(softening, friction > 0.0 ? 0.06 : 0.015) << direction;
       if (friction == 0.0) {
-        // Elastic forces have a potential, and without friction the way back is the way there.
+        // Elastic forces have a potential: without friction unloading follows the loading path.
         EXPECT_LT(std::abs(*large.loop_energy), 1e-9 * large.turning_point->elastic_energy) << direction;
       }
     }
@@ -75,7 +75,7 @@ TEST(LargeDisplacements, EnergyBalanceConverges) {
     defect.push_back(std::abs(turning.work - stored - turning.dissipated_energy) / turning.work);
   }
   EXPECT_LT(defect[2], 0.01);  // like the linear foils at 100 steps
-  // First order: halved with the increment, up to what changes of contact leave.
+  // First order: halved with the increment, except for changes of contact.
   EXPECT_LT(defect[1], 0.7 * defect[0]);
   EXPECT_LT(defect[2], 0.7 * defect[1]);
 }
@@ -99,17 +99,17 @@ TEST(LargeDisplacements, TangentsAreThoseOfTheDeformedFoils) {
     return make_stepper(of).tangents(where).along(n);
   };
   const TangentStiffnesses tangents = tangents_of(shared);
-  constexpr double step = 1e-10;  // short of the next event; a thousand times what the residual leaves of the force
+  constexpr double step = 1e-10;  // less than to the next event; changes the force by a thousand times its residual
   const double slope = (push(79.5e-6 + step) - force) / step;
   EXPECT_NEAR(slope, tangents.loading.value(), 1e-3 * *tangents.loading);
-  // The stiffness of the undeformed foils under the same contacts is another.
+  // The stiffness of the undeformed foils in the same contact modes is different.
   Foils undeformed = foils;
   undeformed.problem.law.reset();
   const double other = tangents_of(std::make_shared<const Foils>(undeformed)).loading.value();
   EXPECT_GT(std::abs(other / *tangents.loading - 1.0), 0.02);
 }
 
-/// Scatter, friction and directions drawn at random.
+/// Random scatter, friction and directions.
 TEST(LargeDisplacements, AreFollowedInRandomBearings) {
   for (std::uint64_t number = 0; number < 10; ++number) {
     Case input = random_case(number);

@@ -15,14 +15,14 @@
 #include "bumpfoil/model/pads.hpp"
 #include "support/bearing_cases.hpp"
 
-/// Bearings of pads against bearings without, and against pads alone.
+/// Bearings with pads, against bearings without pads and against single pads.
 namespace bumpfoil {
 namespace {
 
 using std::numbers::pi;
 constexpr double third = 2.0 * pi / 3.0;
 
-/// Pads of seven bumps each, at equal angles, in an interference that presses all of them.
+/// Pads of seven bumps each, at equal angles, with an interference that loads all of them.
 Case pressed_pads(std::size_t pads, BumpFoilModel model = BumpFoilModel::truss) {
   Case input = reference_case();
   input.bearing.radial_clearance = -3e-6;
@@ -34,7 +34,7 @@ Case pressed_pads(std::size_t pads, BumpFoilModel model = BumpFoilModel::truss) 
   return input;
 }
 
-/// @param part  of the largest force
+/// @param part  tolerance over the largest force
 void expect_forces(const Cycle& cycle, const std::vector<Cycle>& summands, double part) {
   ASSERT_TRUE(cycle.converged());
   const double largest = cycle.turning_point->max_force;
@@ -148,18 +148,18 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnTheForceWithTheLoad) {
   }
 }
 
-/// How vectors turn by an angle, and matrices between them: T v and T K T^T.
+/// Rotation T by an angle: vectors become T v, matrices T K T^T.
 Eigen::Matrix2d turning(double angle) {
   return Eigen::Rotation2Dd(angle).toRotationMatrix();
 }
 
-/// Of the largest entry of `expected`.
+/// @param part  tolerance over the largest entry of `expected`
 void expect_near(const Eigen::Matrix2d& matrix, const Eigen::Matrix2d& expected, double part) {
   EXPECT_LT((matrix - expected).cwiseAbs().maxCoeff(), part * expected.cwiseAbs().maxCoeff()) << matrix << "\nis not\n"
                                                                                               << expected;
 }
 
-/// Three equal pads that a journal goes round in, about `centre` (m).
+/// Three equal pads with a journal that orbits about `centre` (m).
 Case orbited_pads(const Eigen::Vector2d& centre) {
   Case input = pressed_pads(3);
   for (Pad& pad : input.pads) pad.lobe = 5e-6;
@@ -199,7 +199,7 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
     const auto row = static_cast<Eigen::Index>(k);
     EXPECT_NEAR(one.fields.pad_force_x.row(row).sum(), a.force_x, 1e-9 * largest) << k;
     EXPECT_NEAR(one.fields.pad_force_y.row(row).sum(), a.force_y, 1e-9 * largest) << k;
-    // Pads follow each other clockwise: what pad 2 took, pad 1 takes now.
+    // Pads are numbered clockwise: pad 1 now carries the force of pad 2.
     for (Eigen::Index pad = 0; pad < 3; ++pad) {
       const Eigen::Index was = (pad + 1) % 3;
       const Eigen::Vector2d taken{one.fields.pad_force_x(row, was), one.fields.pad_force_y(row, was)};
@@ -209,7 +209,7 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
   }
 }
 
-/// A matrix that a third of a turn leaves as it is, is the same in all directions.
+/// A matrix that does not change under a third of a turn is the same in all directions.
 TEST(Pads, EqualOnesAtEqualAnglesAreAsStiffInAllDirectionsAboutTheCentre) {
   Case input = pressed_pads(3);
   input.settings.set(PathSettings{}).points.values = {{0.0, 0.0}, {1e-6, 0.0}};
@@ -229,7 +229,7 @@ LinearFoils vibrating(const Case& input) {
   return linear_foils(*input.vibration, result).front();
 }
 
-/// Pads under a load that vibrate along two directions.
+/// Pads under a load, with vibrations along two directions.
 Case vibrating_pads() {
   Case input = pressed_pads(3);
   input.vibration = VibrationSettings{.loads = {50.0 * unit_vector(0.4)},
@@ -248,12 +248,12 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnTheirCoefficientsWithTheLoad) {
   turned.vibration->loads.front() = turning(third) * input.vibration->loads.front();
   for (double& direction : turned.vibration->directions) direction += third;
   const LinearFoils other = vibrating(turned);
-  // Loads are met to 1e-9 of them, loops settle to 1e-6 of their energy.
+  // Loads are reached to 1e-9, loops settle to 1e-6 of their energy.
   expect_near(other.stiffness, turning(third) * one.stiffness * turning(-third), 1e-5);
   expect_near(other.loss, turning(third) * one.loss * turning(-third), 1e-5);
 }
 
-/// Of orbits and of straight vibrations, by the solver that follows events, too.
+/// For orbits and straight vibrations, also with the event solver.
 TEST(Pads, AddTheirForcesAtEveryPointOfAVibration) {
   Case input = vibrating_pads();
   input.pads[0].lobe = 4e-6;
@@ -293,7 +293,7 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnTheirForcesWithTheVibration) {
   for (std::size_t i = 0; i < one.vibrations.size(); ++i) {
     const Vector a = largest_pad_forces(one.vibrations[i]);
     const Vector b = largest_pad_forces(other.vibrations[i]);
-    // What pad 2 took, pad 1 takes now; loads are met to 1e-9 of them, loops settle to 1e-6 of their energy.
+    // Pad 1 now carries the force of pad 2; loads are reached to 1e-9, loops settle to 1e-6 of their energy.
     for (Eigen::Index pad = 0; pad < 3; ++pad) EXPECT_NEAR(b[pad], a[(pad + 1) % 3], 1e-6 * a.maxCoeff());
     EXPECT_GT(a.maxCoeff(), 1.1 * a.minCoeff());
   }
@@ -306,7 +306,7 @@ TEST(Pads, OfTheMirrorImageHaveMirroredCoefficients) {
   input.pads[2].bump_foil = input.bump_foil;
   input.pads[2].bump_foil->thickness = 0.12e-3;
   const LinearFoils one = vibrating(input);
-  // Clockwise from a weld on the X axis and counterclockwise from there mirror each other about it.
+  // Foils wrapped clockwise and counterclockwise from a weld on the X axis are mirror images about it.
   Case mirrored = input;
   mirrored.bearing.wrap = Wrap::counterclockwise;
   mirrored.vibration->loads.front().y() *= -1.0;
@@ -318,7 +318,7 @@ TEST(Pads, OfTheMirrorImageHaveMirroredCoefficients) {
 }
 
 TEST(Pads, AreNearerByTheirLobe) {
-  // Without friction the force of a pad depends on the place of the journal alone.
+  // Without friction the force of a pad depends only on the journal position.
   Case plain = pressed_pads(1);
   plain.friction = {};
   plain.cycle.steps = 40;

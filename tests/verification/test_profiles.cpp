@@ -9,7 +9,7 @@
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 
-/// Sleeves and journals that are not round, against the same gaps said in another way.
+/// Sleeves and journals that are not round, against the same gaps defined in another way.
 namespace bumpfoil {
 namespace {
 
@@ -41,13 +41,13 @@ TEST(Profiles, ThatAreTheSameAllAroundAreAnotherClearance) {
   sleeve.bearing.sleeve.deviations = {6e-6};
   Case journal = plain;
   journal.bearing.journal.deviations.assign(7, -6e-6);
-  // Sums of gaps round to 1e-20 m; stiffnesses reach 1e8 N/m.
+  // Sums of gaps have a round-off of 1e-20 m; stiffnesses reach 1e8 N/m.
   expect_same(run_single_cycle(wider, 0.0), run_single_cycle(sleeve, 0.0), 1e-9);
   expect_same(run_single_cycle(wider, 0.0), run_single_cycle(journal, 0.0), 1e-9);
 }
 
 TEST(Profiles, OneWaveOfTheJournalMovesIt) {
-  // Without friction the force depends on the place alone.
+  // Without friction the force depends only on the position.
   Case plain = pushed(60e-6, 60);
   plain.friction = {};
   Case moved = plain;
@@ -83,7 +83,7 @@ TEST(Profiles, MeasuredWavesAreWaves) {
   for (int i = 0; i < 3600; ++i) {
     measured.bearing.sleeve.deviations.push_back(deviation_at(waves.bearing.sleeve, 2.0 * pi * i / 3600.0));
   }
-  // A straight line between two points is off by (3 * 2 pi / 3600)^2 / 8 = 3e-6 of the amplitude.
+  // Linear interpolation between two points errs by (3 * 2 pi / 3600)^2 / 8 = 3e-6 of the amplitude.
   expect_same(run_single_cycle(waves, pi), run_single_cycle(measured, pi), 1e-4);
 }
 
@@ -91,7 +91,7 @@ TEST(Profiles, ATaperIsASleeveThatWidensFromTheWeldOn) {
   Case tapered = pushed(60e-6, 15);
   tapered.bearing.taper = 10e-6;
   Case measured = pushed(60e-6, 15);
-  // Clockwise from the weld at 180 degrees: from there angles fall. Behind the free end it falls back to the weld.
+  // Clockwise from the weld at 180 degrees angles decrease. Behind the free end the taper stays constant.
   const double end = foil_angle(measured);
   for (int i = 0; i < 3600; ++i) {
     const double theta = 2.0 * pi * std::fmod(1.5 - i / 3600.0, 1.0);

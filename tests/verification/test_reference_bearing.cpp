@@ -5,7 +5,7 @@
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/full_increment.hpp"
-/// What the reference bearing is known for: how much friction stiffens it, where it carries.
+/// Known properties of the reference bearing: how much friction stiffens it, where it carries.
 namespace bumpfoil {
 namespace {
 

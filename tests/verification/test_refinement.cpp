@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Largest difference of the force vectors of two cycles at the increments that both have, N.
+/// Largest difference of the force vectors of two cycles at their common increments, N.
 double largest_difference(const Cycle& coarse, const Cycle& fine) {
   const int ratio = fine.steps / coarse.steps;
   double largest = 0.0;
@@ -22,8 +22,8 @@ double largest_difference(const Cycle& coarse, const Cycle& fine) {
   return largest;
 }
 
-/// Within an increment slip is straight: the answer depends on the increments to first order, and finer ones lead to a
-/// limit, here that of 1600 steps.
+/// Slip is straight within an increment: results depend on the increments to first order and converge, here to those of
+/// 1600 steps.
 TEST(Refinement, ConvergesAtFirstOrderInEveryDirection) {
   Case input = case_with_given_constants();
   for (const double direction : input.cycle.directions) {
@@ -35,10 +35,10 @@ TEST(Refinement, ConvergesAtFirstOrderInEveryDirection) {
       input.cycle.steps = steps;
       const Cycle cycle = run_single_cycle(input, direction);
       ASSERT_TRUE(cycle.converged());
-      // Single forces jump about below this bound as contacts change in one increment or the next.
+      // Single forces scatter below this bound, as contacts change in one increment or the next.
       EXPECT_LT(largest_difference(cycle, fine), 0.7 * fine.turning_point->max_force / steps)
           << "direction " << direction << ", " << steps << " steps";
-      // First order: a quarter each time, with some room for the same reason.
+      // First order: a quarter each time, plus a margin for the same reason.
       const double loop_error = std::abs(*cycle.loop_energy - *fine.loop_energy);
       EXPECT_LT(loop_error, 0.45 * last_loop_error) << "direction " << direction << ", " << steps << " steps";
       last_loop_error = loop_error;

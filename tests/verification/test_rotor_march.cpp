@@ -50,7 +50,7 @@ struct Jeffcott {
   }
   [[nodiscard]] Eigen::VectorXd place(double t) const { return (amplitude * std::polar(1.0, t)).real(); }
   [[nodiscard]] RotorMotion at(double t) const { return {.y = place(t), .v = place(t + 0.5 * std::numbers::pi)}; }
-  /// Largest error of a component in four turns, from the exact orbit. @param uneven  every second step is longer by it
+  /// Largest error of a component in four turns, from the exact orbit. @param uneven  length ratio of successive steps
   [[nodiscard]] double error(int steps_per_turn, double uneven = 1.0) const {
     MachineStepper stepper(rotor, {});
     const double mean = 2.0 * std::numbers::pi / steps_per_turn;
@@ -85,7 +85,7 @@ TEST(RotorMarch, OnSpringsHasTheErrorsOfThePrototype) {
   }
 }
 
-/// Rate of a whirl, 1/s, from places at equal times: x_n = a x_{n-l} + b x_{n-2l} + c, Z^2 = a Z + b, Z = e^{s l dt}.
+/// Rate of a whirl, 1/s, from x at equal times: x_n = a x_{n-l} + b x_{n-2l} + c, Z^2 = a Z + b, Z = e^{s l dt}.
 Complex fitted_rate(const std::vector<double>& x, std::size_t lag, double dt) {
   const auto rows = static_cast<Eigen::Index>(x.size() - 2 * lag);
   Eigen::MatrixX3d known(rows, 3);
@@ -100,7 +100,7 @@ Complex fitted_rate(const std::vector<double>& x, std::size_t lag, double dt) {
   return std::log(Z) / (static_cast<double>(lag) * dt);
 }
 
-/// A whirl of 1e-5 C_r, which BDF2 lets decay at a rate of its own.
+/// A whirl of 1e-5 C_r, which decays in BDF2 steps at a slightly different rate.
 TEST(RotorMarch, DecaysAsInThePrototype) {
   FilmStepper bearing(film_reference_bearing({6, 8}));
   const double speed = speed_of_rpm(-12000.0);
@@ -123,13 +123,13 @@ TEST(RotorMarch, DecaysAsInThePrototype) {
     }
     const Complex rate = fitted_rate(x, static_cast<std::size_t>(steps) / 4, step_of(speed, steps)) / std::abs(speed);
     EXPECT_NEAR(std::abs(rate - expected), 0.0, 2e-6);
-    // And as BDF2 does with any linear motion.
+    // The same from the closed form of BDF2 for linear motions.
     const Complex closed = bdf2_rate(whirls->whirls.front().rate, step_of(speed, steps)) / std::abs(speed);
     EXPECT_NEAR(std::abs(rate - closed), 0.0, 2e-6);
   }
 }
 
-/// What BDF2 makes of d/dt for motions e^{i nu t} in even steps: linear motions in steps are those at this rate.
+/// BDF2's d/dt of motions e^{i nu t} in even steps: the linear response at this rate is that of the steps.
 Complex bdf2_derivative(double nu, double dt) {
   const Complex back = std::polar(1.0, -nu * dt);
   return (1.5 - 2.0 * back + 0.5 * back * back) / dt;
@@ -138,7 +138,7 @@ Complex bdf2_derivative(double nu, double dt) {
 /// A point mass of 1 kg at -45,000 rpm that carries 100 N, its weight included, and an unbalance along +X at angle 0.
 struct UnbalancedMass {
   explicit UnbalancedMass(double friction) : bearing(film_reference_bearing({6, 8}, friction)) {
-    // As the prototype: held at 0.1 C_r, and from there to the load in ten equal increments.
+    // As in the prototype: held at 0.1 C_r, then loaded in ten equal increments.
     const FilmBearing& of = bearing.bearing();
     EXPECT_EQ(cold_start(bearing, 0.1 * of.clearance * load.normalized(), speed, rest).status, Status::converged);
     const Eigen::Vector2d held = film_force(of, rest.film.pressure);
@@ -151,7 +151,7 @@ struct UnbalancedMass {
   [[nodiscard]] Unbalance unbalance(double eccentricity) const {
     return {.amount = stepper.rotor().total_mass() * eccentricity};
   }
-  /// Y over the force of the unbalance at a rate.
+  /// Linear response Y to the force of the unbalance, at a rate.
   [[nodiscard]] Eigen::Vector2cd linear(double eccentricity, Complex rate, bool stuck = false) {
     const Rotor& rotor = stepper.rotor();
     const auto found = linear_response(
@@ -165,7 +165,7 @@ struct UnbalancedMass {
                                     now.acceleration);
     };
   }
-  /// From the linear orbit on.
+  /// Starts from the linear orbit.
   [[nodiscard]] Orbit orbit(double eccentricity, bool stuck = false, int max_turns = 60) {
     MachineState start = stepper.at_rest({rest}, load);
     add_motion(stepper, linear(eccentricity, {0.0, std::abs(speed)}, stuck), start);
@@ -210,7 +210,7 @@ TEST(RotorMarch, FindsTheOrbitsOfThePrototype) {
   EXPECT_NEAR(1e6 * small.turn.front().thinnest, 6.769655814408143, 1e-5);
   EXPECT_NEAR(small.turn.front().power, 38.01946170404876, 1e-5);
   EXPECT_EQ(small.turn.front().friction, 0.0);
-  // What is left of free whirl in a turn: the larger ones of the eigenvalues' exponentials, as BDF2 has them.
+  // Free whirl that is left after a turn: the larger exponentials of the eigenvalues, as changed by BDF2.
   const auto whirls =
       find_whirls(machine.stepper.rotor(), {{machine.bearing, machine.rest}}, usual_window(machine.speed));
   ASSERT_TRUE(whirls.has_value());
@@ -220,18 +220,18 @@ TEST(RotorMarch, FindsTheOrbitsOfThePrototype) {
     const Complex expected = std::exp(bdf2_rate(whirls->whirls[i].rate, dt) * (dt * UnbalancedMass::steps));
     double nearest = 1.0;
     for (const Complex found : small.multipliers) nearest = std::min(nearest, std::abs(found - expected));
-    EXPECT_LT(nearest, 2e-2);  // the orbit is not that small: e^2
+    EXPECT_LT(nearest, 2e-2);  // the finite orbit has an effect: e^2
   }
 
   const Orbit large = machine.orbit(5e-6);
   ASSERT_EQ(large.status, Status::converged);
   expect_orbit(large.bearings.front(), {{6.57669, 5.81459}, {179.230, -85.866}, {31.435, -9.424}, {6.5762, 5.8140}},
-               1e-4);  // its digits
+               1e-4);  // printed digits
   EXPECT_NEAR(1e6 * large.turn.front().thinnest, 4.8219, 1e-4);
-  // It would not last: another motion grows by 9 % in a turn and changes its sign, as one of twice the period does.
+  // This orbit is unstable: another motion, of twice the period, grows by 9 % per turn and changes its sign.
   EXPECT_NEAR(large.multipliers.front().real(), -1.0908, 1e-3);
 
-  // Both leave the linear response in the same steps as e^2. (That in continuous time differs by 4e-3 more.)
+  // Both depart from the linear response in the same steps as e^2. (That in continuous time differs by another 4e-3.)
   const Complex rate = bdf2_derivative(std::abs(machine.speed), dt);
   const auto departure = [&](const Orbit& orbit, double eccentricity) {
     const Eigen::Vector2cd linear = machine.linear(eccentricity, rate);
@@ -241,7 +241,7 @@ TEST(RotorMarch, FindsTheOrbitsOfThePrototype) {
   EXPECT_NEAR(departure(large, 5e-6) / departure(small, 1e-6), 25.0, 2.5);
 }
 
-/// The balance of a turn of the machine that began at `start`.
+/// Balance of one turn of the machine, from `state` on.
 WorkBalance balance_of_turn(MachineStepper& stepper, const RotorForces& forces, int steps, MachineState& state) {
   EnergyMeter meter(stepper, forces, state);
   WorkBalance turn;
@@ -254,7 +254,7 @@ WorkBalance balance_of_turn(MachineStepper& stepper, const RotorForces& forces, 
   return turn;
 }
 
-/// What drives a rotor on its orbit is what the films dissipate: exact in space, of fourth order in the steps.
+/// The work that drives an orbiting rotor is dissipated by the films: exact in space, of fourth order in the steps.
 TEST(RotorMarch, BalancesTheEnergyOfAnOrbit) {
   UnbalancedMass machine(0.0);
   double defects[2];
@@ -266,7 +266,7 @@ TEST(RotorMarch, BalancesTheEnergyOfAnOrbit) {
     Orbit orbit = find_orbit(machine.stepper, forces, start, {.steps_per_turn = steps, .tolerance = 1e-8});
     ASSERT_EQ(orbit.status, Status::converged);
     const WorkBalance turn = balance_of_turn(machine.stepper, forces, steps, orbit.state);
-    // Of the prototype, J: the work of the unbalance, of the moving surface, and what the flow dissipates.
+    // Prototype, J: the work of the unbalance, of the moving surface, and the dissipation of the flow.
     EXPECT_NEAR(turn.forces, refined == 0 ? 4.556603558126453e-06 : 4.556142976879104e-06, 2e-10);
     EXPECT_NEAR(turn.entrained, refined == 0 ? 0.004009817480778845 : 0.004009855259488219, 1e-8);
     EXPECT_NEAR(turn.dissipated, refined == 0 ? 0.004014356307879507 : 0.004014410310412094, 1e-8);
@@ -278,7 +278,7 @@ TEST(RotorMarch, BalancesTheEnergyOfAnOrbit) {
   EXPECT_NEAR(defects[0] / defects[1], 16.0, 3.0);
 }
 
-/// The same with friction, where the mean still creeps.
+/// The same with friction, where the mean position still creeps.
 TEST(RotorMarch, BalancesTheEnergyWithFriction) {
   UnbalancedMass machine(0.1);
   const RotorForces forces = machine.forces(1e-6);
@@ -287,15 +287,15 @@ TEST(RotorMarch, BalancesTheEnergyWithFriction) {
   balance_of_turn(machine.stepper, forces, 100, state);
   const WorkBalance turn = balance_of_turn(machine.stepper, forces, 100, state);
   EXPECT_GT(turn.friction, 1e-6);
-  EXPECT_LT(std::abs(turn.defect()), 0.02 * turn.friction);  // steps in time; the prototype's was 1.7 %
+  EXPECT_LT(std::abs(turn.defect()), 0.02 * turn.friction);  // error of the time steps; the prototype's was 1.7 %
 }
 
-/// With friction the mean creeps, so that no orbit repeats itself to 1e-7 in some turns: it says so, and gives the last
-/// turn. The prototype's own changed by 2e-5 in a turn.
+/// With friction the mean position creeps, so that no orbit repeats to 1e-7 within a few turns: the search reports this
+/// and returns the last turn. The prototype's own changed by 2e-5 in a turn.
 TEST(RotorMarch, SaysWhereFrictionStillCreeps) {
   UnbalancedMass machine(0.1);
   const Eigen::Vector2cd linear = machine.linear(1e-6, {0.0, std::abs(machine.speed)}, true);
-  EXPECT_NEAR(1e6 * std::abs(linear[0]), 1.72156, 5e-4);  // paths of load differ by 1e-4
+  EXPECT_NEAR(1e6 * std::abs(linear[0]), 1.72156, 5e-4);  // load paths differ by 1e-4
   EXPECT_NEAR(1e6 * std::abs(linear[1]), 1.21776, 5e-4);
   const Orbit orbit = machine.orbit(1e-6, true, 16);
   ASSERT_EQ(orbit.status, Status::not_converged);
@@ -325,7 +325,7 @@ TEST(RotorMarch, FindsTheOrbitOfARigidRotor) {
   const std::vector<BearingState> rest{state_under(bearings[0], loads[0], speed),
                                        state_under(bearings[1], loads[1], speed)};
   const Eigen::VectorXd weight = rotor.mass * rotor.rigid.col(0) * earth_gravity;
-  // At a tenth of the unbalance, and at the whole of it.
+  // At a tenth of the unbalance, and at all of it.
   const std::pair<double, std::vector<OrbitReference>> references[] = {{0.1,
                                                                         {{{0.10705286201597126, 0.08249443812288734},
                                                                           {-120.83678872371337, -82.60034051977802},
@@ -389,8 +389,8 @@ Eigen::Matrix2Xd kicked(const FilmBearing& bearing, const BearingState& rest, co
   return places;
 }
 
-/// Everything turned, and everything mirrored: the same march, turned or mirrored. States begin alike, so that
-/// differences are those of rounding.
+/// Everything turned, and everything mirrored: the same march, turned or mirrored. States start equal, so that
+/// differences are round-off.
 TEST(RotorMarch, IsTurnedAndMirroredWithItsBearing) {
   Case input = film_reference_case({4, 4}, 0.1);
   const FilmBearing bearing = make_film_bearing(input);
@@ -408,7 +408,7 @@ TEST(RotorMarch, IsTurnedAndMirroredWithItsBearing) {
   EXPECT_LT((kicked(make_film_bearing(turned), turned_rest, turn * load, turn) - turn * places).cwiseAbs().maxCoeff(),
             1e-12 * bearing.clearance);
 
-  Case mirrored = input;  // at the X axis
+  Case mirrored = input;  // about the X axis
   mirrored.bearing.weld_angle = -input.bearing.weld_angle;
   mirrored.bearing.wrap = Wrap::counterclockwise;
   const Eigen::Matrix2d mirror = Eigen::Vector2d(1.0, -1.0).asDiagonal();
@@ -419,8 +419,8 @@ TEST(RotorMarch, IsTurnedAndMirroredWithItsBearing) {
             1e-12 * bearing.clearance);
 }
 
-/// A rotor on a bearing with friction that is pushed along for half a turn, so that contacts slip, stick and open:
-/// where it is at each fiftieth of a turn, and what friction has taken until then.
+/// A rotor on a bearing with friction, pushed for half a turn so that contacts slip, stick and open: its position at
+/// every fiftieth of a turn, and the friction loss until then.
 struct PushedMarch {
   PushedMarch(FilmStepper& film, const BearingState& rest, const Eigen::Vector2d& load, int steps_per_turn) {
     MachineStepper stepper(make_point_mass(1.0), {&film});
@@ -445,7 +445,7 @@ struct PushedMarch {
   std::vector<double> losses;
 };
 
-/// Where within a step a contact slips, sticks or opens is not resolved: that costs an error of second order.
+/// The instant within a step at which a contact slips, sticks or opens is not resolved: an error of second order.
 TEST(RotorMarch, IsOfSecondOrderWithFriction) {
   FilmStepper film(film_reference_bearing({4, 4}, 0.3));
   const Eigen::Vector2d load(60.0, 10.0);
@@ -453,7 +453,7 @@ TEST(RotorMarch, IsOfSecondOrderWithFriction) {
   std::vector<PushedMarch> marches;
   for (const int steps : {50, 100, 200, 400}) marches.emplace_back(film, rest, load, steps);
   EXPECT_GT(marches.back().losses.back(), 1e-6);
-  std::vector<double> of_place, of_loss;  // differences, means of squares
+  std::vector<double> of_place, of_loss;  // differences, roots of sums of squares
   for (std::size_t k = 1; k < marches.size(); ++k) {
     double place = 0.0, loss = 0.0;
     for (std::size_t i = 0; i < marches[k].places.size(); ++i) {
@@ -469,7 +469,7 @@ TEST(RotorMarch, IsOfSecondOrderWithFriction) {
   }
 }
 
-/// Two equal bearings of a rotor that does not tilt are one that carries half of it.
+/// Two equal bearings of a rotor that does not tilt act as one that carries half of it.
 TEST(RotorMarch, OnTwoEqualBearingsIsThatOfAPointMass) {
   const FilmBearing bearing = film_reference_bearing({4, 4}, 0.1);
   FilmStepper left(bearing);
@@ -496,7 +496,7 @@ TEST(RotorMarch, OnTwoEqualBearingsIsThatOfAPointMass) {
   }
 }
 
-/// At -20,000 rpm whirl grows until the film is gone: the march ends with a status, and with the last state.
+/// At -20,000 rpm whirl grows until the film vanishes: the march ends with a status and the last state.
 TEST(RotorMarch, EndsWhereTheFilmIsGone) {
   constexpr double floor = 0.4e-6;  // m
   const FilmBearing reference = film_reference_bearing({6, 8});
@@ -509,7 +509,7 @@ TEST(RotorMarch, EndsWhereTheFilmIsGone) {
   state.rotor.v = Eigen::Vector2d(0.05 * reference.clearance * std::abs(speed), 0.0);
   const TimeStep step{.dt = step_of(speed, 100), .speed = speed};
   const auto forces = [&](const RotorInstant&) { return load; };
-  // In turns 1 to 5 and 6 to 10, um.
+  // Half peak-to-peak in turns 1 to 5 and 6 to 10, um.
   for (const Eigen::Vector2d& expected :
        {Eigen::Vector2d(7.443425901121721, 6.955111093876168), Eigen::Vector2d(32.12230847244503, 34.65112515550609)}) {
     Eigen::Vector2d least = state.rotor.y;
@@ -519,7 +519,7 @@ TEST(RotorMarch, EndsWhereTheFilmIsGone) {
       least = least.cwiseMin(state.rotor.y);
       most = most.cwiseMax(state.rotor.y);
     }
-    // What grows by 0.066 in a radian has grown by e^4 in ten turns; so have errors of the equilibrium.
+    // Growth of 0.066 per radian gives e^4 in ten turns, also for errors of the equilibrium.
     EXPECT_LT((0.5e6 * (most - least) - expected).norm(), 1e-5 * expected.norm());
   }
   MachineState before;

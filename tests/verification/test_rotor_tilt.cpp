@@ -111,7 +111,7 @@ TEST(TiltingRotor, WhirlsAsTheTwoByTwoEquationsOfEqualBearingsSay) {
       turning << 0.0, 1.0, -1.0, 0.0;
       D = 1.2e-3 * s * s * Eigen::Matrix2cd::Identity() + s * machine.speed() * 0.24e-3 * turning +
           2.0 * (h * h * of_tilt + l * l * of_place);
-      // The tilt counts: without it the equation is not met.
+      // The tilt matters: without it the equation is not satisfied.
       const Eigen::Matrix2cd by_forces_alone = D - 2.0 * h * h * of_tilt;
       EXPECT_GT(std::abs(by_forces_alone.determinant()), 1e-3 * by_forces_alone.squaredNorm());
     }
@@ -122,7 +122,7 @@ TEST(TiltingRotor, WhirlsAsTheTwoByTwoEquationsOfEqualBearingsSay) {
   EXPECT_GE(conical, 1);
 }
 
-/// A point mass cannot tilt: on the whole width it whirls as on half of it. Foils are uniform over the width, where
+/// A point mass cannot tilt: on the whole width it whirls as on half of it. Foils are uniform over the width, so that
 /// both are one model.
 TEST(TiltingRotor, ThatIsHeldLevelWhirlsAsOnHalfTheWidth) {
   FilmResolution uniform{.columns_per_pitch = 4, .rows = 3};
@@ -142,7 +142,7 @@ TEST(TiltingRotor, ThatIsHeldLevelWhirlsAsOnHalfTheWidth) {
   }
 }
 
-/// The farther the bearings stand apart, the less their moments count beside their forces: as the square.
+/// The farther apart the bearings are, the less their moments matter against their forces: as the square.
 TEST(TiltingRotor, OnBearingsFarApartTiltsAsOnForcesAlone) {
   double before = 0.0;
   for (const double l : {0.25, 0.5}) {
@@ -166,7 +166,7 @@ TEST(TiltingRotor, OnBearingsFarApartTiltsAsOnForcesAlone) {
   }
 }
 
-/// Forces and moments of bearings that are misaligned, conical and not alike balance the weight, and their journals lie
+/// Forces and moments of bearings that are misaligned, conical and different balance the weight, and their journals lie
 /// on one axis.
 TEST(TiltingRotor, RestsWhereForcesAndMomentsBalanceItsWeight) {
   const JournalTilt tilt{Control::displacement, {2e-6, -1e-6}};
@@ -184,7 +184,7 @@ TEST(TiltingRotor, RestsWhereForcesAndMomentsBalanceItsWeight) {
   }
   EXPECT_LT((force - Eigen::Vector2d(3.0 * earth, 0.0)).norm(), 1e-5);
   EXPECT_LT(moment.norm(), 1e-6);
-  EXPECT_GT(largest, 1e-3);  // N m: moments that count
+  EXPECT_GT(largest, 1e-3);  // N m: moments that matter
   const Eigen::Vector2d slope = (machine.states[1].position - machine.states[0].position) / 0.1;
   for (const BearingState& state : machine.states) EXPECT_LT((state.tilt - tilt.value - h * slope).norm(), 1e-12);
 }
@@ -205,8 +205,8 @@ TEST(TiltingRotor, WhirlsAsItsImageInTheMidPlane) {
   }
 }
 
-/// In time: under a small unbalance the nonlinear march follows the linear response, in the tilt of its journals, too,
-/// but for its steps, and energies balance.
+/// In time: under a small unbalance the nonlinear march follows the linear response, also in the tilt of its journals,
+/// except for time-step errors, and energies balance.
 TEST(TiltingRotor, FollowsItsLinearResponseInTime) {
   const JournalTilt tilt{Control::displacement, {1e-6, 0.0}};
   TiltingMachine machine(make_rigid_rotor(rigid(2.0, 1.2e-3, {-0.03, 0.03})),
@@ -238,7 +238,7 @@ TEST(TiltingRotor, FollowsItsLinearResponseInTime) {
     turn += taken;
     once += std::polar(2.0 / steps, -std::abs(state.angle)) * (state.rotor.y - rest.rotor.y);
   }
-  // Steps of BDF2 err by 2/3 (2 pi / 100)^2 of the inertia, 0.3 %, and the film by the square of the amplitude.
+  // BDF2 has an error of 2/3 (2 pi / 100)^2 of the inertia, 0.3 %, and the film one of the square of the amplitude.
   EXPECT_LT((once.head(2) - linear->head(2)).norm(), 0.03 * linear->head(2).norm());
   EXPECT_LT((once.tail(2) - linear->tail(2)).norm(), 0.03 * linear->tail(2).norm());
   EXPECT_GT(0.03 * linear->tail(2).norm(), 0.2 * linear->head(2).norm());  // it tilts
@@ -247,14 +247,14 @@ TEST(TiltingRotor, FollowsItsLinearResponseInTime) {
     EXPECT_LT((place - stepper.journals()[i].place(state.rotor.y)).norm(), 1e-15);
     EXPECT_NE(state.bearings[i].tilt, machine.states[i].tilt);
   }
-  // What goes in comes out: the balance is exact but for the steps.
+  // Input equals output: the balance is exact except for the time steps.
   const double in = turn.entrained + turn.forces + turn.supplied + turn.rubbing;
   const double out = turn.dissipated + turn.friction + turn.damping + turn.stored;
   EXPECT_GT(std::abs(turn.forces), 1e-9);
   EXPECT_LT(std::abs(in - out), 0.05 * std::abs(turn.forces));
 }
 
-/// Of a rotor of 2 kg through its case file, at -14,000 rpm.
+/// Stability of a rotor of 2 kg from its case file, at -14,000 rpm.
 StabilityResult stability_of(const std::vector<std::string>& width) {
   std::vector<std::string> keys{"rotor.mass=2 kg",
                                 "rotor.transverse_inertia=1.2e-3 kg m2",
@@ -270,7 +270,7 @@ StabilityResult stability_of(const std::vector<std::string>& width) {
   return result;
 }
 
-/// Half widths, stations and moments are those of the machine.
+/// Half widths, stations and moments from the case are those of the machine.
 TEST(TiltingRotor, IsThatOfItsCase) {
   const FilmBearing film = tilting_bearing();
   TiltingMachine machine(make_rigid_rotor(rigid(2.0, 1.2e-3, {-0.03, 0.03})), {film, film}, -14000.0);
@@ -285,8 +285,8 @@ TEST(TiltingRotor, IsThatOfItsCase) {
   EXPECT_TRUE(stability_of({"width.modes=2", "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"}).machine.bearings[0]->tilts());
 }
 
-/// What results say of journals: they tilt as the rotor does, on bearings that are misaligned by 0.1 mrad, and moments
-/// and forces of both bearings leave the rotor none about its centre of mass.
+/// Results of journals: they tilt with the rotor, on bearings misaligned by 0.1 mrad, and moments and forces of both
+/// bearings have no resultant moment about the rotor's centre of mass.
 TEST(TiltingRotor, TellsTiltsAndMomentsOfItsJournals) {
   const StabilityResult result =
       stability_of({"width.modes=2", "rotor.bearing=[{width={tilt=[\"0.1 mrad\", \"0 mrad\"]}}, {}]"});
@@ -300,7 +300,7 @@ TEST(TiltingRotor, TellsTiltsAndMomentsOfItsJournals) {
   const std::vector<double> tilts = values("tilt_x");
   ASSERT_EQ(tilts.size(), 2U);
   EXPECT_NEAR(tilts[0] - tilts[1], 1e-4, 1e-12);
-  EXPECT_GT(std::abs(tilts[1]), 1e-7);  // the rotor gives way
+  EXPECT_GT(std::abs(tilts[1]), 1e-7);  // the rotor tilts
   double moment = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -315,8 +315,8 @@ TEST(TiltingRotor, TellsTiltsAndMomentsOfItsJournals) {
   EXPECT_NEAR(moment, 0.0, 1e-6 * largest);
 }
 
-/// Bearings that are misaligned the opposite way are mirror images: each journal answers like the other from the other
-/// side, and the rotor stays level.
+/// Bearings with opposite misalignment are mirror images: each journal responds like the other from the other side, and
+/// the rotor stays level.
 TEST(TiltingRotor, MayStandOnBearingsThatAreMisalignedEachByItself) {
   const JournalTilt one{.value = 0.5 * 38.1e-3 * Eigen::Vector2d(1e-4, 0.0)};
   const JournalTilt opposite{.value = -one.value};

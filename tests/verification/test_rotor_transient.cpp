@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Amplitudes at the rotation frequency along X and Y, and the least film, um, at the end of every tenth turn.
+/// Amplitudes at the rotation frequency along X and Y, and minimum film thickness, um, at the end of every tenth turn.
 struct CoastDown {
   double time;  ///< s
   double x, y, thinnest;
@@ -40,10 +40,10 @@ Eigen::Vector2d plain_amplitudes(const TransientResult& result, std::size_t turn
   return amplitudes;
 }
 
-/// 1 kg under 100 N coasts down from 60,000 to 20,000 rpm in 0.1 s towards the critical speed of X, hardly damped, near
-/// 21,000 rpm. Gas enters at the weld. The prototype takes the harmonics of a changing speed by plain sums over a turn:
-/// 1 %. Its steps are by the speed at their begin, not by equal angles: 2e-4 of the time. How much free whirl the start
-/// leaves differs, which is seen in the thinnest film of a turn.
+/// 1 kg under 100 N coasts down from 60,000 to 20,000 rpm in 0.1 s towards the lightly damped critical speed of X near
+/// 21,000 rpm. Gas enters at the weld. The prototype computes the harmonics at changing speed by plain sums over a
+/// turn: 1 %. Its steps follow the speed at their start, not equal angles: 2e-4 of the time. The start leaves a
+/// different amount of free whirl, which affects the minimum film thickness of a turn.
 TEST(RotorTransient, CoastsDownAsInThePrototype) {
   Case input = film_rotor_case({6, 8});
   RotorSettings& rotor = *input.settings.find<RotorSettings>();
@@ -60,8 +60,8 @@ TEST(RotorTransient, CoastsDownAsInThePrototype) {
     const CoastDown& expected = reference_coast_down[i];
     const TransientTurn& found = turns[10 * i + 9];
     EXPECT_NEAR(found.time, expected.time, 3e-4 * expected.time);
-    // At first free whirl is left, which does not count as rotation; near the critical speed the mean moves on, which
-    // plain sums count as that.
+    // At first free whirl remains, which is not synchronous; near the critical speed the mean moves, which plain sums
+    // count as synchronous.
     const Eigen::Vector2d amplitudes =
         i < 4 ? Eigen::Vector2d(found.places[0].orbit.once.cwiseAbs()) : plain_amplitudes(result, 10 * i + 9, 60);
     EXPECT_NEAR(1e6 * amplitudes.x(), expected.x, 0.01 * expected.x) << i;
@@ -69,7 +69,7 @@ TEST(RotorTransient, CoastsDownAsInThePrototype) {
     EXPECT_LT((found.places[0].orbit.once.cwiseAbs() - amplitudes).norm(), 0.02 * amplitudes.norm()) << i;
     EXPECT_NEAR(1e6 * found.bearings[0].thinnest, expected.thinnest, 0.02 * expected.thinnest) << i;
   }
-  // Steps in time leave little of what goes in and out.
+  // Time steps leave only a small error in the energy balance.
   EXPECT_LT(energy_check(turns).relative(), 0.01);
 }
 

@@ -36,7 +36,7 @@ std::optional<std::vector<Whirl>> motions_of(const Rotor& rotor, const std::vect
   return found ? std::optional(std::move(found->whirls)) : std::nullopt;
 }
 
-/// The least stable motion of a rotor, in speeds of rotation.
+/// Rate of the least stable motion of a rotor, over the speed of rotation.
 Complex worst_rate(const Rotor& rotor, FilmStepper& stepper, const BearingState& state, bool stuck = false) {
   const auto whirls = motions_of(rotor, {{stepper, state}}, usual_window(state.speed), stuck);
   EXPECT_TRUE(whirls.has_value());
@@ -71,13 +71,13 @@ TEST(RotorWhirl, BeginsAsInThePrototype) {
         },
         0.99 * guess, 1.02 * guess);
     ASSERT_TRUE(onset.has_value());
-    // The prototype knows its onsets to 2e-8 of the growth.
+    // The prototype's onsets are accurate to 2e-8 of the growth.
     EXPECT_NEAR(onset->speed, guess, 1e-6 * std::abs(guess));
     EXPECT_NEAR(onset->whirl_ratio, reference.whirl_ratio, 1e-6);
   }
 }
 
-/// What a whirl of 1e-5 c does in the prototype's time steps, and its pencil.
+/// Decay of a whirl of 1e-5 c in the prototype's time steps, and from its pencil.
 TEST(RotorWhirl, DecaysAsInThePrototype) {
   FilmStepper stepper(film_reference_bearing({6, 8}));
   const BearingState state = state_under(stepper, {gravity, 0.0}, speed_of_rpm(-12000.0));
@@ -90,7 +90,7 @@ TEST(RotorWhirl, DecaysAsInThePrototype) {
   EXPECT_NEAR(growing.imag(), 0.30067, 1e-5);
 }
 
-/// Rate of the rotor's whirl with coefficients at the frequency of that whirl, as from tables over speed and frequency.
+/// Rate of the rotor's whirl with coefficients at its own frequency, as from tables over speed and frequency.
 Complex rate_by_tables(const Rotor& rotor, const FreeMotions& motions, double speed) {
   Complex rate = motions.whirls.front().rate;
   for (int i = 0; i < 30; ++i) {
@@ -102,8 +102,8 @@ Complex rate_by_tables(const Rotor& rotor, const FreeMotions& motions, double sp
   return rate;
 }
 
-/// What tables of coefficients say of a rotor of 1 kg, f = 0: over speed and frequency they are right at the onset,
-/// where the motion has no growth, and near it; synchronous ones have the rotor stable at three times its onset.
+/// Tables of coefficients for a rotor of 1 kg, f = 0: over speed and frequency they are right at the onset, where the
+/// growth is zero, and near it; synchronous ones predict a stable rotor at three times its onset speed.
 TEST(RotorWhirl, ComesOutOfTablesOverFrequencyAndNotOutOfSynchronousOnes) {
   FilmStepper stepper(film_reference_bearing({6, 8}));
   const Rotor rotor = make_point_mass(1.0);
@@ -165,14 +165,14 @@ TEST(RotorWhirl, OfARigidRotorIsAsInThePrototype) {
              std::abs(b.rate / std::abs(machine.speed) - expected);
     });
     ASSERT_NE(found, whirls->end());
-    // States of the prototype are known to 1e-7.
+    // States of the prototype are accurate to 1e-7.
     EXPECT_LT(std::abs(found->rate / std::abs(machine.speed) - expected), 1e-6);
     EXPECT_FALSE(found->is_of_foils());
     EXPECT_GT(found->direction, 0.0);  // in the sense of rotation, from Y to X here
   }
 }
 
-/// The same through a case file, which says what the second bearing has otherwise.
+/// The same from a case file that states how the second bearing differs.
 TEST(RotorWhirl, OfBearingsThatDifferIsThatOfTheirCase) {
   const Case input =
       parse_case(case_to_toml(film_reference_case({6, 8})), "two.toml",
@@ -223,8 +223,8 @@ TEST(RotorWhirl, RespondsToUnbalanceAsInThePrototype) {
   }
 }
 
-/// At the critical mass, and its frequency, the pair is undamped: eigenvalues of Z on the real axis and eigenvalues of
-/// the whole system are two ways to the same.
+/// At the critical mass and its frequency, the pair is undamped: eigenvalues of Z on the real axis and eigenvalues of
+/// the whole system agree.
 TEST(RotorWhirl, IsUndampedAtTheCriticalMass) {
   FilmStepper stepper(film_reference_bearing({6, 8}, 0.1));
   const double speed = speed_of_rpm(-45000.0);
@@ -247,7 +247,7 @@ TEST(RotorWhirl, IsUndampedAtTheCriticalMass) {
   }
 }
 
-/// A rotor whose two bearings are alike whirls as a point mass, besides what its tilting adds.
+/// A rotor on two equal bearings whirls as a point mass, apart from its tilting motions.
 TEST(RotorWhirl, OfTwoEqualBearingsIsThatOfAPointMass) {
   FilmStepper stepper(film_reference_bearing({4, 4}));
   const double speed = speed_of_rpm(-12000.0);
@@ -269,14 +269,14 @@ TEST(RotorWhirl, OfTwoEqualBearingsIsThatOfAPointMass) {
   }
 }
 
-/// Under a heavy rotor foils move as with their journal held; none of these is taken for a motion of the rotor.
+/// Under a heavy rotor foils move as with the journal held; none of these motions is attributed to the rotor.
 TEST(RotorWhirl, TellsFoilsFromTheRotor) {
   FilmStepper stepper(film_reference_bearing({6, 8}));
   const double speed = speed_of_rpm(12000.0);  // the free end is the inlet, and flutters
   const BearingState state = state_under(stepper, {gravity, 0.0}, speed);
   const auto held = stepper.held_motion(state);
   ASSERT_TRUE(held.has_value());
-  // The heavier, the closer to the poles that the reduced film has in either direction: each motion is named once.
+  // The heavier the rotor, the closer to the poles of the reduced film in either direction: each motion is listed once.
   for (const double mass : {1e4, 1e6}) {
     const auto whirls = motions_of(make_point_mass(mass), {{stepper, state}}, usual_window(speed));
     ASSERT_TRUE(whirls.has_value());

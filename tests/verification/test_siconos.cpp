@@ -11,8 +11,8 @@
 #include "bumpfoil/contact/residual.hpp"
 #include "support/random_problem.hpp"
 
-/// The exact solver against the solvers of Siconos on small random problems: docs/verification/siconos.md. What Siconos
-/// found is data, which `make verify-siconos` writes.
+/// The exact solver against the solvers of Siconos on small random problems: docs/verification/siconos.md. Results of
+/// Siconos are data, written by `make verify-siconos`.
 namespace bumpfoil {
 namespace {
 
@@ -25,7 +25,7 @@ Vector vector_of_list(const nlohmann::json& list) {
   return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// What a contact does, told from forces alone.
+/// Mode of a contact, from its forces alone.
 ContactMode mode_of(double normal, double friction, double coefficient) {
   constexpr double nothing = 1e-6;  // N
   if (normal < nothing) return ContactMode::open;
@@ -33,7 +33,7 @@ ContactMode mode_of(double normal, double friction, double coefficient) {
   return friction < 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
 }
 
-/// Whether the forces that Siconos found solve the problem.
+/// Whether the forces found by Siconos solve the problem.
 bool solve_it(const ContactProblem& problem, const ContactLoading& loading, const Vector& previous_x,
               const Vector& normal, const Vector& friction) {
   ContactState state = ContactState::unstressed(problem);
@@ -41,7 +41,7 @@ bool solve_it(const ContactProblem& problem, const ContactLoading& loading, cons
   state.friction_force = friction;
   state.x = problem.K.dense().partialPivLu().solve(loading.load + contact_forces(problem, normal, friction));
   state.gap = contact_gaps(problem, loading.initial_gap, state.x);
-  // Where they are those of an iterative method they end at 1e-7 N, which is some picometres.
+  // Iterative methods stop at 1e-7 N, which corresponds to a few picometres.
   return contact_residuals(problem, problem.K.multiply(state.x), loading, previous_x, state).within(1e-7, 1e-11);
 }
 
@@ -62,7 +62,7 @@ TEST(Siconos, FindsTheSameForcesAndModes) {
       const Vector normal = vector_of_list(row.at("normal_N").at(increment));
       const Vector friction = vector_of_list(row.at("friction_N").at(increment));
       EXPECT_TRUE(solve_it(problem, loading, previous.x, normal, friction)) << row;
-      // Forces reach 300 N; Gauss-Seidel, taken where Lemke's pivots failed, ends at 1e-7 N.
+      // Forces reach 300 N; Gauss-Seidel, used where Lemke's pivots failed, stops at 1e-7 N.
       ASSERT_LT((state.normal_force - normal).cwiseAbs().maxCoeff(), 1e-6) << row;
       ASSERT_LT((state.friction_force - friction).cwiseAbs().maxCoeff(), 1e-6) << row;
       for (Eigen::Index c = 0; c < normal.size(); ++c) {
@@ -74,7 +74,7 @@ TEST(Siconos, FindsTheSameForcesAndModes) {
       }
     }
   }
-  // All modes are there to be found.
+  // All modes must occur.
   for (const ContactMode mode :
        {ContactMode::open, ContactMode::stick, ContactMode::slip_forward, ContactMode::slip_backward}) {
     EXPECT_GT(seen[mode], 200);

@@ -90,7 +90,7 @@ TEST(StripOfFrames, MeetsTheContinuum) {
     const Cycle cycle = compress(BumpFoilModel::frame, strip);
     ASSERT_TRUE(cycle.turning_point) << strip.name();
     const bool large = strip.geometry == Geometry::nonlinear;
-    // The beam neglects shear and the thickness against the radius (0.102 mm to 3.4 mm): errors below 1 %. At large
+    // The beam neglects shear and its thickness against the radius (0.102 mm to 3.4 mm): errors below 1 %. At large
     // displacements contacts stay at the nodes of the mid-surface while the continuum rolls on its skin.
     EXPECT_NEAR(cycle.turning_point->max_force, strip.total, (large ? 0.008 : 0.005) * strip.total) << strip.name();
     const Vector loads = turning_increment(cycle).top_bump.normal_force;
@@ -99,7 +99,7 @@ TEST(StripOfFrames, MeetsTheContinuum) {
       EXPECT_NEAR(loads[n], expected, (large ? 0.015 : 0.01) * expected) << strip.name() << ", bump " << n + 1;
     }
     if (strip.friction_coefficient > 0.0) {
-      // Its penalty contact creeps and slips early: without friction its own loop is -1.2 % of the work.
+      // The penalty contact of CalculiX creeps and slips early: without friction its loop is -1.2 % of the work.
       EXPECT_NEAR(1e3 * *cycle.loop_energy, strip.loop_energy, 0.08 * strip.loop_energy) << strip.name();
     } else {
       EXPECT_NEAR(*cycle.loop_energy, 0.0, 1e-12) << strip.name();
@@ -107,7 +107,7 @@ TEST(StripOfFrames, MeetsTheContinuum) {
   }
 }
 
-/// What large displacements change is seen, and in the right size: with friction a strip of ten is 3.8 % softer.
+/// Large displacements have an effect of the right size: with friction a strip of ten is 3.8 % softer.
 TEST(StripOfFrames, SoftensLikeTheContinuum) {
   for (std::size_t i = 0; i < continuum_strips.size(); i += 2) {  // small, large
     const Continuum& small = continuum_strips[i];
@@ -121,7 +121,7 @@ TEST(StripOfFrames, SoftensLikeTheContinuum) {
 }
 
 TEST(StripOfTrusses, IsAsFarFromTheContinuumAsDocumented) {
-  // Made for rows of bumps: far off for one alone, whose ends are all there is. The second number is that of the page.
+  // Made for rows of bumps: a single bump, which consists of ends, is far off. The second number is from the page.
   const std::vector<std::pair<std::pair<int, double>, double>> documented{{{1, 0.0}, 1.262},  {{1, 0.1}, 1.266},
                                                                           {{3, 0.0}, 1.068},  {{3, 0.1}, 1.086},
                                                                           {{10, 0.0}, 1.019}, {{10, 0.1}, 1.045}};
@@ -130,7 +130,7 @@ TEST(StripOfTrusses, IsAsFarFromTheContinuumAsDocumented) {
       return s.bumps == which.first && s.friction_coefficient == which.second && s.geometry == Geometry::linear;
     });
     const double total = compress(BumpFoilModel::truss, *strip).turning_point->max_force;
-    EXPECT_NEAR(total / strip->total, ratio, 0.0006) << strip->name();  // its last digit
+    EXPECT_NEAR(total / strip->total, ratio, 0.0006) << strip->name();  // last printed digit
   }
 }
 
@@ -154,7 +154,7 @@ Case shallow_strip() {
   return input;
 }
 
-/// Of docs/theory/frame_and_identification.md: force, loop energy and load on the first bump, in per cent.
+/// From docs/theory/frame_and_identification.md: force, loop energy and load on the first bump, in per cent.
 TEST(Strip, OfShallowBumpsIsNearTheFrameWhereSpringsAddUpToTheSameSum) {
   struct Difference {
     double friction;

@@ -1,4 +1,4 @@
-// docs/verification/width.md: bump foils that are split into strips, without a film.
+// docs/verification/width.md: bump foils split into strips, without a film.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ Case differing_case(double friction) {
   return input;
 }
 
-/// The same bearing with a whole bump foil as wide as the strips together.
+/// The same bearing with a whole bump foil as wide as all strips together.
 Case of_their_width(const Case& split) {
   Case input = split;
   const BumpFoil& strips = split.bump_foil;
@@ -56,7 +56,7 @@ Case of_their_width(const Case& split) {
   input.bump_foil.strips = 1;
   input.bump_foil.strip_gap = 0.0;
   input.bump_foil.strip.clear();
-  input.bump_foil.youngs_modulus *= part;  // all of a bump foil is proportional to modulus times width
+  input.bump_foil.youngs_modulus *= part;  // all stiffness of a bump foil is proportional to modulus times width
   if (split.top_foil.split) input.top_foil.youngs_modulus *= part;
   input.top_foil.split = false;
   return input;
@@ -68,7 +68,7 @@ struct Taken {
   FoilFields fields;
 };
 
-/// Takes foils from their assembly to places, one after the other.
+/// Moves the journal from the assembled state through `places`.
 Taken taken_to(const Foils& foils, const std::vector<Eigen::Vector2d>& places) {
   FoilStepper stepper = make_stepper(std::make_shared<const Foils>(foils), {});
   Step step;
@@ -100,7 +100,7 @@ void expect_same(const Increment& one, const Increment& other, double tolerance)
   EXPECT_NEAR(one.dissipated_energy, other.dissipated_energy, tolerance * other.elastic_energy);
 }
 
-/// A whole bump foil that moves linearly over the width is its slices at two points: the same bearing by other
+/// A whole bump foil that moves linearly over the width equals its slices at two points: the same bearing with other
 /// unknowns.
 TEST(Strips, OfOneAreTheLinearFoilOnTwoLines) {
   Case truss = whole_case(0.1);
@@ -112,13 +112,13 @@ TEST(Strips, OfOneAreTheLinearFoilOnTwoLines) {
   formed.top_foil.formed_radius = {FormedTo::seated};
   std::vector<Case> cases{truss, frame, formed};
   for (Case input : {truss, frame, formed}) {
-    input.top_foil.split = true;  // into one: slices, too
+    input.top_foil.split = true;  // into one strip: slices, too
     cases.push_back(input);
   }
   for (const Case& input : cases) {
     const Taken one = taken_to(on_strips(make_foils(input), 2, {.slope = some_slope}), on_the_way);
     const Taken other = taken_to(on_lines(make_foils(input), 2, {.slope = some_slope}), on_the_way);
-    expect_same(one.last, other.last, 1e-7);  // as each is to its solver's bounds
+    expect_same(one.last, other.last, 1e-7);  // each to the tolerance of its solver
     EXPECT_GT(one.last.dissipated_energy, 0.01 * one.last.elastic_energy);
     EXPECT_LT((one.fields.crest_v_slope - other.fields.crest_v_slope).norm(), 1e-6 * other.fields.crest_v_slope.norm());
     EXPECT_LT((one.fields.stress.top_crest - other.fields.stress.top_crest).norm(),
@@ -126,7 +126,7 @@ TEST(Strips, OfOneAreTheLinearFoilOnTwoLines) {
   }
 }
 
-/// What an aligned journal finds of strips that are alike: one foil as wide as they are together.
+/// For an aligned journal, equal strips act as one foil of their total width.
 TEST(Strips, ThatAreAlikeAreOneOfTheirWidth) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = split_case(0.1);
@@ -134,7 +134,7 @@ TEST(Strips, ThatAreAlikeAreOneOfTheirWidth) {
     const Taken whole = taken_to(make_foils(of_their_width(input)), on_the_way);
     expect_same(taken_to(make_foils(input), on_the_way).last, whole.last, 1e-9);
     for (const int modes : {1, 2, 3}) {
-      // A parabola bulges a little over the gaps where the journal does not hold it.
+      // A parabola bulges slightly over the gaps, where the journal does not hold it.
       const double bulge = modes == 3 ? 1e-3 : 1e-6;
       const Taken split = taken_to(on_strips(make_foils(input), modes, {}), on_the_way);
       expect_same(split.last, whole.last, modes == 3 ? 1e-5 : 1e-7);
@@ -155,7 +155,7 @@ TEST(Strips, ThatAreAlikeAreOneOfTheirWidth) {
   }
 }
 
-/// Points stand for the width that strips have, and integrate what is quadratic over it.
+/// Points represent the width of their strips, and integrate quadratic functions over it exactly.
 TEST(Strips, HavePointsThatIntegrateOverTheirWidth) {
   for (const int strips : {1, 2, 3, 5}) {
     Case input = split_case(0.0);
@@ -187,9 +187,9 @@ TEST(Strips, HavePointsThatIntegrateOverTheirWidth) {
   }
 }
 
-/// Under a top foil that bends and stretches for nothing each strip is a bearing of its own under the same journal:
-/// with its heights, and with its weld where it is staggered to. Where one strip alone touches, at the ends of the arc
-/// that is loaded, the foil may turn.
+/// Under a top foil of negligible stiffness each strip is a bearing of its own under the same journal, with its heights
+/// and with its weld shifted by its stagger. Where only one strip touches, at the ends of the loaded arc, the foil may
+/// turn.
 TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
   Case input = differing_case(0.0);
   input.top_foil.youngs_modulus *= 1e-7;
@@ -224,8 +224,8 @@ TEST(Strips, AreBearingsOfTheirOwnUnderASoftTopFoil) {
   EXPECT_LT(loads[2], 0.9 * loads[1]);  // the lower strip carries less
 }
 
-/// Of a split top foil each strip is a narrow bearing of its own: with its heights and its thickness, with its weld
-/// where it is staggered to, and under the journal as it stands there.
+/// With a split top foil each strip is a narrow bearing of its own: with its heights and thickness, its weld shifted by
+/// its stagger, and the local position of the journal.
 TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
   const Eigen::Vector2d aligned(0.0, 0.0);
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
@@ -262,7 +262,7 @@ TEST(Strips, OfASplitTopFoilAreBearingsOfTheirOwn) {
         loads[k] = one.fields.top_bump.normal_force.sum();
         if (bump_stress.cols() > 0) bump_stress = bump_stress.cwiseMax(one.fields.stress.bump_largest).eval();
       }
-      expect_same(split.last, sum, 1e-7);  // as each is to its solver's bounds
+      expect_same(split.last, sum, 1e-7);  // each to the tolerance of its solver
       EXPECT_GT(sum.dissipated_energy, 0.01 * sum.elastic_energy);
       EXPECT_LT((split.strips - loads).norm(), 1e-6 * loads.norm());
       EXPECT_LT((split.fields.stress.bump_largest - bump_stress).norm(), 1e-6 * bump_stress.norm() + 1e-9);
@@ -310,7 +310,7 @@ TEST(Strips, AnswerWithTheDerivativesOfTheirEnergyWithoutFriction) {
   }
 }
 
-/// What the journal puts in is stored or rubbed away, to rounding from one change of contact to the next.
+/// The work of the journal is stored or dissipated: exact to round-off, as steps end at contact events.
 TEST(Strips, BalanceTheEnergiesOfACycle) {
   for (const bool split : {false, true}) {
     Case input = differing_case(0.1);
@@ -332,7 +332,7 @@ TEST(Strips, BalanceTheEnergiesOfACycle) {
   }
 }
 
-/// Staggered crests are touched earlier than those of the bearing under a push between these.
+/// A push between two crests touches a staggered crest first, if it lies there.
 TEST(Strips, AreTouchedFirstWhereACrestIs) {
   Case input = split_case(0.0);
   input.width.modes = 2;

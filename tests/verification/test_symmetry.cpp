@@ -13,7 +13,7 @@
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 
-/// What the answers may not depend on: the side the bearing is seen from, the unit of force, time spent at rest.
+/// Results must not depend on the side from which the bearing is viewed, the unit of force, or time spent at rest.
 namespace bumpfoil {
 namespace {
 
@@ -40,7 +40,7 @@ void expect_same_modes(const FullIncrement& a, const FullIncrement& b) {
 }
 
 TEST(Symmetry, MirroredBearingAnswersMirrored) {
-  // About the X axis angles change sign; about the Y axis they turn into pi - angle.
+  // About the X axis angles change sign; about the Y axis they become pi - angle.
   for (const double axis : {0.0, 0.5 * pi}) {
     for (const double direction : {0.0, 0.6, 2.0, 0.5 * pi, 4.5}) {
       Case input = rough_bearing();
@@ -54,7 +54,7 @@ TEST(Symmetry, MirroredBearingAnswersMirrored) {
       for (std::size_t k = 0; k < cycle.increments.size(); ++k) {
         const FullIncrement a = increment_at(cycle, static_cast<int>(k));
         const FullIncrement b = increment_at(mirrored, static_cast<int>(k));
-        // Angles of a few radians are known to 1e-15, gaps to 1e-19 m; stiffnesses reach 1e8 N/m.
+        // Angles of a few radians are accurate to 1e-15, gaps to 1e-19 m; stiffnesses reach 1e8 N/m.
         ASSERT_NEAR(a.force_direct, b.force_direct, 1e-10 * largest);
         ASSERT_NEAR(a.force_cross, -b.force_cross, 1e-10 * largest);
         ASSERT_LT((normal_forces(a) - normal_forces(b)).cwiseAbs().maxCoeff(), 1e-10 * largest);
@@ -119,7 +119,7 @@ TEST(Symmetry, HeldJournalDoesNotCreep) {
   }
   const auto stuck = std::count(state.mode.begin(), state.mode.end(), ContactMode::stick);
   EXPECT_GT(stuck, 10);
-  // Displacements of 0.1 mm are known to 1e-20 m; a penalty anchored anew each time would move 1e-10 m.
+  // Displacements of 0.1 mm are accurate to 1e-20 m; a penalty that restarts each time would move 1e-10 m.
   EXPECT_LT((tangential_displacements(foils.problem, state.x) - tangential_displacements(foils.problem, reached.x))
                 .cwiseAbs()
                 .maxCoeff(),

@@ -24,7 +24,7 @@ TEST_P(TrussCycles, AgreeWithTheDensePrototype) {
   EXPECT_EQ(cycle.substeps, 0);
   EXPECT_LT(cycle.max_residual, 1e-9);
 
-  // The prototype ends its iterations at 1e-6 of the largest force or so and prints six decimals.
+  // The prototype stops at about 1e-6 of the largest force and prints six decimals.
   double direct_defect = 0.0;
   double cross_defect = 0.0;
   for (const Increment& increment : cycle.increments) {
@@ -48,7 +48,7 @@ TEST_P(TrussCycles, AgreeWithTheDensePrototype) {
   expect_loads(turning.bump_sleeve.normal_force, reference.foot_loads);
   expect_loads(turning.journal_top.normal_force, reference.journal_loads);
 
-  // Without friction the loop is zero to rounding: then the measure is the work of the push, about 14 mJ.
+  // Without friction the loop is zero to round-off: then the reference is the work of the push, about 14 mJ.
   ASSERT_TRUE(cycle.loop_energy);
   const double work = cycle.turns.front().work;
   EXPECT_NEAR(*cycle.loop_energy, reference.loop_energy,

@@ -23,9 +23,9 @@ TEST_P(UzawaDefaults, AreCloseToTheExactSolver) {
   const UzawaDeviation deviation = compare_uzawa(input, run_cycles(input), UzawaParameters());
   EXPECT_EQ(deviation.failures, 0);
   EXPECT_EQ(deviation.halvings, 0);
-  // Required are 0.5 % in force and 3 % in loop energy; the page states less than 0.01 % and 0.02 %.
+  // Required: 0.5 % in force and 3 % in loop energy; the page states less than 0.01 % and 0.02 %.
   EXPECT_LT(deviation.max_force, 1e-4);
-  // Without friction it is a part of the work of the push, left by multipliers that end at 1e-6 of the largest force.
+  // Without friction, relative to the work of the push: multipliers stop at 1e-6 of the largest force.
   EXPECT_LT(deviation.loop_energy, friction == 0.0 ? 1e-6 : 3e-4);
   RecordProperty("force", fmt::format("{:.2g}", deviation.max_force));
   RecordProperty("loop_energy", fmt::format("{:.2g}", deviation.loop_energy));
@@ -33,7 +33,7 @@ TEST_P(UzawaDefaults, AreCloseToTheExactSolver) {
 
 INSTANTIATE_TEST_SUITE_P(Reference, UzawaDefaults, testing::Combine(testing::Values(0.0, 0.1), testing::Bool()));
 
-/// Frames bend easily where no load holds them: contacts there touch with next to no force.
+/// Frames bend easily where no load holds them: contacts there touch with almost no force.
 TEST(UzawaDefaultsOfFrame, SolveTheReferenceBearingWithoutFriction) {
   Case input = uzawa_study_case();
   input.bump_foil.model = BumpFoilModel::frame;
@@ -46,7 +46,7 @@ TEST(UzawaDefaultsOfFrame, SolveTheReferenceBearingWithoutFriction) {
   EXPECT_LT(deviation.max_force, 1e-4);
 }
 
-/// Foils of any thickness, width and elasticity; numbers 3 and 6 as frames failed with the constants of a truss.
+/// Foils of any thickness, width and elasticity; with the constants of a truss, numbers 3 and 6 failed as frames.
 TEST(UzawaDefaultsOfFoils, SolveBearingsOfAnyStiffness) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     for (const int number : {0, 3, 6}) {
@@ -57,7 +57,7 @@ TEST(UzawaDefaultsOfFoils, SolveBearingsOfAnyStiffness) {
   }
 }
 
-/// One error of the page's table, for the bearing and direction (place in the case) that show the largest.
+/// One error in the page's table, for the bearing and direction (index in the case) where it is largest.
 struct Entry {
   UzawaParameters parameters;
   bool scattered;
@@ -74,7 +74,7 @@ TEST_P(UzawaStudy, ShowsThePagesError) {
   input.cycle.directions = {input.cycle.directions[entry.direction]};
   const UzawaDeviation deviation = compare_uzawa(input, run_cycles(input), entry.parameters);
   EXPECT_EQ(deviation.failures, 0);
-  // The page prints three decimals of a per cent.
+  // The page prints per cent with three decimals.
   EXPECT_NEAR(deviation.*entry.error, entry.value, 0.01 * entry.value);
 }
 
@@ -103,8 +103,8 @@ TEST(UzawaHold, NothingCreepsInABearingThatIsHeld) {
   }
   const Vector crept =
       tangential_displacements(foils.problem, state.x) - tangential_displacements(foils.problem, reached.x);
-  // Springs started anew at each increment would go some F / eps_f = 1 N / 1e10 N/m a hundred times over, 1e-8 m; what
-  // is left is the multipliers' tolerance, 1e-6 of 100 N over the 2 MN/m of a bump.
+  // Springs restarted at each increment would move about F / eps_f = 1 N / 1e10 N/m a hundred times over, 1e-8 m; the
+  // rest is the multipliers' tolerance, 1e-6 of 100 N over the 2 MN/m of a bump.
   EXPECT_LT(crept.cwiseAbs().maxCoeff(), 1e-10);
   const Vector lost = state.friction_force - reached.friction_force;
   EXPECT_LT(lost.cwiseAbs().maxCoeff(), 1e-4 * reached.friction_force.cwiseAbs().maxCoeff());

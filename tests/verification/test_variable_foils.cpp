@@ -12,7 +12,7 @@
 #include "bumpfoil/model/case.hpp"
 #include "support/bearing_cases.hpp"
 
-/// Foils whose bumps differ, against the same foils said in another way, and against the frame.
+/// Foils whose bumps differ, against the same foils defined in another way, and against the frame.
 namespace bumpfoil {
 namespace {
 
@@ -60,7 +60,7 @@ TEST(VariableFoils, AShimIsAHeightErrorOfAllItsBumps) {
     for (const std::size_t bump : {11U, 12U, 13U}) with_errors.bump_foil.height_errors[bump] = 25e-6;
     input.bump_foil.shims = {{.from = 12, .to = 14, .thickness = 25e-6}};
     expect_same_loads(run_single_cycle(with_errors, 0.0), run_single_cycle(input, 0.0), 0.0);
-    // It preloads: the journal is touched earlier than without.
+    // Shims preload: the journal touches earlier than without.
     Case bare = input;
     bare.bump_foil.shims.clear();
     EXPECT_GT(run_single_cycle(input, 0.0).turning_point->max_force,
@@ -80,17 +80,17 @@ TEST(VariableFoils, LowerBumpsAreFramesWhoseHeightErrorsShapeThem) {
     with_errors.bump_foil.height_errors[n] = -8e-6;
   }
   input.bump_foil.height = PerBump(heights);
-  // Sums of heights and errors round to 1e-19 m; stiffnesses reach 1e8 N/m.
+  // Sums of heights and errors have a round-off of 1e-19 m; stiffnesses reach 1e8 N/m.
   expect_same_loads(run_single_cycle(with_errors, 0.0), run_single_cycle(input, 0.0), 1e-9);
 }
 
-/// How far the truss of a foil is from its frame at full displacement.
+/// Deviation of the truss of a foil from its frame at full displacement.
 struct Distance {
-  std::array<double, 3> inside{};  ///< of the force along +X, +Y and -Y: truss over frame, less one
-  double weld{};                   ///< the same along -X, where the first bumps and the last ones carry the load
-  double first_bump{};             ///< of the load on the first bump along -X: truss over frame, less one
-  double last_bump{};              ///< the same of the last one
-  double between{};                ///< of the loads on all other bumps along -X, over the force of the frame
+  std::array<double, 3> inside{};  ///< of the force along +X, +Y and -Y: truss over frame, minus one
+  double weld{};                   ///< the same along -X, where the first and last bumps carry the load
+  double first_bump{};             ///< of the load on the first bump along -X: truss over frame, minus one
+  double last_bump{};              ///< the same for the last bump
+  double between{};                ///< of the sum of loads on all other bumps along -X, over the force of the frame
 
   [[nodiscard]] double worst_inside() const {
     return std::max({std::abs(inside[0]), std::abs(inside[1]), std::abs(inside[2])});
@@ -133,15 +133,15 @@ Case with_bumps(PerBump BumpFoil::*dimension, const PerBump& value) {
   return input;
 }
 
-/// The first and the last bump are as far from the frame as in uniform foils of their own shapes, and all others
-/// together as those are (1.7 %).
+/// The first and last bump deviate from the frame as in uniform foils of their own shapes; all others together deviate
+/// as those do (1.7 %).
 void expect_ends_of(const Distance& found, const Distance& first, const Distance& last) {
   EXPECT_NEAR(found.first_bump, first.first_bump, 0.03);
   EXPECT_NEAR(found.last_bump, last.last_bump, 0.03);
   EXPECT_LT(std::abs(found.between), 0.02);
 }
 
-/// Bumps of two values in turn.
+/// Bumps that alternate between two values.
 PerBump in_turn(double odd, double even) {
   std::vector<double> values(26, odd);
   for (std::size_t n = 1; n < 26; n += 2) values[n] = even;
@@ -161,7 +161,7 @@ TEST(VariableFoils, TheTrussIsNoFurtherFromTheFrameThanOfUniformFoils) {
                                                {&BumpFoil::thickness, 0.09e-3, 0.12e-3}}) {
     const Distance low = distance(with_bumps(dimension, least));
     const Distance high = distance(with_bumps(dimension, most));
-    // Pitches in turn and from 4.6 to 4.4 mm are the furthest beyond: by a twentieth (2.1 against 2.0 %).
+    // Alternating pitches, and 4.6 to 4.4 mm, exceed uniform foils most: by a twentieth (2.1 against 2.0 %).
     const double uniform = 1.1 * std::max(low.worst_inside(), high.worst_inside());
     SCOPED_TRACE(testing::Message() << least << " and " << most);
     const Distance rising = distance(with_bumps(dimension, PerBump(least, most, Grading::linear)));
@@ -170,7 +170,7 @@ TEST(VariableFoils, TheTrussIsNoFurtherFromTheFrameThanOfUniformFoils) {
     const Distance falling = distance(with_bumps(dimension, PerBump(most, least, Grading::geometric)));
     EXPECT_LT(falling.worst_inside(), uniform);
     expect_ends_of(falling, high, low);
-    if (dimension == &BumpFoil::height) continue;  // every other bump would stand clear, the more of an error
+    if (dimension == &BumpFoil::height) continue;  // every other bump would be clear of the foil, a larger error
     EXPECT_LT(distance(with_bumps(dimension, in_turn(most, least))).worst_inside(), uniform);
   }
 }
@@ -183,7 +183,7 @@ TEST(VariableFoils, TheTrussOfAGroupIsNoFurtherFromTheFrame) {
   EXPECT_LT(distance(input).worst_inside(), 1.1 * uniform);
 }
 
-/// Pitch, length and thickness of every bump drawn apart.
+/// Random pitch, length and thickness of every bump.
 TEST(VariableFoils, TheTrussOfDrawnBumpsIsNoFurtherFromTheFrame) {
   const double uniform = distance(short_cycles()).worst_inside();
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {

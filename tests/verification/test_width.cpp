@@ -48,7 +48,7 @@ FoilDesign frames(int bumps) {
   return make_bearing_design(PadDesign(input));
 }
 
-/// How the bump foil is joined over the width.
+/// How the bump foil is coupled over the width.
 enum class Joined { by_its_sheet, as_slices };
 
 /// Stiffness of crests against P_2 per unit of the integral of its square, N/m.
@@ -76,7 +76,7 @@ Matrix crest_stiffness(const FoilDesign& foils, bool feet_slide, Joined joined) 
   return K(crests, crests) - across.transpose() * answer;
 }
 
-/// The part of P_2 of a top foil that is bonded to the crests of the reference bearing, with a frame for its bump foil.
+/// The P_2 part of a top foil bonded to the crests of the reference bearing, with a frame as bump foil.
 /// @param crests      their stiffness per unit of the integral of the square of P_2, N/m
 /// @param stretching  E t of the membrane over that of the foil
 Displaced pressed(const Lobe& lobe, const Matrix& crests, double stretching = 1.0) {
@@ -93,7 +93,7 @@ Displaced pressed(const Lobe& lobe, const Matrix& crests, double stretching = 1.
       {2}, a, R, stretching * input.top_foil.youngs_modulus * input.top_foil.thickness, input.top_foil.poisson_ratio);
   const std::vector<MembraneRows> rows = membrane_rows(membrane, Vector::Constant(n, dx));
 
-  // w of columns 1 to n, M and F and g of 0 to n - 1. Numbers of one size: w over 1 um, M, F and g times what is.
+  // Unknowns: w of columns 1 to n, M, F and g of 0 to n - 1, scaled to similar size.
   const Eigen::Index size = n;
   Matrix A = Matrix::Zero(4 * size, 4 * size);
   Vector right = Vector::Zero(4 * size);
@@ -102,7 +102,7 @@ Displaced pressed(const Lobe& lobe, const Matrix& crests, double stretching = 1.
   const auto F = [size](Eigen::Index k) { return 2 * size + k; };
   const auto g = [size](Eigen::Index k) { return 3 * size + k; };
   for (Eigen::Index k = 0; k < n; ++k) {
-    const auto span_to = [&](Eigen::Index span, Eigen::Index other) {  // of D and D'
+    const auto span_to = [&](Eigen::Index span, Eigen::Index other) {  // terms of D and D'
       const double kink = form.inverse_sine[span];
       const double own = form.half_tangent[span] - kink;
       if (k > 0) {
@@ -149,11 +149,11 @@ Displaced pressed(const Lobe& lobe, const Matrix& crests, double stretching = 1.
   return found;
 }
 
-/// Over bumps 11 to 16 and at the middle of the spans behind them.
+/// Over bumps 11 to 16 and at mid-span behind them.
 struct Reference {
   double extent{};  ///< deg
   SheetModel sheet{};
-  bool feet_slide{};             ///< nothing depends on it where the sheet is held
+  bool feet_slide{};             ///< no effect where the sheet is held
   double crest_w[6], span_w[6];  ///< um
   double crest_f[6], span_f[6];  ///< N/mm
 };
@@ -245,8 +245,8 @@ TEST(WidthOfTheTopFoil, BendsOnSlicesAsTheIndependentProgramSays) {
   }
 }
 
-/// A membrane that gives way to any load is none: slices. One that does not stretch holds all of the foil but its last
-/// column, which no stretch is asked of.
+/// A membrane of no stiffness gives independent slices. One that does not stretch holds all of the foil except its last
+/// column, where no stretch is defined.
 TEST(WidthOfTheTopFoil, IsSlicesWithoutAMembraneAndUniformWithAStiffOne) {
   const Lobe lobe{std::numbers::pi / 3.0};
   const Matrix held = held_crest_stiffness(make_foil_structure(frames(26)), 0);
@@ -263,7 +263,7 @@ TEST(WidthOfTheTopFoil, IsSlicesWithoutAMembraneAndUniformWithAStiffOne) {
 struct BondedShells {
   double extent{};  ///< of the lobe, deg
   bool feet_slide{};
-  double bound{};  ///< of the parabola's error, um: as the page states it
+  double bound{};  ///< error of the parabola as stated on the page, um
   double crest_13[3], span_13[3], span_11[3];
 };
 constexpr BondedShells bonded_shells[]{
@@ -290,12 +290,12 @@ TEST(WidthOfTheTopFoil, IsNearShells) {
   }
 }
 
-/// Shells of a bump foil in three strips without gaps, of the same program.
+/// Shells of a bump foil in three strips without gaps, from the same program.
 constexpr BondedShells shells_on_strips[]{
     {60.0, true, 0.2, {6.0424, 5.3371, 3.8526}, {11.798, 10.097, 7.0263}, {-0.85021, 0.089069, 1.753}},
     {100.0, true, 0.1, {6.1936, 5.7147, 4.6881}, {10.843, 9.8469, 8.0278}, {6.6433, 6.152, 5.1716}}};
 
-/// w_0 and P_2 on slices, as near as a whole foil on its elastic sheet.
+/// w_0 and P_2 on slices are as accurate as for a whole foil on its elastic sheet.
 TEST(WidthOfTheTopFoil, IsNearShellsOnStrips) {
   const Matrix crests = crest_stiffness(frames(26), true, Joined::as_slices);
   for (const BondedShells& shells : shells_on_strips) {
@@ -315,7 +315,7 @@ TEST(WidthOfTheTopFoil, IsNearShellsOnStrips) {
   }
 }
 
-/// On a sheet that gives way, as the page states, um.
+/// On an elastic sheet, with the page's bounds, um.
 TEST(WidthOfTheTopFoil, IsNearerToShellsOnAnElasticSheet) {
   for (const BondedShells& shells : bonded_shells) {
     SCOPED_TRACE(testing::Message() << shells.extent << " degrees, feet slide " << shells.feet_slide);
@@ -334,7 +334,7 @@ TEST(WidthOfTheTopFoil, IsNearerToShellsOnAnElasticSheet) {
   }
 }
 
-/// P_2 and P_4 in the displacement over bumps 11 to 16 and the spans behind them by the independent program, on an
+/// P_2 and P_4 of the displacement over bumps 11 to 16 and the spans behind them by the independent program, on an
 /// elastic sheet, um.
 struct BothModes {
   double extent{};  ///< deg
@@ -366,7 +366,7 @@ constexpr BothModes both_modes[]{{.extent = 60.0,
                                   .span_w2 = {-1.14669, -1.74962, -2.02917, -1.84055, -1.25008, -0.21024},
                                   .span_w4 = {0.04400, 0.10838, 0.13455, 0.11656, 0.05784, -0.03161}}};
 
-/// The rows of the film's mesh, 32 over half the width, integrate the lobe to 1e-3.
+/// The 32 rows of the film's mesh over half the width integrate the lobe to 1e-3.
 TEST(WidthOfTheTopFoil, BendsInModesThatTheMembraneJoins) {
   const Vector zeta = Vector::Map(shell_zeta().data(), std::ssize(shell_zeta()));
   Matrix modes(zeta.size(), 3);
@@ -414,7 +414,7 @@ Vector loaded_crests(bool feet_slide) {
 }
 
 /// Bumps 1, 5 and 9 of shells without a top foil by the independent program, um: under 1 N/mm in the mid-plane, and
-/// under zeta N/mm at zeta = 0.9. Each slice of the shells is the frame; the last millimetre at the side edge is
+/// under zeta N/mm at zeta = 0.9. Each slice of the shells acts as the frame; the last millimetre at the side edge is
 /// softer.
 TEST(BumpFoilOverTheWidth, IsSlicesAsInShellsUnderLoadsThatAreUniformOrLinear) {
   struct Loaded {
@@ -433,7 +433,7 @@ TEST(BumpFoilOverTheWidth, IsSlicesAsInShellsUnderLoadsThatAreUniformOrLinear) {
   }
 }
 
-/// The same under P_2 N/mm on feet that are stuck, at zeta = 0 and 0.9.
+/// The same under P_2 N/mm on stuck feet, at zeta = 0 and 0.9.
 TEST(BumpFoilOverTheWidth, IsHeldAsInShellsUnderAParabola) {
   const FoilDesign foils = frames(9);
   const Matrix K = held_crest_stiffness(make_foil_structure(foils), 0);
@@ -446,8 +446,8 @@ TEST(BumpFoilOverTheWidth, IsHeldAsInShellsUnderAParabola) {
   }
 }
 
-/// P_2 in the displacement of crests under P_2 N/mm on feet that slide, um: bumps 1, 2, 5, 8 and 9 of shells. Slices
-/// that are not joined give 19 um, lines that do not slide 1.6. At the weld the sheet is 9 % too stiff.
+/// P_2 of the displacement of crests under P_2 N/mm on sliding feet, um: bumps 1, 2, 5, 8 and 9 of shells. Slices
+/// without coupling give 19 um, lines that do not slide 1.6. At the weld the sheet is 9 % too stiff.
 TEST(BumpFoilOverTheWidth, GivesWayAsShellsDoUnderAParabolaOnFeetThatSlide) {
   const FoilDesign foils = frames(9);
   const Matrix K = crest_stiffness(foils, true, Joined::by_its_sheet);

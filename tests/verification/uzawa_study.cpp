@@ -1,5 +1,5 @@
 /// Prints the table of docs/verification/uzawa.md: the four parameters of the augmented Lagrangian solver, varied one
-/// at a time round their defaults, against the exact solver.
+/// at a time around their defaults, against the exact solver.
 #include <fmt/format.h>
 
 #include <algorithm>
