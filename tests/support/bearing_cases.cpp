@@ -52,7 +52,7 @@ Case random_foils(std::uint64_t number, BumpFoilModel model) {
   foil.model = model;
   const int bumps = foil.bumps;
   foil.bumps = 3 + static_cast<int>(uniform(0.0, 38.0));
-  input.bearing.radius *= static_cast<double>(foil.bumps) / bumps;  // the foils still go round once
+  input.bearing.radius *= static_cast<double>(foil.bumps) / bumps;  // the foils still cover one circumference
   foil.height_reference = HeightReference::midsurface;
   foil.height = uniform(0.3e-3, 0.7e-3);
   foil.thickness = decades(0.05e-3, 0.2e-3);

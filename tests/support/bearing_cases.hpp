@@ -20,14 +20,14 @@ Case random_case(std::uint64_t number);
 /// um, friction 0..0.5 or none, height scatter up to 20 um or none, pushed up to 50 um into the foils in 15..60 steps.
 Case random_foils(std::uint64_t number, BumpFoilModel model);
 
-/// A single pad of the case in its position, with its offset.
+/// The bearing of a case with only this pad, in its position and with its offset.
 Case pad_alone(const Case& input, std::size_t pad);
 
 /// `result` as if its first direction had failed at increment 3, and the others had never started.
 CycleResult failed_at_increment_three(CycleResult result);
 
-/// Reference bearing, friction 0.1, +X, with more bumps on a radius that grows with them: the foils still go round
-/// once.
+/// Reference bearing, friction 0.1, +X, with more bumps on a proportionally larger radius: the foils still cover one
+/// circumference.
 Case long_bearing(int bumps, int steps);
 
 /// Empty if every increment of the cycle was solved within the bounds (normalised equilibrium, complementarity and cone

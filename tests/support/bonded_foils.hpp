@@ -10,13 +10,12 @@ namespace bumpfoil {
 struct BondedLoading {
   bool feet_slide{true};               ///< without friction; otherwise fixed
   Matrix pressure{};                   ///< P of the film at all nodes
-  std::optional<Matrix> crest_lift{};  ///< where the top foil is held over the crests, a row for each line, m; none: it
-                                       ///< is not
+  std::optional<Matrix> crest_lift{};  ///< prescribed over the crests, a row per line, m; none: free
 };
 
 struct BondedAnswer {
-  Matrix lift;         ///< displacement of the top foil at all columns, outward, a row for each line, m
-  Matrix crest_force;  ///< outward on top foil and crest, which holds them at crest_lift, a row for each line, N
+  Matrix lift;         ///< displacement of the top foil at all columns, outward, a row per line, m
+  Matrix crest_force;  ///< outward, on top foil and crests to hold crest_lift, a row per line, N
 };
 
 /// The linear response of foils of one pad, by the film's own equations: foil_residual(), and K of the bump foils.

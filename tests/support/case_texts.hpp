@@ -13,7 +13,7 @@ Case with(const std::vector<std::string>& overrides);
 /// The error message for whole_case() with invalid overrides.
 std::string refusal(const std::vector<std::string>& overrides);
 
-/// A text without a part of it.
+/// The text with a part removed.
 std::string cut(std::string text, const std::string& part);
 
 void expect_in(const std::string& text, const std::string& part);

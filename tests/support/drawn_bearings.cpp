@@ -78,13 +78,13 @@ class Push {
   Step step_;
   Run run_;
   int increment_{};
-  double energy_{};  ///< elastic, where the run is
+  double energy_{};  ///< current elastic energy
   double start_energy_{};
   double start_dissipation_{};  ///< of the assembly
   double largest_work_{};
   double largest_force_{};  ///< of all contacts together
-  double imbalance_{};      ///< largest
-  double balanced_{};       ///< work that is accounted for
+  double imbalance_{};      ///< largest so far
+  double balanced_{};       ///< work up to the last check
 };
 
 void Push::judge_state(const Step& step) {
@@ -173,7 +173,7 @@ Case drawn_bearing(std::uint64_t number) {
   input.title = fmt::format("drawn bearing {}, {}", number, foil.model == BumpFoilModel::frame ? "frame" : "truss");
   const int bumps = foil.bumps;
   foil.bumps = 4 + static_cast<int>(draws.uniform(0.0, 37.0));
-  input.bearing.radius *= static_cast<double>(foil.bumps) / bumps;  // the foils still go round once
+  input.bearing.radius *= static_cast<double>(foil.bumps) / bumps;  // the foils still cover one circumference
   foil.height_reference = HeightReference::midsurface;
   foil.height = draws.uniform(0.3e-3, 0.7e-3);
   foil.thickness = draws.decades(0.05e-3, 0.2e-3);

@@ -22,7 +22,7 @@ inline Case ensemble_case(int samples) {
   return input;
 }
 
-/// The same on its film: clearance and heights scatter, one speed with two loads, a coarse mesh.
+/// The same with a film: clearance and heights scatter, one speed with two loads, a coarse mesh.
 inline Case running_ensemble_case(int samples) {
   Case input = reference_case();
   input.film.columns_per_pitch = 4;
@@ -36,7 +36,7 @@ inline Case running_ensemble_case(int samples) {
   return input;
 }
 
-/// A rotor of 2 kg on such bearings, over two speeds between which whirl starts (near 13,200 rpm).
+/// A rotor of 2 kg on such bearings, at two speeds with an onset of whirl between them (near 13,200 rpm).
 inline Case rotor_ensemble_case(int samples) {
   Case input = running_ensemble_case(samples);
   input.montecarlo->command = EnsembleCommand::stability;

@@ -14,14 +14,14 @@
 
 namespace bumpfoil::test_support {
 
-/// Results of an ensemble of four bearings, of which the last fails.
+/// Results of an ensemble of four bearings; the last one failed.
 class EnsembleFiles : public ::testing::Test {
  protected:
   EnsembleFiles() {
     std::vector<double> rows;
     for (std::uint64_t i = 0; i < 4; ++i) {
       const Case sampled = sampled_case(input_, draw_sample(input_, i));
-      SampleResult result;  // the last one makes no bearing
+      SampleResult result;  // the last one is an invalid sample
       if (i < 3) result = run_sample(sampled).value();
       const std::vector<double> row = make_ensemble_row(layout_, sampled, result);
       rows.insert(rows.end(), row.begin(), row.end());

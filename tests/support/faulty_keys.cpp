@@ -14,7 +14,7 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
   change(input);
   Keys keys;
   for (const auto& [command, fault] : judge_case(input)) {
-    // Of commands whose table is there.
+    // Skips commands without a table.
     if (command == "film" || command == "limits" || (command == "equilibrium" && !input.equilibrium) ||
         (command == "stability" && input.settings.find<StabilitySettings>() == nullptr) ||
         (command == "unbalance" && input.settings.find<UnbalanceSettings>() == nullptr) ||

@@ -10,7 +10,7 @@ namespace bumpfoil::test_support {
 
 using Keys = std::vector<std::string>;
 
-/// Keys at fault after a change of the reference case.
+/// Keys of errors after a change of the reference case.
 Keys faulty_keys(const std::function<void(Case&)>& change);
 
 }  // namespace bumpfoil::test_support

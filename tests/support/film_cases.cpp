@@ -47,9 +47,9 @@ std::vector<ReferenceFilm> read_films() {
   return films;
 }
 
-/// The same from a film. The load holds the journal: it turns the other way round.
+/// The same from a computed film. The load is the reaction on the journal, which reverses the angle.
 std::complex<double> computed_load(double Lam, double l, int columns, int rows) {
-  constexpr double eps = 1e-4;  // what is left of higher orders is its square
+  constexpr double eps = 1e-4;  // higher orders are its square
   const FilmMesh mesh = make_closed_mesh(columns, rows, l);
   const SolvedFilm solved = solve_rigid_film({.mesh = mesh, .bearing_number = Lam}, eccentric_thickness(mesh, eps));
   const FilmIntegrals sums = film_integrals(solved.equation, solved.film);

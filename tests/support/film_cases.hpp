@@ -54,7 +54,7 @@ std::complex<double> load_of_small_eccentricity(double bearing_number, double l)
 struct SmallEccentricityCheck {
   double load_defect{};      ///< of the extrapolated load, relative
   double attitude_defect{};  ///< of the extrapolated attitude angle, rad
-  double ratio{};            ///< of both errors of the load: 4 for second order
+  double ratio{};            ///< of the load errors of the two meshes: 4 for second order
 };
 SmallEccentricityCheck check_small_eccentricity(double bearing_number, double l, int columns, int rows);
 

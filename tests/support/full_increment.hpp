@@ -24,7 +24,7 @@ FullIncrement with_fields(const Increment& scalars, const FoilFields& fields, Ei
 /// @param increment  one that has fields
 FullIncrement increment_at(const Cycle& cycle, int increment);
 
-/// All that have fields.
+/// All increments with fields.
 std::vector<FullIncrement> full_increments(const Cycle& cycle);
 
 /// The increment at full displacement.

@@ -4,7 +4,7 @@
 
 namespace bumpfoil {
 
-/// The bearing with more bumps on a radius that grows with them, so that the foils still go round once.
+/// The bearing with more bumps on a proportionally larger radius, so that the foils still cover one circumference.
 inline Case with_bumps(Case input, int bumps) {
   input.bearing.radius *= static_cast<double>(bumps) / input.bump_foil.bumps;
   input.bump_foil.bumps = bumps;

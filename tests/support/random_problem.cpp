@@ -29,7 +29,7 @@ RandomProblem make_random_problem(std::uint64_t seed, int blocks, int block_size
   RandomProblem random;
   ContactProblem& problem = random.problem;
   problem.K = BlockTridiagonal(blocks, block_size);
-  // Springs with random directions over one or two blocks, and a soft bed that makes the sum definite.
+  // Springs with random directions over one or two blocks, and a soft foundation that makes K positive definite.
   for (int b = 0; b < blocks; ++b) {
     problem.K.diagonal[static_cast<std::size_t>(b)].diagonal().array() += 1e5;
     for (int spring = 0; spring < block_size; ++spring) {
@@ -59,7 +59,7 @@ RandomProblem make_irregular_problem(std::uint64_t seed, int blocks, int block_s
   std::vector<ContactSite> sites;
   std::vector<Eigen::Index> kept;
   for (std::size_t c = 0; c < random.problem.sites.size(); ++c) {
-    // The first one stays, so that there is one at all.
+    // The first one always stays, so that at least one remains.
     if (c > 0 && uniform(0.0, 1.0) < 0.3) continue;
     kept.push_back(static_cast<Eigen::Index>(c));
     sites.push_back(random.problem.sites[c]);

@@ -16,7 +16,7 @@ struct ShellNumbers {
   Vector moments;  ///< on each crest about the mid-plane, N m
 };
 
-/// A case as shells.
+/// A case computed with shell elements.
 struct FeShells {
   std::string name;  ///< held crests, nine bumps, tilt
   std::string feet;  ///< sliding, stuck; "none" under held crests

@@ -64,7 +64,7 @@ SiconosContacts::SiconosContacts(const ContactProblem& problem) {
   motion_ = K_.solve(B_.transpose());
   W_ = B_ * motion_;
   W_ = 0.5 * (W_ + W_.transpose()).eval();
-  // A contact without a tangential unknown gets a separate one that nothing moves: solvers divide by the diagonal. Its
+  // A contact without a tangential unknown gets a separate one that never moves: solvers divide by the diagonal. Its
   // coefficient is arbitrary and set to that of the others, since Siconos 4.4 solves wrong complementarity problems if
   // coefficients differ.
   for (Eigen::Index c = 0; c < friction_.size(); ++c) {

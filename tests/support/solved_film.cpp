@@ -20,7 +20,7 @@ std::string wrong_pad(const FilmBearing& bearing, const FilmPad& pad, const Bear
   const ReynoldsEquation equation = film_equation(bearing, pad, state.speed);
   foil_film_residual(foil, equation, part, residual);
   const double area = foil.mesh.dtheta * foil.mesh.dzeta;
-  // What is not P is of the order of the flows that balance.
+  // Errors are relative to the flows that balance.
   const double flow = std::max(1.0, part.pressure.cwiseProduct(part.thickness).maxCoeff());
   const double film = foil.mesh.unknown(residual.film).cwiseAbs().maxCoeff() / (area * flow);
   if (!(film <= 1e-8 * std::max(1.0, std::abs(equation.bearing_number)))) return fmt::format("film by {:.2g}", film);

@@ -5,7 +5,7 @@
 
 namespace bumpfoil::test_support {
 
-/// A new folder, removed with all its contents in the end.
+/// A new folder, removed with its contents at destruction.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -21,7 +21,7 @@ class TemporaryFolder {
   /// Contents of a file.
   [[nodiscard]] std::string read(const std::string& name) const;
 
-  /// Names of what the folder holds, sorted.
+  /// Names of all entries, sorted.
   [[nodiscard]] std::string listing() const;
 
  private:

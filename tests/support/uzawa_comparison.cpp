@@ -26,7 +26,7 @@ UzawaDeviation compare_uzawa(Case input, const CycleResult& exact, const UzawaPa
     }
     const double force = reference.turning_point->max_force;
     deviation.max_force = std::max(deviation.max_force, std::abs(cycle.turning_point->max_force / force - 1.0));
-    // Without friction both loops are zero to rounding; the work of the push is then the measure.
+    // Without friction both loops are round-off; the reference is then the work of the push.
     const double work = reference.turns.front().work;
     const double energy = *reference.loop_energy > 1e-9 * work ? *reference.loop_energy : work;
     deviation.loop_energy =

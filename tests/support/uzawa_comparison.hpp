@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// How far the augmented Lagrangian solver is from the exact one over the cycles of a case, and what it costs.
+/// Deviations of the augmented Lagrangian solver from the exact one over the cycles of a case, and its cost.
 struct UzawaDeviation {
   double max_force{};              ///< largest relative deviation at full displacement
   double loop_energy{};            ///< largest deviation relative to it or, without friction, to the work of the push

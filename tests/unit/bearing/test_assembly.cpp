@@ -13,7 +13,7 @@ PadAssembly assembly_of(double ratio) {
   return make_foils(input).assembly.front();
 }
 
-/// Of an independent prototype, whose film has a node at every sixth of a pitch.
+/// Values of an independent prototype, whose film has six nodes per pitch.
 TEST(Assembly, IsThatOfThePrototype) {
   struct Reference {
     double ratio, hold_down, load, bulge;
@@ -25,13 +25,13 @@ TEST(Assembly, IsThatOfThePrototype) {
     EXPECT_NEAR(assembly.hold_down, reference.hold_down, 1e-6 * reference.hold_down);
     EXPECT_NEAR(assembly.load, reference.load, 1e-6 * reference.load);
     EXPECT_EQ(assembly.lifted, 8);  // bumps 1 to 17 and 26 are loaded
-    // Over a crest: up to a quarter of a pitch off the place of the largest one.
+    // The maximum over crests: up to a quarter of a pitch from that of the prototype.
     EXPECT_NEAR(assembly.bulge, reference.bulge, 0.02 * reference.bulge);
   }
 }
 
-/// Rigid sleeve: leaves its bumps at psi_0 = 122.57 degrees, end load 1.18656 EI' kappa_0 / R, bulge 0.10474 R^2
-/// kappa_0 at 32.64 degrees from the last crest. The bumps are compliant: 0.5 %.
+/// Rigid sleeve: the foil lifts off its bumps at psi_0 = 122.57 degrees, end load 1.18656 EI' kappa_0 / R, bulge
+/// 0.10474 R^2 kappa_0 at 32.64 degrees from the last crest. The compliance of the bumps causes 0.5 %.
 TEST(Assembly, IsThatOfACircularBeamReleasedOntoItsSupports) {
   const double kappa = (1.0 - 1.0 / 1.01) / 19.05e-3;
   const PadAssembly assembly = assembly_of(1.01);
@@ -41,8 +41,8 @@ TEST(Assembly, IsThatOfACircularBeamReleasedOntoItsSupports) {
   EXPECT_NEAR((last - assembly.bulge_theta) * 180.0 / 3.14159265, 32.643, 0.5 * 13.75);  // half a pitch
 }
 
-/// The same where strips are staggered: the foil ends on the last crest of all, which is that of one strip. It is
-/// uniform over the width here, as that beam is.
+/// The same with staggered strips: the foil ends on the very last crest, which belongs to one strip. It is uniform over
+/// the width here, like the beam.
 TEST(Assembly, IsThatOfACircularBeamOnStaggeredStrips) {
   Case input = film_reference_case({});
   input.bump_foil.bumps = 25;
@@ -53,7 +53,7 @@ TEST(Assembly, IsThatOfACircularBeamOnStaggeredStrips) {
   const double kappa = (1.0 - 1.0 / 1.01) / 19.05e-3;
   EXPECT_NEAR(assembly.hold_down, 1.18656 * 0.0007872451 * kappa / 19.05e-3, 0.005 * assembly.hold_down);
   EXPECT_NEAR(assembly.bulge, 0.1047423 * 19.05e-3 * 19.05e-3 * kappa, 0.01 * assembly.bulge);
-  // Beside the strip that carries its end the foil gives way.
+  // The foil deflects beside the strip that supports its end.
   const PadAssembly bent = foils_without_journal(input).assembly.front();
   EXPECT_NEAR(bent.hold_down, assembly.hold_down, 0.02 * assembly.hold_down);
   EXPECT_LT(bent.bulge, assembly.bulge);
@@ -64,7 +64,7 @@ TEST(Assembly, IsKnownOnlyOfFormedFoils) {
   EXPECT_TRUE(make_foils(film_reference_case({})).assembly.empty());
 }
 
-/// The pressure alone presses on all bumps alike, with no bulge: on their share p_s L p.
+/// Pressure only: equal loads on all bumps without a bulge, p_s L p each.
 TEST(Assembly, PressesOnAllBumpsAlikeUnderASeatPressure) {
   Case input = film_reference_case({});
   input.top_foil.seat_pressure = 300.0;
@@ -72,7 +72,7 @@ TEST(Assembly, PressesOnAllBumpsAlikeUnderASeatPressure) {
   EXPECT_EQ(assembly.lifted, 0);
   EXPECT_LT(assembly.bulge, 1e-7);
   const double share = 300.0 * 38.1e-3 * 4.572e-3;
-  EXPECT_NEAR(assembly.load, 25.5 * share, 0.03 * assembly.load);  // all but half a pitch at the weld
+  EXPECT_NEAR(assembly.load, 25.5 * share, 0.03 * assembly.load);  // all except half a pitch at the weld
   EXPECT_NEAR(assembly.hold_down, share, 0.2 * share);             // with the overhang, and less beside it
 }
 

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Isotropic springs k and dampers c, cross-coupled by q: m = k / nu^2 at nu = q / c, of the forward whirl alone.
+/// Isotropic springs k and dampers c, cross-coupled by q: m = k / nu^2 at nu = q / c, for the forward whirl only.
 TEST(CriticalMasses, AreThoseOfACrossCoupledRotor) {
   constexpr double k = 3e6;
   constexpr double q = 1e6;
@@ -26,7 +26,7 @@ TEST(CriticalMasses, AreThoseOfACrossCoupledRotor) {
   EXPECT_TRUE(critical_masses([&](double nu) { return Eigen::Matrix2cd(-impedance(nu)); }, 100.0, 5000.0).empty());
 }
 
-/// Anisotropic springs with a damping that changes its sign at two frequencies: two masses, the smaller one first.
+/// Anisotropic springs with damping that changes sign at two frequencies: two masses, the smaller one first.
 TEST(CriticalMasses, AreSortedByMass) {
   const auto impedance = [](double nu) {
     Eigen::Matrix2cd Z = Eigen::Matrix2cd::Zero();

@@ -16,7 +16,7 @@ ContactProblem two_contacts() {
 }
 
 TEST(GapWork, IsTheMeanForceTimesTheMotionOfTheWall) {
-  // The wall of contact 0 advances by 2 um, that of contact 1 recedes by 3 um, that of contact 2 stands still.
+  // The wall of contact 0 advances by 2 um, that of contact 1 recedes by 3 um, that of contact 2 is fixed.
   const Vector force = Eigen::Vector3d(20.0, 8.0, 5.0);
   EXPECT_DOUBLE_EQ(gap_work(force, Eigen::Vector3d(-2e-6, 3e-6, 0.0)), 20.0 * 2e-6 - 8.0 * 3e-6);
 }

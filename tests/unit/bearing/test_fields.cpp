@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A made-up state of the reference bearing: bump 3 pressed, everything else open. Recorded as increment 1 of 2.
+/// An invented state of the reference bearing: bump 3 in contact, all else open. Recorded as increment 1 of 2.
 struct Example {
   Foils foils = *make_bearing_foils(case_with_given_constants());
   BearingState state = BearingState::unstressed(foils);
@@ -56,7 +56,7 @@ TEST(Fields, AreSortedByInterfaceAndBumpInTheirRow) {
   EXPECT_EQ(fields.top_bump.gap(1, 3), 5e-6);
   EXPECT_EQ(fields.top_bump.mode(1, 3), ContactMode::open);
   EXPECT_EQ(fields.stress.top_crest.cols(), 26);
-  EXPECT_EQ(fields.stress.bump_crest.cols(), 0);  // the truss knows none
+  EXPECT_EQ(fields.stress.bump_crest.cols(), 0);  // not available with the truss
 }
 
 TEST(Fields, ReportAContactWithoutLoadAsOpen) {
@@ -68,7 +68,7 @@ TEST(Fields, ReportAContactWithoutLoadAsOpen) {
 TEST(Fields, FrictionlessContactsSlipTheWayTheyMove) {
   Example example;
   for (ContactSite& site : example.foils.problem.sites) site.friction_coefficient = 0.0;
-  example.state.contacts.mode[7] = ContactMode::stick;  // what a solver keeps for a frictionless contact
+  example.state.contacts.mode[7] = ContactMode::stick;  // as solvers set frictionless contacts
   EXPECT_EQ(example.recorded().top_bump.mode(1, 2), ContactMode::slip_forward);
   example.state.slip_origin = example.state.contacts.x;
   EXPECT_EQ(example.recorded().top_bump.mode(1, 2), ContactMode::stick);
@@ -97,7 +97,7 @@ TEST(InterfaceLoads, AreThoseThatARecordShows) {
   EXPECT_EQ(loads(Interface::bump_sleeve), Vector(fields.bump_sleeve.normal_force.row(1)));
 }
 
-/// The foils of a running bearing, with the loads that the film puts on them, are in balance without it, too.
+/// The foils of a running bearing are in balance under the loads of its film.
 TEST(FieldsUnderAFilm, AreThoseOfFoilsUnderTheirLoads) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
@@ -113,18 +113,18 @@ TEST(FieldsUnderAFilm, AreThoseOfFoilsUnderTheirLoads) {
     for (Eigen::Index b = 0; b < bearing.bumps(); ++b) {
       const int crest = bearing.pads.front().foil.supports[static_cast<std::size_t>(b)];
       EXPECT_NEAR(fields.top_displacement(0, b), state.film.lift(crest) * bearing.scales.thickness, 1e-15);
-      // The moment over a crest, of the film and of the stress.
+      // The moment over a crest, from the film and from the stress.
       const double moment = bearing.pads.front().foil.stiffness * bearing.pads.front().foil.pitch *
                             bearing.scales.thickness * std::abs(state.film.moment(crest));
       EXPECT_NEAR(fields.stress.top_crest(0, b), moment / bearing.stress.front().top_section_modulus,
                   1e-9 * fields.stress.top_crest.maxCoeff());
     }
-    // What the bumps take from above they hand to the sleeve, but for what friction carries.
+    // The bumps transmit their normal loads to the sleeve, except for the part carried by friction.
     EXPECT_NEAR(fields.bump_sleeve.normal_force.sum() / fields.top_bump.normal_force.sum(), 1.0, 0.2);
   }
 }
 
-/// What each foil of several pads does is what it does alone.
+/// Each foil of several pads behaves as it does alone.
 TEST(FieldsUnderAFilm, HaveTheBumpsOfAllPadsInARow) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
@@ -146,7 +146,7 @@ TEST(FieldsUnderAFilm, HaveTheBumpsOfAllPadsInARow) {
       const FoilFields one = fields_of(pad_alone(input, k));
       const auto first = static_cast<Eigen::Index>(8 * k);
       const Eigen::Index feet = one.foot_v.cols();
-      // Newton's last step is below 1e-9 of c in each.
+      // Newton's last step is below 1e-9 of c in both.
       const double length = 1e-12;
       EXPECT_LT((all.crest_v.middleCols(first, 8) - one.crest_v).cwiseAbs().maxCoeff(), length);
       EXPECT_LT((all.top_displacement.middleCols(first, 8) - one.top_displacement).cwiseAbs().maxCoeff(), length);

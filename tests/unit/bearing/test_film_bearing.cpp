@@ -39,12 +39,12 @@ TEST(FilmBearing, TakesTheBumpFoilWithoutTheTopFoil) {
     EXPECT_EQ(block.row(dofs.top_u).norm() + block.row(dofs.top_moment).norm(), 0.0);
     EXPECT_GT(block(dofs.crest_v, dofs.crest_v), 1e6);
   }
-  EXPECT_EQ(bearing.problem.K.diagonal.back()(dofs.size, dofs.size), 0.0);  // the free end moves
+  EXPECT_EQ(bearing.problem.K.diagonal.back()(dofs.size, dofs.size), 0.0);  // the free end is free
 }
 
 TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   const FilmBearing bearing = film_reference_bearing(coarse);
-  // The weld is at -X, and theta runs clockwise: column 26 of 104 stands near +Y, 52 near +X.
+  // The weld is at -X, and theta is clockwise: column 26 of 104 is near +Y, 52 near +X.
   const Matrix H = bearing.undeformed_thickness(Eigen::Vector2d(0.5 * bearing.clearance, 0.0));
   EXPECT_NEAR(H(0, 0), 1.5, 1e-12);
   EXPECT_NEAR(H.minCoeff(), 0.5, 1e-3);
@@ -72,8 +72,8 @@ TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   EXPECT_NEAR(film_equation(bearing, bearing.pads.front(), speed_of_rpm(45000.0)).bearing_number, -1.852606648, 1e-8);
 }
 
-/// Without friction the force that asperities need is the slope of their energy, K' sigma 2/7 F_7/2(h / sigma) per
-/// area; rubbing turns it by the angle of friction.
+/// Without friction, the force required by asperities is the slope of their energy, K' sigma 2/7 F_7/2(h / sigma) per
+/// area; friction turns it by the friction angle.
 TEST(FilmBearing, AsperitiesPushTheJournalBack) {
   Case rough = film_reference_case(coarse);
   rough.asperity = AsperitySettings{.sigma = 2e-6, .pressure_factor = 1e7, .friction = 0.3};
@@ -108,7 +108,7 @@ TEST(FilmBearing, AsperitiesPushTheJournalBack) {
   EXPECT_EQ(sliding_friction(bearing, -1e-3), -sliding_friction(bearing, 1e-3));
 }
 
-/// A pressure by hand: the forces are those of its integral over the foil.
+/// A prescribed pressure: forces are its integrals over the foil.
 TEST(FilmBearing, HoldsTheJournalAgainstThePressure) {
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 12, .rows = 8});
   BearingState state = resting(bearing, Eigen::Vector2d::Zero(), 100.0);
@@ -117,15 +117,15 @@ TEST(FilmBearing, HoldsTheJournalAgainstThePressure) {
   for (int k = 0; k <= n; ++k) state.film.pressure.col(k).array() += 0.1 * bearing.column_normals(1, k);
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   const double area = 101325.0 * 19.05e-3 * 38.1e-3;
-  // 0.1 pa sin(phi) over the foil, which lacks 2.5 degrees at the weld where the sine is small.
+  // 0.1 pa sin(phi) over the foil; 2.5 degrees are missing at the weld, where the sine is small.
   EXPECT_NEAR(outcome.force.y(), 0.1 * area * std::numbers::pi, 1e-3 * area * 0.1);
   EXPECT_NEAR(outcome.force.x(), 0.0, 1e-2 * area * 0.1);
   EXPECT_EQ(outcome.loaded_bumps, 1);
   EXPECT_NEAR(outcome.power, 100.0 * outcome.torque, 1e-15);
 }
 
-/// The displacement leads the force by 2 pi - 2.5 - pi / 2 where the journal turns from X to Y, and lags by it where it
-/// turns the other way.
+/// The displacement leads the force by 2 pi - 2.5 - pi / 2 if the journal turns from X to Y, and lags by it in the
+/// other direction.
 TEST(FilmBearing, HasAnAttitudeFromTheForceToTheDisplacement) {
   const FilmBearing bearing = film_reference_bearing(coarse);
   const double eccentricity = 0.3 * bearing.clearance;
@@ -143,7 +143,7 @@ TEST(FilmBearing, HasAnAttitudeFromTheForceToTheDisplacement) {
   }
 }
 
-/// What a pressure that is the same in all rows between the sides drives out at both.
+/// The outflow at both sides under a pressure that is uniform between them.
 TEST(FilmBearing, LeaksAtBothSides) {
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width = WidthPart::whole});
   BearingState state = resting(bearing, JournalVector::Zero(4), 0.0);
@@ -164,7 +164,7 @@ TEST(FilmBearing, IsFedAtItsSides) {
   EXPECT_EQ(pressure(1, 7), 1.0);
 }
 
-/// Petroff's law: a centred journal without pressure shears mu Omega R^3 / c over the foil.
+/// Petroff's law: the shear torque of a centred journal without pressure is mu Omega R^3 / c over the foil.
 TEST(FilmBearing, DragsByCouetteFlowAlone) {
   const FilmBearing bearing = film_reference_bearing(coarse);
   for (const double speed : {-100.0, 100.0}) {
@@ -172,12 +172,12 @@ TEST(FilmBearing, DragsByCouetteFlowAlone) {
     const double petroff = 1.85e-5 * speed * std::pow(19.05e-3, 2) / 31.8e-6 * 26 * 4.572e-3 * 38.1e-3;
     EXPECT_NEAR(outcome.torque, petroff, 1e-12 * std::abs(petroff));
     EXPECT_NEAR(outcome.dissipation, outcome.power, 1e-12 * outcome.power);
-    // Half of what the surface moves past: U c L / 2, along theta where U is positive.
+    // Couette flow U c L / 2, along theta if U is positive.
     EXPECT_NEAR(outcome.flows.end, -0.5 * speed * 19.05e-3 * 31.8e-6 * 38.1e-3, 1e-12 * std::abs(speed));
   }
 }
 
-/// Pads of 8 and 6 bumps, the second welded at its far edge.
+/// Pads of 8 and 6 bumps, the second welded at its trailing edge.
 TEST(FilmBearing, HasTheColumnsAndBlocksOfItsPadsInARow) {
   Case input = film_reference_case(coarse);
   input.bump_foil.bumps = 8;
@@ -196,20 +196,20 @@ TEST(FilmBearing, HasTheColumnsAndBlocksOfItsPadsInARow) {
   EXPECT_EQ(bearing.problem.K.blocks(), 16);
   EXPECT_EQ(first.wrap_sign, -1.0);
   EXPECT_EQ(second.wrap_sign, 1.0);
-  // Nothing ties the free end of one to the weld of the other; bumps of each are tied.
+  // The free end of one pad is not coupled to the weld of the other; bumps within a pad are.
   EXPECT_EQ(bearing.problem.K.upper[8].norm(), 0.0);
   EXPECT_EQ(bearing.problem.K.upper[7].norm(), 0.0);
   EXPECT_GT(bearing.problem.K.upper[6].norm(), 1e6);
   EXPECT_GT(bearing.problem.K.upper[9].norm(), 1e6);
   EXPECT_EQ(bearing.problem.K.diagonal[8](bearing.dofs().size, bearing.dofs().size), 0.0);
-  // Clockwise from X; the second begins opposite, and ends at its weld.
+  // Clockwise from X; the second starts on the opposite side and ends at its weld.
   const double pitch_angle = 4.572e-3 / 19.05e-3;
   EXPECT_NEAR(bearing.column_normals(0, 0), 1.0, 1e-14);
   EXPECT_NEAR(std::atan2(bearing.column_normals(1, 32), bearing.column_normals(0, 32)), -8.0 * pitch_angle, 1e-12);
   EXPECT_NEAR(std::atan2(bearing.column_normals(1, 33), bearing.column_normals(0, 33)),
               std::numbers::pi - 6.0 * pitch_angle, 1e-12);
   EXPECT_NEAR(bearing.column_normals(0, 57), -1.0, 1e-14);
-  // A lobe takes its size in the middle.
+  // The pad offset applies at the middle of the pad.
   const Matrix H = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
   EXPECT_NEAR(H(0, 16) * bearing.clearance, 31.8e-6 - 8e-6, 1e-12);
   EXPECT_NEAR(H(0, 45) * bearing.clearance, 31.8e-6 - 8e-6, 1e-12);
@@ -233,7 +233,7 @@ TEST(FilmBearing, FindsTheThinnestPlaceOfAllPads) {
   EXPECT_EQ(bump_loads(bearing, state)[8 + 2], 3.0);
 }
 
-/// A formed top foil bulges otherwise over strips that are not equally high than over their mean.
+/// A formed top foil bulges differently over strips of unequal height than over strips of their mean height.
 TEST(FilmBearing, AssemblesFormedFoilsOnTheirStrips) {
   const Case input = parse_case(case_template("gen1"), "case.toml",
                                 {.overrides = {"top_foil.formed_radius=seated", "width.modes=3", "bump_foil.strips=2",

@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// J X + s S X = -(r + s a), force f X, all drawn at random: reduce_forces() against the equations themselves.
+/// J X + s S X = -(r + s a), force f X, with random values: reduce_forces() compared with the equations.
 TEST(ReducedForces, SolveTheEquationsAtEveryRate) {
   constexpr Eigen::Index n = 40;
   constexpr double shift = 3.0;
@@ -26,7 +26,7 @@ TEST(ReducedForces, SolveTheEquationsAtEveryRate) {
   const Matrix J = drawn(n, n) + 8.0 * Matrix::Identity(n, n);
   const Matrix S = drawn(n, n) + 4.0 * Matrix::Identity(n, n);
   const Matrix f = drawn(2, n);
-  const Matrix r = drawn(n, 2);  // of two motions
+  const Matrix r = drawn(n, 2);  // two motions
   const Matrix a = drawn(n, 2);
 
   const Eigen::PartialPivLU<Matrix> at_shift(J + shift * S);
@@ -61,17 +61,17 @@ TEST(ReducedForces, SolveTheEquationsAtEveryRate) {
 }
 
 TEST(ReducedForces, AreNotGivenWhereTheSpaceCannotHoldThem) {
-  // What is stored at a third node never shows, and yet one direction is all that there is: no solution at s = shift
-  // + 1.
+  // The third node has storage that never appears in forces, but the space ends after one direction: no solution at
+  // s = shift + 1.
   const auto stored = [](const std::vector<Vector>& rates) {
     return std::vector<FilmAnswer>{{rates.front(), Eigen::Vector2d::Zero()}};
   };
   EXPECT_FALSE(reduce_forces({{Vector::Ones(3), Eigen::Vector2d(1.0, 0.0)}}, stored, {{1.0, 0.0}}).has_value());
 }
 
-/// The journal whirls by a nanometre, and the equations themselves are marched in time by BDF2. In steps dt the
-/// rate of e^{s t} is (3 - 4 e^{-s dt} + e^{-2 s dt}) / (2 dt): once the start is forgotten, the force is that of the
-/// impedance there.
+/// The journal whirls with an amplitude of a nanometre, marched in time by BDF2. With steps dt, the rate of e^{s t} is
+/// (3 - 4 e^{-s dt} + e^{-2 s dt}) / (2 dt): after the initial transient, the force is that of the impedance at this
+/// rate.
 TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   const double speed = speed_of_rpm(45000.0);
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
@@ -82,14 +82,14 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
 
   constexpr int steps = 24;
   constexpr int turns = 6;
-  constexpr double amplitude = 1e-9;  // m; no contact changes its mode over so little
+  constexpr double amplitude = 1e-9;  // m; too small for a contact to change its mode
   const double dt = 2.0 * std::numbers::pi / (steps * speed);
   const Complex turn = std::polar(1.0, speed * dt);
   const Complex s = (3.0 - 4.0 / turn + 1.0 / (turn * turn)) / (2.0 * dt);
   const auto Z = stepper.impedances(rest, {s});
   ASSERT_TRUE(Z.has_value());
 
-  const Eigen::Vector2cd motion(amplitude, Complex(0.0, -amplitude));  // round from X to Y
+  const Eigen::Vector2cd motion(amplitude, Complex(0.0, -amplitude));  // from X to Y
   const Eigen::Vector2d still = film_bearing_outcome(bearing, rest).force;
   BearingState state = rest;
   Complex phase = 1.0;
@@ -103,7 +103,7 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
     const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();
     largest = std::max(largest, (film_bearing_outcome(bearing, state).force - still - expected).norm());
   }
-  // Forces of tens of newtons are good to 1e-9 N, and the amplitude is part of the clearance to 3e-5.
+  // Forces of tens of newtons have errors of 1e-9 N, and the amplitude is 3e-5 of the clearance.
   EXPECT_LT(largest, 1e-4 * ((*Z)[0] * motion).norm());
 }
 

@@ -53,7 +53,7 @@ TEST(Foils, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
     const double theta = (static_cast<double>(i) + 0.5) * input.bump_foil.pitch.values.front() / input.bearing.radius;
     const double gap = input.bearing.radial_clearance + 1e-5 * std::cos(theta) - 2e-5 * std::sin(theta);
     EXPECT_NEAR(loading.initial_gap[3 * i], gap, 1e-19);
-    EXPECT_EQ(loading.initial_gap[3 * i + 1], i == 4 ? -3e-6 : 0.0);  // a taller bump interferes
+    EXPECT_EQ(loading.initial_gap[3 * i + 1], i == 4 ? -3e-6 : 0.0);  // a taller bump has interference
     EXPECT_EQ(loading.initial_gap[3 * i + 2], i == 7 ? 2e-6 : 0.0);
   }
 }
@@ -77,7 +77,7 @@ TEST(Foils, FollowAWavySleeve) {
       EXPECT_NEAR(added[first], 5e-6 * std::cos(3.0 * phi - 0.7), 1e-19);
       EXPECT_NEAR(added[first + 1], 0.0, 1e-19);
       for (Eigen::Index k = 0; k < foils->feet_per_block(); ++k) {
-        // From the journal to the sleeve all gaps together have grown by the wave under the foot.
+        // The sum of the gaps from journal to sleeve increases by the wave under the foot.
         const double under_foot = 5e-6 * std::cos(3.0 * feet[i * foils->feet_per_block() + k] - 0.7);
         EXPECT_NEAR(added[first] + added[first + foils->first_foot() + k], under_foot, 1e-19);
       }
@@ -93,11 +93,11 @@ TEST(Foils, TaperWithTheSleeveAndGiveWayToTheJournal) {
   const SharedFoils foils = make_bearing_foils(input);
   const Vector added = foils->assembled_gap - round;
   for (Eigen::Index i = 0; i < 26; ++i) {
-    const double part = (static_cast<double>(i) + 0.5) / 26.0;  // of the way from the weld to the free end
+    const double part = (static_cast<double>(i) + 0.5) / 26.0;  // relative position between weld and free end
     const double phi = std::numbers::pi - 26.0 * part * input.bump_foil.pitch.values.front() / input.bearing.radius;
     const Eigen::Index first = (foils->structure.first_bump + i) * foils->contacts_per_block();
     EXPECT_NEAR(added[first], 8e-6 * part - 3e-6 * std::cos(2.0 * phi - 0.4), 1e-19);
-    // The foot of a truss is half a pitch further.
+    // The foot of a truss is half a pitch further along.
     EXPECT_NEAR(added[first + foils->first_foot()], 8e-6 * 0.5 / 26.0, 1e-19);
   }
 }
@@ -145,7 +145,7 @@ TEST(Foils, ExcitationsMayOffsetGapsAndLoadTheTopFoil) {
   for (Eigen::Index i = 0; i < 26; ++i) {
     EXPECT_EQ(loading.load[i * block + foils->structure.dofs.top_u], excitation.top_load[i]);
   }
-  EXPECT_DOUBLE_EQ(loading.load.sum(), excitation.top_load.sum());  // nowhere else
+  EXPECT_DOUBLE_EQ(loading.load.sum(), excitation.top_load.sum());  // no loads elsewhere
 }
 
 TEST(Foils, RefusesCasesThatCannotBeBuilt) {

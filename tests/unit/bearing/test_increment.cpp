@@ -13,7 +13,7 @@ namespace {
 
 const Eigen::Vector2d up(0.0, 1.0);
 
-/// A made-up step of the reference bearing: bump 3 pressed, everything else open.
+/// An invented step of the reference bearing: bump 3 in contact, all else open.
 struct IncrementExample {
   SharedFoils foils = make_bearing_foils(case_with_given_constants());
   Step step;
@@ -50,7 +50,7 @@ TEST(PlaceIncrement, CopiesPlaceEnergiesAndCost) {
   EXPECT_EQ(increment.dissipated_energy, 2.0);
   EXPECT_EQ(increment.cost.iterations, 5);
   EXPECT_EQ(increment.substeps, 1);
-  EXPECT_TRUE(std::isnan(increment.elastic_energy));  // until it is judged
+  EXPECT_TRUE(std::isnan(increment.elastic_energy));  // not computed yet
   EXPECT_FALSE(increment.residuals.within());
 }
 
@@ -61,7 +61,7 @@ TEST(Judge, FindsEnergyAndResiduals) {
   judge(*example.foils, example.step.state, increment);
   const Vector& x = example.step.state.contacts.x;
   EXPECT_DOUBLE_EQ(increment.elastic_energy, elastic_response(example.foils->structure, x).energy);
-  // Made-up forces balance nothing.
+  // Invented forces are not in balance.
   EXPECT_GT(increment.residuals.equilibrium, 0.1);
 }
 

@@ -47,7 +47,7 @@ TEST(JournalLaw, MayHoldThePlaceInTheMidPlaneAndTheTiltInTwoWays) {
   EXPECT_EQ(law.units[3], held_journal(tilt, scales).units[0]);
 }
 
-/// A journal on springs that stand at q*: the film carries F* + k (q* - q).
+/// A journal held by springs with their rest position at q*: the film carries F* + k (q* - q).
 TEST(JournalLaw, MayBeThatOfASpring) {
   const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 3}));
   const double speed = speed_of_rpm(45000.0);
@@ -55,12 +55,12 @@ TEST(JournalLaw, MayBeThatOfASpring) {
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, Status::converged);
   JournalLaw spring = loaded_journal(Eigen::Vector2d(10.0, 2.0), bearing->scales);
-  spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, of the order of the bearing's stiffness
+  spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, about the stiffness of the bearing
   spring.position = state.position;
   ASSERT_EQ(stepper.advance(Move{spring, speed}, state).status, Status::converged);
   const Eigen::Vector2d carried = film_force(*bearing, state.film.pressure);
   EXPECT_GT((state.position - spring.position).norm(), 0.01e-6);  // it moved
-  // To the tolerance of a step, 1e-10 c, times the stiffness of both.
+  // Tolerance of a step, 1e-10 c, times the stiffness of both.
   EXPECT_LT((spring.force + 2e6 * (spring.position - state.position) - carried).norm(), 1e-7);
 }
 

@@ -29,7 +29,7 @@ TEST(KrylovSpace, IsOrthonormalAndMeetsItsEquation) {
 
 TEST(KrylovSpace, EndsWhereItHoldsAllThatTheOperatorMakesOfIt) {
   Matrix C = Matrix::Zero(4, 4);
-  C(1, 0) = C(0, 1) = 1.0;  // the first two directions alone
+  C(1, 0) = C(0, 1) = 1.0;  // couples only the first two directions
   KrylovSpace space(Vector::Unit(4, 0), 4);
   while (space.can_grow()) space.add(C * space.direction());
   EXPECT_EQ(space.size(), 2);

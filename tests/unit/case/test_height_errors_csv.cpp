@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A foil of four bumps, 0.5 mm high with 0.1 mm of thickness.
+/// A foil of four bumps, 0.5 mm high and 0.1 mm thick.
 class HeightErrorsCsv : public ::testing::Test {
  protected:
   std::vector<double> read(const std::string& text) {

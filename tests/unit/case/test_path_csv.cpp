@@ -45,7 +45,8 @@ TEST_F(PathCsv, TellsEveryFaultWithItsLine) {
   EXPECT_NE(refusal("x_m,y_m\n").find("contains no points"), std::string::npos);
 }
 
-/// A path whose points are wrong is no orbit that lacks its keys: its faults stand alone.
+/// A path with invalid points is not reported as an orbit with missing keys: only the errors of its points are
+/// reported.
 TEST_F(PathCsv, IsBlamedAloneForItsFaults) {
   folder_.write("faulty.csv", "x_m,y_m\n0\n");
   const std::string file = folder_.write("case.toml", case_template("gen1"));
@@ -62,7 +63,7 @@ TEST_F(PathCsv, IsBlamedAloneForItsFaults) {
     EXPECT_EQ(faults(override).size(), 1U) << override;
   }
   EXPECT_EQ(faults("path.file=faulty.csv").front().line, 2U);
-  EXPECT_EQ(faults("path.tilt=0").size(), 2U);  // no points at all
+  EXPECT_EQ(faults("path.tilt=0").size(), 2U);  // without points
 }
 
 }  // namespace

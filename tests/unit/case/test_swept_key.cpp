@@ -16,7 +16,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What is wrong with an option, with its advice.
+/// The error of an option, with its advice.
 std::string swept_key_fault(const std::string& argument) {
   try {
     static_cast<void>(parse_swept_key(argument));
@@ -56,7 +56,7 @@ TEST(SweptKey, RangesMayFallStandStillOrUsePowersOfTen) {
 }
 
 TEST(SweptKey, RangeEndsWhereItWasToldTo) {
-  // Thirds, written with as many digits as anybody has patience for: a step short, and a step beyond.
+  // Thirds with limited digits: a final step that is too short, and one that is too long.
   EXPECT_EQ(parse_swept_key("a.b=0:1:0.3333333").values, (Words{"0", "0.3333333", "0.6666666", "1"}));
   EXPECT_EQ(parse_swept_key("a.b=0:1:0.33333334").values.back(), "1");
   EXPECT_TRUE(has(swept_key_fault("a.b=0:0.5:0.2"), "does not end at 0.5; steps of 0.2 lead to 0.4 and 0.6"));
@@ -113,7 +113,7 @@ RC_GTEST_PROP(SweptKey, AnyRangeEndsAtBothEndsWithoutRoundings, ()) {
   RC_ASSERT(swept.values.size() == static_cast<std::size_t>(steps) + 1);
   for (int i = 0; i <= steps; ++i) {
     const std::string& value = swept.values[static_cast<std::size_t>(i)];
-    // The double nearest to the decimal, and its shortest text that is not a power of ten.
+    // The nearest double of the decimal, with a text that is not longer than the decimal.
     RC_ASSERT(std::stod(value) == std::stod(decimal(from + i * step, decimals)));
     RC_ASSERT(value.size() <= decimal(from + i * step, decimals).size());
     RC_ASSERT(value != "-0");

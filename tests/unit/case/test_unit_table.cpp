@@ -18,7 +18,7 @@
 namespace bumpfoil {
 namespace {
 
-/// What UDUNITS-2 says of units. It prints its faults, unless it is told not to.
+/// Units as read by UDUNITS-2, with its printing of errors disabled.
 class Udunits {
  public:
   struct Free {
@@ -37,7 +37,7 @@ class Udunits {
     return Unit(ut_parse(system_.get(), text.c_str(), UT_UTF8));
   }
 
-  /// Expects that a unit of UDUNITS-2 is what this says.
+  /// Expects that a unit of UDUNITS-2 has this meaning.
   void expect(const Unit& unit, const UnitMeaning& meaning, const std::string& text) const {
     ASSERT_TRUE(unit) << text;
     std::string si = "1";
@@ -49,7 +49,7 @@ class Udunits {
     const std::unique_ptr<cv_converter, Free> converter(ut_get_converter(unit.get(), expected.get()));
     const bool shifted = cv_convert_double(converter.get(), 0.0) != 0.0;
     ASSERT_EQ(meaning.scale.has_value(), !shifted) << text;
-    // Factors are multiplied in another order.
+    // Round-off: factors are multiplied in a different order.
     if (shifted) return;
     EXPECT_NEAR(cv_convert_double(converter.get(), 1.0) / *meaning.scale, 1.0, 1e-15) << text;
   }
@@ -59,14 +59,14 @@ class Udunits {
   std::unique_ptr<ut_system, Free> system_;
 };
 
-/// Spellings that UDUNITS-2 does not have, and its own.
+/// Our spellings without an equivalent in UDUNITS-2, and its spellings.
 const std::map<std::string, std::string>& other_spellings() {
   static const std::map<std::string, std::string> spellings{
       {"deg", "degree"}, {"thou", "mil"}, {"rev", "revolution"}, {"P", "poise"}};
   return spellings;
 }
 
-/// What UDUNITS-2 reads otherwise: "ph" is a phot, and "datm" begins with "da".
+/// Different meanings in UDUNITS-2: "ph" is a phot, and "datm" begins with "da".
 const std::set<std::string> other_readings{"ph", "datm", "datmosphere"};
 
 std::vector<std::string> words_of(const KnownUnit& unit) {
@@ -74,7 +74,7 @@ std::vector<std::string> words_of(const KnownUnit& unit) {
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-/// Every text in quotes that begins with a number, in documents and examples: what follows the number.
+/// The units of all quoted texts in documents and examples that begin with a number.
 std::set<std::string> units_of_the_repository() {
   std::set<std::string> units;
   constexpr std::size_t longest = 40;
@@ -126,8 +126,7 @@ TEST(UnitTable, SaysOfEveryUnitWhatUdunitsSays) {
       ASSERT_TRUE(alone) << word;
       EXPECT_EQ(alone->powers, unit.meaning.powers) << word;
       EXPECT_EQ(alone->scale, unit.meaning.scale) << word;
-      // A prefix may make another unit of it, which has to be the one that they know: "min" is no thousandth of an
-      // inch.
+      // A prefix can result in another unit, which must be that of UDUNITS-2: "min" is not a thousandth of an inch.
       for (const UnitPrefix& prefix : unit_prefixes()) {
         if (!unit.meaning.scale) continue;
         for (const std::string& before : {std::string(prefix.symbol), std::string(prefix.name)}) {

@@ -26,7 +26,7 @@ std::string fault_of(std::string_view text, Dimension dimension) {
 }
 
 TEST(ParseQuantity, ReadsWhatCaseFilesHold) {
-  // Exact: a decimal fraction is divided by the power of ten, so the nearest double comes out.
+  // Exact: a decimal fraction is divided by a power of ten, which gives the nearest double.
   EXPECT_EQ(value_of("31.8 um", Dimension::length), 31.8e-6);
   EXPECT_EQ(value_of("19.05 mm", Dimension::length), 19.05e-3);
   EXPECT_EQ(value_of("0.102mm", Dimension::length), 0.102e-3);
@@ -92,7 +92,7 @@ TEST(ParseQuantity, ReadsOtherSystemsOfUnits) {
   EXPECT_DOUBLE_EQ(value_of("1 thou", Dimension::length), 25.4e-6);
   EXPECT_DOUBLE_EQ(value_of("1 rev/min", Dimension::frequency), 2.0 * std::numbers::pi / 60.0);
   EXPECT_DOUBLE_EQ(value_of("0.0185 cP", Dimension::viscosity), 18.5e-6);
-  EXPECT_NEAR(value_of("1 psi", Dimension::pressure), 6894.757293168, 1e-8);  // all digits of the definition known here
+  EXPECT_NEAR(value_of("1 psi", Dimension::pressure), 6894.757293168, 1e-8);  // all given digits of the definition
 }
 
 TEST(ParseQuantity, NamesTheDimensionThatWasMet) {

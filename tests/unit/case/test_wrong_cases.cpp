@@ -13,7 +13,7 @@ namespace {
 
 using test_support::WrongCase;
 
-/// Reads the text as the program does: from a file.
+/// Reads the text from a file, as the program does.
 std::vector<Fault> faults_of(const std::string& text) {
   const test_support::TemporaryFolder folder;
   try {

@@ -26,7 +26,7 @@ TEST(CoulombContact, VisitsContactsInTheOrderOfTheirArrays) {
     coefficients.push_back(contact.f);
   });
   EXPECT_EQ(rows, (std::vector<Eigen::Index>{0, 0, 3, 3}));
-  // A coefficient without a tangential unknown has nothing to act on.
+  // A coefficient without a tangential unknown has no effect.
   EXPECT_EQ(coefficients, (std::vector<double>{0.3, 0.0, 0.3, 0.0}));
 }
 

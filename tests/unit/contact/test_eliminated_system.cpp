@@ -7,12 +7,12 @@
 namespace bumpfoil {
 namespace {
 
-/// Of contacts of one block.
+/// Order for the contacts of one block.
 std::vector<Elimination> order_of(const std::vector<ContactSite>& sites) {
   return elimination_order({.K = BlockTridiagonal(1, 6), .sites = sites});
 }
 
-/// Contact 0 presses on unknown 4, which contact 1 lies on: 1 goes first, by the unknown that it alone touches.
+/// Contact 0 acts on unknown 4, on which contact 1 lies: 1 is first, with the unknown that only it touches.
 TEST(EliminationOrder, TakesOwnersThatNoLaterContactTouches) {
   const std::vector<Elimination> order = order_of({{.plus = 4}, {.plus = 1, .minus = 4}, {.minus = 3}});
   ASSERT_EQ(order.size(), 3U);
@@ -28,7 +28,7 @@ TEST(EliminationOrder, TakesOwnersThatNoLaterContactTouches) {
   EXPECT_EQ(order[2].owner, 4);
 }
 
-/// An unknown along which a contact rubs belongs to no other, even after that contact.
+/// The tangential unknown of a contact belongs to no other contact, not even to a later one.
 TEST(EliminationOrder, TakesNoOwnerThatAnotherRubsAlong) {
   const std::vector<Elimination> order = order_of({{.plus = 0, .minus = 1}, {.plus = 2, .tangential = 0}});
   EXPECT_EQ(order[0].site, 0U);

@@ -14,7 +14,7 @@ double distance_between(const Vector& a, const Vector& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// Random problems with blocks of the fixed sizes and of another.
+/// Random problems with blocks of fixed sizes and of a generic size.
 class PenaltySystemSizes : public testing::TestWithParam<int> {};
 
 TEST_P(PenaltySystemSizes, SolvesLikeDense) {

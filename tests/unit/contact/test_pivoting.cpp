@@ -49,7 +49,7 @@ TEST(PivotingRule, ChangesOneContactOnceTheirNumberDoesNotFall) {
   PivotingRule rule(10);
   const std::vector<ModeChange> changes{{0, stick, 1.0}, {1, stick, 1.0}, {2, stick, 1.0}};
   std::vector<ContactMode> mode;
-  for (int round = 0; round < 3; ++round) {  // the first, and two more in vain
+  for (int round = 0; round < 3; ++round) {  // the first, and two more without progress
     mode.assign(3, open);
     EXPECT_TRUE(rule.apply(changes, mode));
     EXPECT_EQ(mode, (std::vector<ContactMode>{stick, stick, stick})) << round;
@@ -58,7 +58,7 @@ TEST(PivotingRule, ChangesOneContactOnceTheirNumberDoesNotFall) {
   EXPECT_TRUE(rule.apply(changes, mode));
   EXPECT_EQ(mode, (std::vector<ContactMode>{open, open, stick}));
   mode.assign(3, open);
-  EXPECT_TRUE(rule.apply({{0, stick, 1.0}, {1, stick, 1.0}}, mode));  // fewer than ever
+  EXPECT_TRUE(rule.apply({{0, stick, 1.0}, {1, stick, 1.0}}, mode));  // fewer than before
   EXPECT_EQ(mode, (std::vector<ContactMode>{stick, stick, open}));
 }
 
@@ -81,12 +81,12 @@ TEST(WorstOfRuns, ChangesOneContactOfEachRun) {
   std::vector<ContactMode> mode(14, open);
   mode[12] = stick;
   rule.apply({{0, stick, 1.0},
-              {1, stick, 5.0},  // a run of its own kind, of one
+              {1, stick, 5.0},  // a separate run of one contact
               {2, stick, 3.0},
               {4, stick, 2.0},           // run 0, 2, 4: the worst is 2
-              {6, slip_forward, 9.0},    // asks for something else
+              {6, slip_forward, 9.0},    // a different target mode
               {10, slip_forward, 1.0},   // not a neighbour of 6
-              {12, slip_forward, 2.0}},  // comes from another mode
+              {12, slip_forward, 2.0}},  // a different previous mode
              mode);
   const std::vector<ContactMode> expected{open, stick, stick, open,         open, open,         slip_forward,
                                           open, open,  open,  slip_forward, open, slip_forward, open};

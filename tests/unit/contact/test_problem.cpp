@@ -51,11 +51,11 @@ TEST(ContactProblem, GapsAndForcesAreTransposesOfEachOther) {
   const Vector x = Vector::LinSpaced(problem.K.rows(), -1.0, 2.0);
   const Vector force = dense.normal.transpose() * p + dense.tangential.transpose() * t;
   const Vector gap = p + dense.normal * x;
-  EXPECT_LT((contact_forces(problem, p, t) - force).norm(), 1e-15 * force.norm());  // sums in another order
+  EXPECT_LT((contact_forces(problem, p, t) - force).norm(), 1e-15 * force.norm());  // sums in a different order
   EXPECT_LT((contact_gaps(problem, p, x) - gap).norm(), 1e-15 * gap.norm());
 }
 
-/// 1 N, as residuals have it, but for problems whose own forces are smaller.
+/// 1 N as in residuals, but less for problems with smaller forces.
 TEST(ContactProblem, ReferenceForcesAreNoLargerThanItsOwn) {
   ContactProblem problem = toy::spring_against_a_wall();
   problem.force_scale = 300.0;

@@ -27,7 +27,7 @@ struct SlippingBlock {
   }
 };
 
-/// The same block held: pulled by 15 N, friction 15 N, nothing moves.
+/// The same block in stick: pulled by 15 N, friction 15 N, no displacement.
 SlippingBlock sticking_block() {
   SlippingBlock block;
   block.loading = toy::pull(15.0, 40.0);
@@ -39,7 +39,7 @@ SlippingBlock sticking_block() {
 TEST(ContactResiduals, AreZeroAtSolutions) {
   for (const SlippingBlock& block : {SlippingBlock{}, sticking_block()}) {
     const ContactResiduals residuals = block.judge();
-    EXPECT_LT(residuals.equilibrium, 1e-15);  // 2e6 * 5e-6 is 10 to rounding
+    EXPECT_LT(residuals.equilibrium, 1e-15);  // 2e6 * 5e-6 is 10 up to round-off
     EXPECT_EQ(residuals.penetration, 0.0);
     EXPECT_EQ(residuals.slip_in_stick, 0.0);
     EXPECT_EQ(residuals.complementarity, 0.0);

@@ -16,7 +16,7 @@ double relative_distance(const Vector& a, const Vector& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// Contacts in all stages between open, closed, stuck and slipping.
+/// Contacts in all transitions between open, closed, stick and slip.
 std::vector<SoftContact> soft_contacts(int contacts) {
   std::vector<SoftContact> soft;
   for (int c = 0; c < contacts; ++c) {
@@ -31,7 +31,7 @@ std::vector<SoftContact> soft_contacts(int contacts) {
   return soft;
 }
 
-/// Random problems with blocks of the fixed sizes and of another.
+/// Random problems with blocks of fixed sizes and of a generic size.
 class SoftContactSystemSizes : public testing::TestWithParam<int> {};
 
 TEST_P(SoftContactSystemSizes, SolvesLikeDense) {
@@ -67,7 +67,7 @@ TEST_P(SoftContactSystemSizes, SolvesLikeDense) {
     ASSERT_TRUE(system->set_contacts(soft));
     system->solve_in_place(x, p, t);
     const Vector expected = A.partialPivLu().solve(right);
-    // Condition numbers of some 1e3 times the ratio of forces and displacements.
+    // Condition numbers of about 1e3 times the ratio of forces and displacements.
     EXPECT_LT(relative_distance(x, expected.head(n)), 1e-11 * expected.head(n).cwiseAbs().maxCoeff());
     const double force = expected.tail(2 * contacts).cwiseAbs().maxCoeff();
     EXPECT_LT(relative_distance(p, expected.segment(n, contacts)), 1e-11 * force);
@@ -77,8 +77,8 @@ TEST_P(SoftContactSystemSizes, SolvesLikeDense) {
   }
 }
 
-/// With the coefficients of the modes, soft contacts are those of ModeSystem. K dx = x + contact forces is the balance
-/// of the whole load where it starts from nothing.
+/// With the coefficients of the modes, soft contacts equal those of ModeSystem. K dx = x + contact forces is the
+/// balance of the total load, starting from zero.
 TEST_P(SoftContactSystemSizes, EqualsModeSystemForModes) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const RandomProblem random = make_random_problem(seed, 5, GetParam(), 0.3);
@@ -115,7 +115,7 @@ TEST_P(SoftContactSystemSizes, EqualsModeSystemForModes) {
     const std::unique_ptr<SoftContactSystem> system = make_soft_contact_system(problem);
     ASSERT_TRUE(system->set_contacts(soft));
     system->solve_in_place(x, p, t);
-    // Condition numbers of some 1e3.
+    // Condition numbers of about 1e3.
     const double force = state.normal_force.cwiseAbs().maxCoeff() + state.friction_force.cwiseAbs().maxCoeff();
     EXPECT_LT(relative_distance(x, state.x), 1e-11 * state.x.cwiseAbs().maxCoeff()) << seed;
     EXPECT_LT(relative_distance(p, state.normal_force), 1e-11 * force + 1e-12) << seed;

@@ -12,9 +12,9 @@
 namespace bumpfoil {
 namespace {
 
-/// A particle on an obstacle, held by springs [Klarbring1990]: tangential and normal displacement x0, x1, of 1 N/m and
-/// 4 N/m, coupled by -1.5 N/m. Where it slides forwards, (1 - 1.5 f) x0 = L - f with a normal load of 1 N: beyond f =
-/// 2/3 it moves against its load L.
+/// A particle on an obstacle, held by springs [Klarbring1990]: tangential and normal displacement x0, x1, with 1 N/m
+/// and 4 N/m, coupled by -1.5 N/m. In forward slip, (1 - 1.5 f) x0 = L - f with a normal load of 1 N: beyond f = 2/3 it
+/// moves against its load L.
 ContactProblem particle(double f) {
   ContactProblem problem;
   problem.K.diagonal = {(Matrix(2, 2) << 1.0, -1.5, -1.5, 4.0).finished()};
@@ -49,7 +49,7 @@ TEST(Wedging, GivesAParticleThreeAnswers) {
   ASSERT_TRUE(wedge);
   EXPECT_EQ(wedge->contact, 0);
   EXPECT_DOUBLE_EQ(wedge->friction, 2.0 / 3.0);
-  // The exact solver finds one of them.
+  // The exact solver finds one of the solutions.
   ContactState found = ContactState::unstressed(problem);
   NewtonSolver solver{SharedProblem(problem)};
   ASSERT_TRUE(solver.solve(loading, answer(ContactMode::stick, 0.0, 0.0, 1.0, 0.0), found).converged());
@@ -62,8 +62,7 @@ TEST(Wedging, BeginsWhereTheSlopeTurns) {
   EXPECT_TRUE(strongest_wedge(particle(0.667)));
 }
 
-/// The foot of a flat at 45 degrees that is held at its crest: T = |a|, f = 1. Neighbours that hold the foot stiffen
-/// it.
+/// The foot of a flat at 45 degrees whose crest is fixed: T = |a|, f = 1. Neighbours that support the foot stiffen it.
 TEST(Wedging, IsThatOfTheSteepestFlat) {
   ContactProblem problem;
   const auto block = [](double angle, double beside) {

@@ -10,7 +10,7 @@ BlockTridiagonal example() {
   K.add(0, 0, 0, 0, 4.0);
   K.add(0, 0, 0, 1, -1.0);
   K.add(0, 1, 1, 0, 2.0);
-  K.add(2, 1, 1, 1, 5.0);  // given below the diagonal: stored mirrored
+  K.add(2, 1, 1, 1, 5.0);  // below the diagonal: stored transposed
   K.add(2, 0, 2, 0, 7.0);
   return K;
 }
@@ -32,7 +32,7 @@ TEST(BlockTridiagonal, MultipliesLikeItsDenseForm) {
 }
 
 TEST(BlockTridiagonal, MayBeUnsymmetric) {
-  for (const int size : {2, 6}) {  // of any size, and of code of its own
+  for (const int size : {2, 6}) {  // generic and compiled sizes
     BlockTridiagonal K(3, size);
     for (Matrix& block : K.diagonal) block.setConstant(2.0);
     for (Matrix& block : K.upper) block.setConstant(3.0);

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-/// An unsymmetric matrix without any zero in its band, the diagonal heavy enough for pivoting inside the blocks.
+/// An unsymmetric matrix with a full band, with diagonal blocks dominant enough for pivoting within the blocks.
 template <int B>
 BlockTridiagonalLU<B> factored_example(int blocks, int size,
                                        VectorInstructions instructions = widest_vector_instructions()) {
@@ -20,7 +20,7 @@ BlockTridiagonalLU<B> factored_example(int blocks, int size,
       for (int j = 0; j < size; ++j) {
         lu.lower(b)(i, j) = std::sin(1.0 + b + 3 * i + 7 * j);
         lu.upper(b)(i, j) = std::cos(2.0 + 2 * b + 5 * i + j);
-        // Heavy one place off the diagonal: without row exchanges inside the block the pivots would be poor.
+        // Largest next to the diagonal: without row exchanges inside the block the pivots would be poor.
         lu.diagonal(b)(i, j) = std::sin(3.0 * b + i * j) + (j == (i + 1) % size ? 4.0 * size : 0.0);
       }
     }

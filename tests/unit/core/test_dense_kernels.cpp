@@ -14,7 +14,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Heavy one place off the diagonal: without row exchanges the pivots would be poor.
+/// Largest next to the diagonal: without row exchanges the pivots would be poor.
 RowMajor example_matrix(int n, double seed) {
   RowMajor a(n, n);
   for (int i = 0; i < n; ++i) {
@@ -23,7 +23,7 @@ RowMajor example_matrix(int n, double seed) {
   return a;
 }
 
-/// A block as the kernels take it, zeros behind every row.
+/// A block in the storage of the kernels, with zeros after each row.
 template <int B>
 LineVector stored(const RowMajor& a) {
   const Eigen::Index stride = row_stride<B>(a.rows());
@@ -45,7 +45,7 @@ void expect_near(const RowMajor& found, const RowMajor& expected) {
   EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
 }
 
-/// Calls check(kernels) with the instructions that blocks of B rows may have.
+/// Calls check(kernels) with all instructions available for blocks of B rows.
 template <int B, typename Check>
 void with_each(int n, Check&& check) {
   for (const VectorInstructions instructions : vector_instructions()) {

@@ -25,7 +25,7 @@ TEST(Extremes, HoldZeroAndLeaveOutWhatIsNoNumber) {
   const Extremes positive = extremes_of(Eigen::VectorXd::Constant(11, 3.0));
   EXPECT_EQ(positive.least, 0.0);
   EXPECT_EQ(positive.most, 3.0);
-  // In vectors of two, four or eight it follows the least number in its place.
+  // In vectors of two, four or eight, NaN comes after the minimum in the same lane.
   Eigen::VectorXd broken = Eigen::VectorXd::Constant(27, -3.0);
   broken[3] = -9.0;
   broken[11] = broken[25] = std::numeric_limits<double>::quiet_NaN();

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The same number, the same end, the same status as std::from_chars.
+/// The same number, end and status as std::from_chars.
 void expect_as_from_chars(const std::string& text) {
   SCOPED_TRACE(text);
   double expected = 7.0;

@@ -11,7 +11,7 @@ using namespace std::string_literals;
 
 TEST(Printable, EscapesControlCharactersOfBothKinds) {
   EXPECT_EQ(printable("\x1b[2J\n\0a\tb\x7f"s), "\\x1b[2J\\x0a\\x00a\\x09b\\x7f");
-  // CSI as one C1 character.
+  // CSI as a single C1 character.
   EXPECT_EQ(printable("\xc2\x9b 31m"), "\\xc2\\x9b 31m");
   EXPECT_EQ(printable("\xc2\x80\xc2\x9f\xc2\xa0"), "\\xc2\\x80\\xc2\\x9f\xc2\xa0");
 }
@@ -35,7 +35,7 @@ TEST(Printable, EscapesWhatTurnsTheDirectionOrBreaksLines) {
 }
 
 TEST(Printable, EscapesWhatIsNoUtf8) {
-  // Alone, cut short, longer than need be, half of a pair, beyond the last character.
+  // Continuation byte only, truncated, overlong, a surrogate, beyond the last code point.
   for (const std::string text : {"\x80", "\xff", "\xc2", "\xe2\x80", "\xc1\x9b", "\xe0\x82\x9b", "\xed\xa0\x80",
                                  "\xf4\x90\x80\x80", "\xf8\x88"}) {
     EXPECT_EQ(printable(text).size(), 4 * text.size()) << printable(text);

@@ -41,7 +41,7 @@ TEST(Status, NamesAreThoseOfTheEnumerators) {
   EXPECT_EQ(name_of(Status::not_reached), "not_reached");
 }
 
-/// Files of earlier versions are read by these numbers.
+/// These numbers must stay, as they are stored in files of earlier versions.
 TEST(Status, KeepTheirNumbersInFiles) {
   EXPECT_EQ(foil_statuses, 11U);
   std::vector<std::string_view> running;

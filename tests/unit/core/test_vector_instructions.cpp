@@ -26,7 +26,7 @@ TEST(VectorInstructions, TellTheBodyTheirLanesAndHandItsResultOn) {
   EXPECT_TRUE(called);
 }
 
-/// Without a fused instruction the library does it in software, with the same result.
+/// Without fused instructions the library emulates them, with the same result.
 TEST(VectorInstructions, RunTheSameLoopWithEach) {
   std::array<double, 37> a{}, b{};
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -19,7 +19,7 @@ TEST(Version, HasThreeNumbers) {
 
 TEST(Version, CommitIsAHashOrUnknown) {
   const std::string_view commit = bumpfoil::commit();
-  if (commit == "unknown") return;  // built outside a checkout
+  if (commit == "unknown") return;  // built without a checkout
   EXPECT_GE(commit.size(), 12U);
   EXPECT_EQ(commit.find_first_not_of("0123456789abcdef"), std::string_view::npos);
 }

@@ -10,8 +10,8 @@ namespace bumpfoil {
 namespace {
 
 TEST(Draws, AreThoseOfPhilox) {
-  // Known answers of philox4x32-10 (Random123, kat_vectors): the first two words for counter and key zero, and for
-  // all bits set.
+  // Known answers of philox4x32-10 (Random123, kat_vectors): the first two words for counter and key zero, and for all
+  // bits set.
   EXPECT_EQ(uniform_draw({}), ((0x6627e8d5e169c58dU >> 12U) + 0.5) * 0x1p-52);
   const std::uint64_t all = ~std::uint64_t{0};
   EXPECT_EQ(uniform_draw({all, all, ~0U, ~0U}), ((0x408f276d41c83b0eU >> 12U) + 0.5) * 0x1p-52);
@@ -49,7 +49,7 @@ TEST(Draws, AreUniformAndIndependentOfTheirNeighbours) {
     sum += u;
     next += (u - 0.5) * (uniform_draw({.seed = 7, .sample = i + 1}) - 0.5);
   }
-  // Five standard errors: sqrt(1/12) of a draw, 1/12 of the product of two, sqrt(n p (1 - p)) of a count.
+  // Five standard errors: sqrt(1/12) for a draw, 1/12 for the product of two, sqrt(n p (1 - p)) for a count.
   EXPECT_NEAR(sum / n, 0.5, 5.0 * std::sqrt(1.0 / 12.0 / n));
   EXPECT_NEAR(next / n, 0.0, 5.0 / 12.0 / std::sqrt(n));
   for (const int count : counts) EXPECT_NEAR(count, n / 20, 5.0 * std::sqrt(n * 0.05 * 0.95));

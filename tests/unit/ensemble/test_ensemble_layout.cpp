@@ -73,7 +73,7 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
                        [&](const EnsembleColumn& column) { return column.meaning.name == name; });
   };
   EXPECT_TRUE(has(layout, "h_min"));
-  // Loads are asked for, and do not scatter. Others are of pads, of limits and of rough surfaces.
+  // Loads are prescribed and have no scatter. The others exist only for pads, limits or rough surfaces.
   for (const char* const name : {"force_x", "h_min_pad", "load_capacity", "asperity_share"}) {
     EXPECT_FALSE(has(layout, name)) << name;
   }
@@ -109,7 +109,7 @@ TEST(EnsembleLayout, RowsHoldTheRotorOverItsSpeeds) {
   ASSERT_EQ(layout.places.size(), 1U);
   EXPECT_EQ(layout.places[0].name, "rotor");
   EXPECT_EQ(layout.dimension(), "rotor");
-  EXPECT_EQ(layout.width(), layout.columns.size());  // without loads of bumps, which every speed has others of
+  EXPECT_EQ(layout.width(), layout.columns.size());  // bump loads are omitted, as they differ between speeds
   EXPECT_EQ(layout.columns.front().meaning.name, "status");
   EXPECT_EQ(layout.status_name(static_cast<int>(Status::interrupted)), "interrupted");
   EXPECT_EQ(layout.status_name(layout.no_bearing()), "not_physical");
@@ -149,11 +149,11 @@ TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
   const std::vector<double> row = make_ensemble_row(
       layout, input, run_rotor_sample(sampled_case(input, draw_sample(input, 0)), EnsembleCommand::unbalance).value());
   EXPECT_EQ(row[0], 0.0);
-  EXPECT_GT(row[1], 0.5e-6);  // the centre of mass lies 1 um from the axis
+  EXPECT_GT(row[1], 0.5e-6);  // the centre of mass is 1 um from the axis
   EXPECT_LT(row[1], 5e-6);
   EXPECT_GE(row[2], 700.0);
   EXPECT_LT(row[3], 1.0);
-  // With orbits, what these are like.
+  // With orbits their quantities are added.
   input.settings.find<UnbalanceSettings>()->orbits = true;
   EXPECT_EQ(make_ensemble_layout(input).columns.back().meaning.name, "orbits_last");
 }
@@ -174,7 +174,7 @@ TEST(EnsembleLayout, RowsHoldWhatARotorDoesInTime) {
   EXPECT_EQ(row[1], input.settings.find<TransientSettings>()->speed.front().time);
 }
 
-/// What is wrong with the case is no fault of a sample.
+/// Errors of the case throw; they are not failures of samples.
 TEST(EnsembleLayout, OfRotorsWantsOne) {
   Case still = test_support::transient_ensemble_case(1);
   still.settings.set(TransientSettings{});

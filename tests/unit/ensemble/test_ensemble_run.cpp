@@ -14,7 +14,7 @@ class EnsembleRuns : public ::testing::Test {
  protected:
   RowLog new_log(const std::string& name) const { return {folder_.path() / name, "", layout_.width()}; }
 
-  /// To the last bit, absent numbers included.
+  /// Bit-identical, including absent numbers.
   void expect_same(const RowLog& a, const RowLog& b) const {
     ASSERT_EQ(a.rows(), b.rows());
     for (std::size_t place = 0; place < layout_.width(); ++place) {
@@ -89,7 +89,7 @@ TEST_F(EnsembleRuns, ShareTheirSamplesWithOthers) {
   std::size_t shared = 0;
   const auto share = [&](RunFlow& flow) {
     const RunRange range = flow.take(5);
-    for (std::size_t i = range.count; i > 0; --i) {  // they come back in any order
+    for (std::size_t i = range.count; i > 0; --i) {  // returned in any order
       const std::size_t number = range.first + i - 1;
       flow.put(number, *EnsembleSampler(input_, layout_).run(number, [](double) { return true; }));
     }

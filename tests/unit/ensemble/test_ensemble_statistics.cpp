@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Rows whose numbers say where they stand; the second sample failed along -X.
+/// Rows whose numbers encode their position; the second sample failed along -X.
 class EnsembleStatisticsOfRows : public ::testing::Test {
  protected:
   EnsembleStatisticsOfRows() {
@@ -67,14 +67,14 @@ TEST_F(EnsembleStatisticsOfRows, SensitivitiesAreToFactorsOfTheSamplesThatConver
   }
   const std::vector<std::vector<double>> found = make_ensemble_statistics(input_, layout_, log).places[1].sensitivities;
   ASSERT_EQ(found[1].size(), 2U);
-  EXPECT_NEAR(found[1][0], -1.0, 1e-7);  // falls throughout; the root of a rounding is left
+  EXPECT_NEAR(found[1][0], -1.0, 1e-7);  // decreases monotonically; square root of round-off
   EXPECT_NEAR(found[1][1], 0.0, 0.72);   // five standard errors, 1 / sqrt(48)
-  EXPECT_TRUE(std::isnan(found[2][0]));  // always the same
+  EXPECT_TRUE(std::isnan(found[2][0]));  // constant
 }
 
 TEST_F(EnsembleStatisticsOfRows, ErrorOfTheForceIsTheLargestOfAllDirections) {
   ASSERT_EQ(layout_.columns[1].meaning.name, "max_force");
-  // Of 101, 102, 104 and of place + 1, place + 4.
+  // Values 101, 102, 104, and place + 1, place + 4.
   const auto place = static_cast<double>(layout_.entry(1, 1));
   const double first = std::sqrt(7.0 / 9.0) / (100.0 + 7.0 / 3.0);
   const double second = 1.5 / (100.0 * place + 2.5);

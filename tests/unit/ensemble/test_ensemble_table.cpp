@@ -72,7 +72,7 @@ TEST(EnsembleTable, TellsHowManyRotorsWhirlNowhereAndHowManyFromTheBegin) {
       << table;
 }
 
-/// Statistics over several branches are of none of them.
+/// Statistics over several branches describe none of them.
 TEST(EnsembleTable, WarnsWhereSamplesLieOnSeveralBranches) {
   const EnsembleLayout cycles = make_ensemble_layout(test_support::ensemble_case(3));
   EnsembleStatistics statistics{.samples = 4, .places = std::vector<PlaceStatistics>(2), .failures = {}};
@@ -95,7 +95,7 @@ TEST(EnsembleTable, WarnsWhereSamplesLieOnSeveralBranches) {
     statistics.places.back().columns.at(column("lifted_bumps_at_entry")) = statistics_of(lifted);
     return warning_lines(test_support::running_ensemble_case(4), states, statistics);
   };
-  EXPECT_TRUE(lines_for({0.0, 0.0, 0.0, 0.0}, {4.0, 4.0, 5.0, 5.0}).empty());  // one bump more is a matter of heights
+  EXPECT_TRUE(lines_for({0.0, 0.0, 0.0, 0.0}, {4.0, 4.0, 5.0, 5.0}).empty());  // one bump more is due to heights
   EXPECT_TRUE(lines_for({1.0, 1.0, 1.0, 1.0}, {4.0, 4.0, 4.0, 4.0}).empty());
   EXPECT_EQ(lines_for({1.0, 0.0, 1.0, 0.0}, {4.0, 4.0, 4.0, 4.0}).size(), 1U);
   const std::vector<std::string> lines = lines_for({0.0, 0.0, 0.0, 0.0}, {4.0, 4.0, 7.0, 7.0});

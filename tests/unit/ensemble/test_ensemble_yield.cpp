@@ -48,7 +48,7 @@ TEST(EnsembleYield, BearingsPassInEveryDirection) {
   const std::vector<EnsembleLimit> limits = parse_limits({"clearance_5N > 20 um", "max_force < 900"}, layout);
   const std::size_t clearance = limits[0].column;
   const std::size_t force = limits[1].column;
-  // Five bearings: good; never touched along +X; tight along -X; stiff along +X; failed along -X.
+  // Five bearings: good; no contact along +X; tight along -X; stiff along +X; failed along -X.
   std::vector<double> rows(5 * layout.width(), 0.0);
   const auto at = [&](std::size_t sample, std::size_t direction, std::size_t column) -> double& {
     return rows[sample * layout.width() + layout.entry(direction, column)];
@@ -86,7 +86,7 @@ TEST(EnsembleYield, RotorsPassWhoseOrbitsAreSmallEnough) {
       {"largest_amplitude < 5 um", "largest_amplitude_speed < 9000 rpm", "largest_amplitude_ratio < 0.3"}, of_rotor);
   EXPECT_EQ(limits[0].bound, 5e-6);
   EXPECT_NEAR(limits[1].bound, 300.0 * M_PI, 1e-9);
-  // Small; too large for the film; without an equilibrium at some speed.
+  // Small; too large for the film; no equilibrium at some speed.
   const test_support::TemporaryFolder folder;
   RowLog log(folder.path() / "log", "", of_rotor.width());
   const auto not_reached = static_cast<double>(Status::not_reached);
@@ -94,7 +94,7 @@ TEST(EnsembleYield, RotorsPassWhoseOrbitsAreSmallEnough) {
   EXPECT_EQ(make_yields(limits, of_rotor, log).all.passed, 1U);
 }
 
-/// Where there is no onset a rotor may be stable at all speeds or at none: limits are on the speed up to which it is.
+/// Without an onset a rotor may be stable at all speeds or at none: limits refer to the speed up to which it is stable.
 TEST(EnsembleYield, RotorsPassThatAreStableUpToTheLimit) {
   const EnsembleLayout of_rotor = make_ensemble_layout(test_support::rotor_ensemble_case(4));
   for (const char* const refused : {"onset_speed > 12000 rpm", "onset_whirl_ratio < 0.5"}) {
@@ -107,7 +107,7 @@ TEST(EnsembleYield, RotorsPassThatAreStableUpToTheLimit) {
   }
   const std::vector<EnsembleLimit> limits = parse_limits({"stable_up_to > 12000 rpm"}, of_rotor);
   EXPECT_NEAR(limits[0].bound, 400.0 * M_PI, 1e-9);
-  // Never unstable up to 24,000 rpm; whirls from 13,000 rpm on; from the first speed on; no equilibrium.
+  // Stable up to 24,000 rpm; whirls above 13,000 rpm; whirls from the first speed on; no equilibrium.
   std::vector<double> rows(4 * of_rotor.width(), NAN);
   const auto at = [&](std::size_t sample, std::size_t column) -> double& {
     return rows[sample * of_rotor.width() + column];

@@ -27,7 +27,7 @@ TEST(ParallelRuns, EachRunIsDoneOnceWhateverTheThreads) {
 }
 
 TEST(ParallelRuns, RunsAtTheSameTime) {
-  // Each waits for the other: one after the other they would wait for ever.
+  // Each run waits for the other: in sequence they would wait forever.
   std::atomic<int> here{0};
   EXPECT_TRUE(run_in_parallel(2, 2, [&](std::size_t, const ProgressCallback&) {
     ++here;
@@ -87,7 +87,7 @@ TEST(ParallelRuns, WhatARunThrowsReachesTheCaller) {
   EXPECT_LE(begun, 3);
 }
 
-/// Gives out one run, and then lets ask for ever.
+/// Provides one run, then blocks until it is closed.
 class OneRun : public RunQueue {
  public:
   std::optional<std::size_t> next() override {

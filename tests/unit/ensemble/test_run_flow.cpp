@@ -42,12 +42,12 @@ TEST(RunFlow, NothingGoesOutBeyondTheWindow) {
   flow.leave(9);
   EXPECT_EQ(flow.take(3).count, 0U);  // the first is missing
   flow.put(0, {1.0});
-  EXPECT_EQ(flow.take(3).count, 0U);  // it has not left
+  EXPECT_EQ(flow.take(3).count, 0U);  // its row has not left
   EXPECT_EQ(flow.leave(9).size(), 1U);
   EXPECT_EQ(flow.take(9).count, 4U);
 }
 
-/// Whether somebody who asks for a sample waits until something is done.
+/// Checks that a request for a sample waits until an action is done.
 template <typename Something>
 void expect_waits_until(RunFlow& flow, std::optional<std::size_t> then, Something something) {
   std::atomic<bool> answered{false};
@@ -77,7 +77,7 @@ TEST(RunFlow, ClosedItGivesNothingMore) {
   expect_waits_until(flow, std::nullopt, [&] { flow.close(); });
   EXPECT_TRUE(flow.closed());
   EXPECT_EQ(flow.take(1).count, 0U);
-  flow.put(0, {1.0});  // what was under way is taken
+  flow.put(0, {1.0});  // results of runs in progress are accepted
   EXPECT_EQ(flow.leave(1), Rows{1.0});
 }
 

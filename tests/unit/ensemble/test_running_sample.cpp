@@ -24,7 +24,7 @@ TEST(RunningSample, ComesToTheStatesOfItsCase) {
 TEST(RunningSample, HasLimitsWhereTheyAreAskedFor) {
   Case input = test_support::running_ensemble_case(1);
   input.film.h_lift_off = 8e-6;
-  input.top_foil.formed_radius = {FormedTo::seated};  // states last
+  input.top_foil.formed_radius = {FormedTo::seated};  // equilibria exist at all speeds
   const Case sampled = sampled_case(input, draw_sample(input, 0));
   EXPECT_TRUE(run_running_sample(sampled).value().limits.empty());
   const EquilibriumResult result = run_running_sample(sampled, {}, true).value();
@@ -38,7 +38,7 @@ TEST(RunningSample, IsNothingWhereWhatWasDrawnMakesNoBearing) {
   EXPECT_FALSE(run_running_sample(sampled));
 }
 
-/// Of a rotor a sample is its command on the case that was drawn. @param place  of `expected` among its values
+/// The sample of a rotor is its command on the sampled case. @param place  of `expected` among its values
 void expect_run_of_rotor(const Case& input, std::size_t place, const std::function<double(const Case&)>& expected) {
   const EnsembleCommand command = input.montecarlo->command;
   const Case sampled = sampled_case(input, draw_sample(input, 1));

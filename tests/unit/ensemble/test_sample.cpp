@@ -29,7 +29,7 @@ TEST(Sample, DependsOnSeedAndNumberAlone) {
   Case other = input;
   other.montecarlo->samples = 1'000'000;
   EXPECT_EQ(seventh, draw_sample(other, 7));
-  // What else scatters makes no difference either.
+  // Other scatter makes no difference either.
   other.montecarlo->bump_foil_thickness = Distribution{.sigma = 1e-6};
   other.montecarlo->sleeve_waviness = WavinessScatter{3, 5e-6};
   EXPECT_EQ(seventh.height_deviations, draw_sample(other, 7).height_deviations);
@@ -79,12 +79,12 @@ TEST(Sample, DrawsEveryBumpOfEveryPad) {
   for (std::size_t bump = 0; bump < 5; ++bump) {
     EXPECT_EQ(drawn.pads[1].bump_foil->height_errors[bump], sample.height_deviations[7 + bump]);
   }
-  // Sheets of both foils are thicker by one number each.
+  // Each sheet, of bump foil and top foil, is thicker by its own number.
   const double thicker = sample.deviations[0];
   EXPECT_EQ(drawn.pads[0].bump_foil->thickness.at(0, 7), 0.102e-3 + thicker);
   EXPECT_EQ(drawn.pads[1].bump_foil->thickness.at(0, 5), 0.12e-3 + thicker);
   EXPECT_EQ(drawn.pads[1].top_foil->thickness, 0.2e-3 + sample.deviations[1]);
-  // With a common foil alone, and heights that do not scatter, that is changed.
+  // With a common foil and no scatter of heights, the common foil is changed.
   input.montecarlo->bump_height.reset();
   const Case common = sampled_case(input, draw_sample(input, 3));
   EXPECT_FALSE(common.pads[0].bump_foil);
@@ -102,7 +102,7 @@ TEST(Sample, DrawsEveryBumpOfEveryStripThatMovesByItself) {
   input.bump_foil.bumps = 5;
   input.bump_foil.strips = 2;
   const std::vector<double> common = draw_sample(input, 3).height_deviations;
-  EXPECT_EQ(common.size(), 5U);  // a top foil that is uniform over the width cannot tell strips apart
+  EXPECT_EQ(common.size(), 5U);  // a top foil that is uniform over the width does not distinguish strips
   input.width.modes = 2;
   input.bump_foil.strip = {FoilStrip{}, FoilStrip{.stagger = 0.0, .height_errors = -1e-6}};
   const Sample sample = draw_sample(input, 3);
@@ -115,7 +115,7 @@ TEST(Sample, DrawsEveryBumpOfEveryStripThatMovesByItself) {
     EXPECT_EQ(drawn.bump_foil.strip[0].height_errors.at(bump, 5), common[bump]);
     EXPECT_EQ(drawn.bump_foil.strip[1].height_errors.at(bump, 5), -1e-6 + sample.height_deviations[5 + bump]);
   }
-  // Of two pads all bumps of a strip come before those of the next.
+  // With two pads, all bumps of a strip come before those of the next strip.
   input.pads.resize(2);
   const Sample of_pads = draw_sample(input, 3);
   ASSERT_EQ(of_pads.height_deviations.size(), 20U);
@@ -172,7 +172,7 @@ TEST(Sample, CorrelationFallsWithTheDistanceBetweenCrests) {
   const std::vector<double> drawn = draw_sample(input, 3).height_deviations;
   EXPECT_NEAR(drawn[0], fresh[0], 1e-18);
   for (std::size_t n = 1; n < drawn.size(); ++n) {
-    const double distance = 4.0 + 0.8 / 25.0 * (static_cast<double>(n) - 0.5);  // half a pitch of either, mm
+    const double distance = 4.0 + 0.8 / 25.0 * (static_cast<double>(n) - 0.5);  // half of both pitches, mm
     const double rho = std::exp(-distance / 10.0);
     // Normal quantiles and probabilities agree to 1e-9.
     EXPECT_NEAR(drawn[n], rho * drawn[n - 1] + std::sqrt(1.0 - rho * rho) * fresh[n], 1e-9 * 10e-6) << n;
@@ -253,7 +253,7 @@ TEST(Sample, QuantitiesAreThoseOfTheFullRecord) {
   }
 }
 
-/// Whatever one runner ran before.
+/// Independent of samples run before.
 TEST(Sample, IsTheSameToTheLastBitAfterOthers) {
   Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
   input.cycle.steps = 20;

@@ -22,7 +22,7 @@ TEST(Statistics, OfAHandfulAreThoseOfHand) {
   EXPECT_DOUBLE_EQ(found.percentile[3], 3.0);
   EXPECT_DOUBLE_EQ(found.percentile[2], 2.0);
   EXPECT_DOUBLE_EQ(found.percentile[4], 4.0);
-  EXPECT_DOUBLE_EQ(found.percentile[5], 4.0 + 0.8 * 6.0);  // as numpy.percentile
+  EXPECT_DOUBLE_EQ(found.percentile[5], 4.0 + 0.8 * 6.0);  // same as numpy.percentile
 }
 
 TEST(Statistics, WhatIsNotReachedIsLargestInPercentilesAndInNoMean) {

@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Warnings of the reference bearing formed to so many radii.
+/// Warnings of the reference bearing with a top foil formed to `ratio` times the bearing radius.
 std::vector<std::string> warnings_of_ratio(double ratio) {
   Case input = reference_case();
   input.top_foil.formed_radius = {FormedTo::radius, ratio * input.bearing.radius};
@@ -20,7 +20,7 @@ TEST(CaseWarnings, SayWhatFormingDoes) {
   EXPECT_TRUE(case_warnings(reference_case()).empty());
   EXPECT_TRUE(warnings_of_ratio(1.01).empty());
   EXPECT_TRUE(has(warnings_of_ratio(0.998), "closes on the journal"));
-  EXPECT_TRUE(has(warnings_of_ratio(1.02), "presses on a centred journal at rest"));  // room up to 1.0162
+  EXPECT_TRUE(has(warnings_of_ratio(1.02), "presses on a centred journal at rest"));  // clearance remains up to 1.0162
   EXPECT_EQ(warnings_of_ratio(1.5).size(), 2U);
   EXPECT_NE(warnings_of_ratio(1.5).front().find("trends"), std::string::npos);
 }
@@ -40,7 +40,7 @@ TEST(CaseWarnings, SayWhatFoilsAreNotOverTheWidth) {
   EXPECT_TRUE(case_warnings(input).empty());
 }
 
-/// A steep truss whose neighbours hardly hold it: the last foot is wedged from 0.878 on (docs/theory/uniqueness.md).
+/// A steep truss with little support by its neighbours: the last foot wedges from 0.878 on (docs/theory/uniqueness.md).
 TEST(CaseWarnings, SayWhereFrictionWedges) {
   Case input = reference_case();
   input.bump_foil.height = 1.7e-3;

@@ -20,7 +20,7 @@ const json& schema() {
   return read;
 }
 
-/// The run of an experiment that has a variable first; -1 if none has. @param found  receives the variable
+/// The first run of an experiment with this variable; -1 if there is none. @param found  receives the variable
 int run_with(const std::string& experiment, const std::string& name, json& found) {
   const json& runs = schema().at("experiments").at(experiment);
   for (std::size_t run = 0; run < runs.size(); ++run) {

@@ -21,7 +21,7 @@ using test_support::TemporaryFolder;
 using test_support::whole_case;
 using Json = nlohmann::json;
 
-/// A rigid rotor of 2 kg in its place and tilt, and the displacements at its bearings and a station.
+/// A rigid rotor of 2 kg with position and tilt as unknowns, and the displacements at its bearings and a station.
 Json rotor_file() {
   // y = (X, Y, dx/dz, dy/dz) follows from the displacements a at -0.05 m and b at 0.05 m: X = (a + b) / 2,
   // dx/dz = (b - a) / 0.1.
@@ -42,7 +42,7 @@ Json rotor_file() {
           {"station", {{{"name", "hub"}, {"z", 0.05}, {"x", 2}, {"y", 3}}}}};
 }
 
-/// "key: what" of all faults of a file with this text.
+/// "key: what" of all errors of a file with this text.
 std::vector<std::string> faults_of(const std::string& text) {
   const TemporaryFolder folder;
   folder.write("rotor.json", text);
@@ -90,7 +90,7 @@ TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
             (Faults{"Q: unknown key", "M[2]: has 5 numbers, but there are 4 rows", "K[3]: is not a list of numbers",
                     "bearing[1].z: is missing", "bearing[2].why: unknown key",
                     "bearing[2].x: is no number of a row, from 0", "station[1].y: is no number of a row, from 0"}));
-  // What matrices have only together.
+  // Properties of complete matrices.
   file = rotor_file();
   file["M"][0][2] = 7.0;
   file["G"][0][0] = 1.0;
@@ -100,7 +100,7 @@ TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
   EXPECT_TRUE(found[1].starts_with("G[1][1]: is not 0 on the diagonal")) << found[1];
 }
 
-/// Through a case file: it is read, keeps the matrices, and says what is wrong.
+/// A case file with matrices is read, keeps them, and reports errors.
 TEST(RotorMatrices, GoThroughACaseFile) {
   const TemporaryFolder folder;
   folder.write("rotor.json", rotor_file().dump());
@@ -120,7 +120,7 @@ TEST(RotorMatrices, GoThroughACaseFile) {
       read({"rotor.unbalance=[{amount=1e-6, at=0.05}]", "rotor.bearing=[{}, {friction={coefficient=0}}]"});
   const RotorSettings& rotor = *input.settings.find<RotorSettings>();
   ASSERT_TRUE(rotor.matrices.has_value());
-  // Where there is no file, the case has all of it.
+  // Without the file, the written case contains everything.
   EXPECT_EQ(parse_case(case_to_toml(input), "written.toml"), input);
   const ReducedRotor made = rotor_of(rotor, 1000.0);
   EXPECT_EQ(made.rotor.bearings[0].name, "drive end");
@@ -144,7 +144,7 @@ TEST(RotorMatrices, GoThroughACaseFile) {
   EXPECT_EQ(refusal({}).find("rotor.matrix"), std::string::npos) << refusal({});
   EXPECT_NE(refusal({"rotor.matrices=none.json"}).find("none.json: cannot be read"), std::string::npos);
   EXPECT_EQ(refusal({"rotor.matrices=none.json"}).find("rotor.m"), std::string::npos);
-  // Matrices in the case itself are checked alike.
+  // Matrices within the case are checked in the same way.
   Case inner = input;
   inner.settings.find<RotorSettings>()->matrices->mass[2] = 7.0;
   try {

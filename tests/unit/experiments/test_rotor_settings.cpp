@@ -50,7 +50,7 @@ TEST(RotorOf, IsOfTheKindThatItsKeysSay) {
   EXPECT_EQ(tilting.frequency_error, 0.0);
 }
 
-/// The mass of two tubes and a disk, and a reduction that is good.
+/// The mass of two tubes and a disc, and an accurate reduction.
 TEST(RotorOf, MakesAShaftOfItsPieces) {
   const ReducedRotor bending = rotor_of(flexible(), 5000.0);
   const double tubes = 7800.0 * M_PI / 4.0 * (0.08 * (0.038 * 0.038 - 0.02 * 0.02) + 0.16 * 0.03 * 0.03);
@@ -79,7 +79,7 @@ TEST(FindFaults, JudgesRotors) {
   EXPECT_EQ(faults_of(flexible(), [](RotorSettings& r) { r.shaft[0].density = 0.0; }), Keys{"rotor.shaft[1].density"});
 }
 
-/// What is written is read back.
+/// Written cases are read back.
 TEST(RotorSettings, GoThroughACaseFile) {
   for (const RotorSettings& rotor : {rigid, flexible()}) {
     Case input = reference_case();
@@ -93,11 +93,11 @@ TEST(RotorSettings, GoThroughACaseFile) {
 TEST(MakeMachine, HasABearingForEachPlace) {
   Case input = film_rotor_case({4, 4});
   const Machine equal = make_machine(input, {100.0}, "stability");
-  EXPECT_EQ(equal.bearings.size(), 1U);  // of half a rotor
+  EXPECT_EQ(equal.bearings.size(), 1U);  // one bearing with half the rotor
   input.settings.set(rigid);
   const Machine alike = make_machine(input, {100.0}, "stability");
   ASSERT_EQ(alike.bearings.size(), 2U);
-  EXPECT_EQ(alike.bearings[0], alike.bearings[1]);  // is made once
+  EXPECT_EQ(alike.bearings[0], alike.bearings[1]);  // a single shared bearing
   input.rotor_bearings.resize(2);
   input.rotor_bearings[1].bearing = input.bearing;
   EXPECT_EQ(make_machine(input, {100.0}, "stability").bearings.size(), 2U);

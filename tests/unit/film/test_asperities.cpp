@@ -40,7 +40,7 @@ TEST(Asperities, PressureFallsByItsSlope) {
   for (const double h : {0.05e-6, 0.4e-6, 1.1e-6}) {
     const double d = 1e-4 * rough.roughness;
     const double difference = (rough.pressure(h + d) - rough.pressure(h - d)) / (2.0 * d);
-    EXPECT_NEAR(rough.slope(h) / difference, 1.0, 1e-7);  // the difference leaves (d / sigma)^2
+    EXPECT_NEAR(rough.slope(h) / difference, 1.0, 1e-7);  // truncation error of the difference: (d / sigma)^2
     EXPECT_LT(rough.slope(h), 0.0);
   }
 }

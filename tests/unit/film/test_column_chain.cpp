@@ -8,7 +8,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A well-posed chain without any zero.
+/// A well-posed chain without zeros.
 std::unique_ptr<ColumnChain> example_chain(int columns, int size) {
   auto chain = make_column_chain(columns, size);
   for (int c = 0; c < columns; ++c) {
@@ -23,7 +23,7 @@ std::unique_ptr<ColumnChain> example_chain(int columns, int size) {
   return chain;
 }
 
-/// The chain with the columns of both neighbours: dense, the chain in the middle.
+/// The chain with the columns of both neighbours as a dense matrix, the chain in the middle.
 Matrix dense(ColumnChain& chain) {
   const Eigen::Index n = chain.block_size();
   Matrix A = Matrix::Zero(n * chain.columns(), n * (chain.columns() + 2));
@@ -36,7 +36,7 @@ Matrix dense(ColumnChain& chain) {
 }
 
 TEST(ColumnChain, SolvesAndAnswersItsNeighboursLikeADenseMatrix) {
-  for (const int size : {1, 3, 8, 10, 16, 18}) {  // of code of their own, and of none
+  for (const int size : {1, 3, 8, 10, 16, 18}) {  // compiled and generic sizes
     for (const int columns : {1, 2, 6}) {
       const auto chain = example_chain(columns, size);
       const Eigen::Index n = size;

@@ -7,8 +7,9 @@
 namespace bumpfoil {
 namespace {
 
-/// A film that is smooth, and obeys no equation. @param edge  its pressure at the edges, half as much more at the last
-/// @param t  by which it has moved on
+/// A smooth film that satisfies no equation.
+/// @param edge  pressure at its edges; its excess over 1 is 1.5 times as high at the last one
+/// @param t     time
 FilmState some_film(const FilmMesh& mesh, double edge, double t = 0.0) {
   FilmState film{mesh.field(1.0), mesh.field(1.0)};
   const Vector theta = mesh.angles();

@@ -11,7 +11,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(FilmIntegrals, OfAPressureWaveAreThoseOfTheContinuum) {
-  // Trapezoids integrate trigonometric functions over the circle exactly.
+  // The trapezoidal rule integrates trigonometric functions over the circle exactly.
   const FilmMesh mesh = make_closed_mesh(24, 4, 0.6);
   FilmState film{mesh.field(1.0), mesh.field(1.0)};
   film.pressure.rowwise() +=
@@ -86,7 +86,7 @@ TEST(ThinnestPlace, MayBeAnEdgeOrLieAcrossTheJoint) {
   const FilmMesh closed = make_closed_mesh(20, 2, 0.5);
   const ThinnestPlace place = thinnest_place(closed, eccentric_thickness(closed, 0.5, std::numbers::pi + 0.1));
   EXPECT_EQ(place.column, 0);
-  EXPECT_NEAR(place.vertex_thickness, 0.5, 1e-3);  // a parabola is no cosine: dtheta^4 / 24
+  EXPECT_NEAR(place.vertex_thickness, 0.5, 1e-3);  // a parabola approximates the cosine: dtheta^4 / 24
   EXPECT_NEAR(place.vertex_theta, 0.1, 2e-3);
 }
 

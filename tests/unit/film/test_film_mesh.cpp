@@ -31,7 +31,7 @@ TEST(FilmMesh, CoversHalfTheWidthOrAllOfIt) {
   for (const FilmMesh& mesh : {half, whole}) {
     EXPECT_NEAR(mesh.half_width(), 0.4, 1e-16);
     EXPECT_EQ(mesh.zeta(mesh.rows), 1.0);
-    // Pressures are given at the sides, and nowhere else.
+    // Pressures are prescribed at the sides only.
     for (int j = 0; j <= mesh.rows; ++j) {
       const bool unknown = j >= mesh.first_unknown_row() && j < mesh.first_unknown_row() + mesh.unknown_rows();
       EXPECT_EQ(unknown, !mesh.is_side(j));
@@ -75,7 +75,7 @@ TEST(FilmMesh, IntervalsMayDiffer) {
   EXPECT_NEAR(area(mesh), 0.35 * 0.4, 1e-15);
 }
 
-/// Bit by bit: foils of equal pitches are meshed so.
+/// Bit-identical: foils of equal pitches use such meshes.
 TEST(FilmMesh, EqualIntervalsAreUnits) {
   const FilmMesh mesh = make_slotted_mesh(5, 3, 0.4, 1.0);
   EXPECT_EQ(mesh.weights, (Vector{{0.5, 1.0, 1.0, 1.0, 1.0, 0.5}}));

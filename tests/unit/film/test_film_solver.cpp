@@ -26,7 +26,7 @@ TEST(Foundation, YieldsToTheMeanOverTheWidth) {
   Matrix H = slotted.field(1.0);
   Matrix excess = slotted.field(0.0);
   excess.col(7).setConstant(0.5);  // a mean of 0.5
-  excess(0, 9) = 0.5;              // half a cell of the five
+  excess(0, 9) = 0.5;              // half a cell out of five
   add_yield({FoundationKind::axial_mean, 0.4}, slotted, excess, H);
   for (int j = 0; j <= 5; ++j) {
     EXPECT_DOUBLE_EQ(H(j, 7), 1.2);
@@ -35,13 +35,12 @@ TEST(Foundation, YieldsToTheMeanOverTheWidth) {
   }
 }
 
-/// Films of every kind: the residual of each is zero to rounding, and H is what the foundation says.
 TEST(FilmSolver, CutsStepsThatTakeTooMuch) {
-  const FilmSolverOptions options;  // 0.3 are kept, H moves by 1 at most
+  const FilmSolverOptions options;  // at least 0.3 remains, H changes by at most 1
   const Matrix one = slotted.field(1.0);
   const FilmState film{one, 2.0 * one};
   FilmState step{0.0 * one, 0.0 * one};
-  step.pressure(2, 3) = 5.0;  // P may rise at will
+  step.pressure(2, 3) = 5.0;  // any increase of P is accepted
   EXPECT_EQ(longest_step(options, film, step), 1.0);
   step.pressure(1, 7) = -1.4;
   EXPECT_DOUBLE_EQ(longest_step(options, film, step), 0.5);  // 0.7 of 1.4
@@ -49,9 +48,10 @@ TEST(FilmSolver, CutsStepsThatTakeTooMuch) {
   EXPECT_DOUBLE_EQ(longest_step(options, film, step), 1.0 / 3.5);
   step.thickness(2, 9) = 8.0;
   EXPECT_DOUBLE_EQ(longest_step(options, film, step), 0.125);
-  EXPECT_DOUBLE_EQ(longest_step({.kept_fraction = 0.9}, film, step), 0.1 / 1.75);  // H bounds it now
+  EXPECT_DOUBLE_EQ(longest_step({.kept_fraction = 0.9}, film, step), 0.1 / 1.75);  // limited by the decrease of H
 }
 
+/// For all meshes and foundations the residual is zero up to round-off, and H follows from the foundation.
 TEST(FilmSolver, SolvesTheEquations) {
   for (const FilmMesh& mesh : {slotted, make_closed_mesh(40, 5, 1.0), make_closed_mesh(40, 8, 0.5),
                                make_closed_mesh(40, 7, 0.5, WidthPart::whole)}) {
@@ -63,7 +63,7 @@ TEST(FilmSolver, SolvesTheEquations) {
       FilmState film{mesh.field(1.0), {}};
       const FilmReport report = solver.solve(equation, rigid, film);
       ASSERT_EQ(report.status, Status::converged);
-      EXPECT_LE(report.iterations, 9);  // quadratic at the end: a wrong derivative needs more
+      EXPECT_LE(report.iterations, 9);  // quadratic convergence at the end: wrong derivatives need more
       Matrix residual;
       reynolds_residual(equation, film, residual);
       EXPECT_LT(mesh.unknown(residual).cwiseAbs().maxCoeff(), 1e-14);
@@ -75,8 +75,7 @@ TEST(FilmSolver, SolvesTheEquations) {
   }
 }
 
-/// On the whole width the halves of a film that is the same on both are mirror images, and its integrals are those of
-/// one half counted twice.
+/// A symmetric film on the whole width has mirror-image halves, and its integrals are twice those of the half width.
 TEST(FilmSolver, FindsHalvesThatAreAlikeOnTheWholeWidth) {
   const FilmMesh half = make_slotted_mesh(30, 5, 1.0, 5.5);
   const FilmMesh whole = make_slotted_mesh(30, 10, 1.0, 5.5, WidthPart::whole);
@@ -146,7 +145,7 @@ TEST(FilmSolver, GivesUpAndLeavesTheFilmAsItWas) {
   EXPECT_EQ(film.thickness, slotted.field(7.0));
 }
 
-/// A compliant bed at an eccentricity beyond the clearance: no film to start from there.
+/// A compliant foundation at an eccentricity beyond the clearance: no film to start from there.
 TEST(FilmSolver, FollowsAFilmToWhereNoStartIsNear) {
   FilmSolver solver(slotted, {FoundationKind::axial_mean, 1.0});
   const ReynoldsEquation equation{.mesh = slotted, .bearing_number = -1.85};
@@ -158,11 +157,11 @@ TEST(FilmSolver, FollowsAFilmToWhereNoStartIsNear) {
   EXPECT_GT(film.thickness.minCoeff(), 0.2);
   FilmState again = film;
   const FilmReport report = solver.solve(equation, far, again);
-  EXPECT_EQ(report.iterations, 1);  // it was there
+  EXPECT_EQ(report.iterations, 1);  // started at the solution
   EXPECT_LT((again.pressure - film.pressure).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-/// Implicit steps with ever the same wall end in the steady film.
+/// Implicit time steps with a constant wall converge to the steady film.
 TEST(FilmSolver, MarchesToTheSteadyFilm) {
   FilmSolver solver(slotted, {});
   ReynoldsEquation equation{.mesh = slotted, .bearing_number = 5.0, .squeeze_rate = 4.0};
@@ -175,9 +174,9 @@ TEST(FilmSolver, MarchesToTheSteadyFilm) {
     if (step == 0) first_load = film_integrals(equation, film).cosine;
   }
   const SolvedFilm steady = solve_rigid_film({.mesh = slotted, .bearing_number = 5.0}, H);
-  EXPECT_LT((film.pressure - steady.film.pressure).cwiseAbs().maxCoeff(), 1e-6);  // what sixty time steps leave
+  EXPECT_LT((film.pressure - steady.film.pressure).cwiseAbs().maxCoeff(), 1e-6);  // remainder after sixty time steps
   const double load = film_integrals(equation, film).cosine;
-  EXPECT_GT(std::abs(first_load - load), 0.1 * std::abs(load));  // and the march was one
+  EXPECT_GT(std::abs(first_load - load), 0.1 * std::abs(load));  // the first film is not yet the steady one
 }
 
 TEST(FilmReport, AddsWhatComesAfterIt) {

@@ -16,7 +16,7 @@ constexpr double stiffness = 7.9e-4;  // EI', N m^2
 constexpr double pitch = 4.572e-3;
 
 /// A top foil over `spans` supports, m columns from one to the next, the first and the last span half as long.
-/// @param further  columns behind each where there is one more
+/// @param further  columns from each support to an additional one; 0: none
 FoilFilm example_film(int spans, int m, int rows, int modes = 1, WidthPart width = WidthPart::half, int further = 0) {
   std::vector<int> supports;
   for (int i = 0; i < spans; ++i) {
@@ -28,7 +28,7 @@ FoilFilm example_film(int spans, int m, int rows, int modes = 1, WidthPart width
                         {.modes = modes, .stretching = 2.2e7, .poisson_ratio = 0.29});
 }
 
-/// A state without any symmetry, its thickness 1 + U.
+/// A state without symmetry, thickness 1 + U.
 FoilFilmState wavy(const FoilFilm& foil) {
   FoilFilmState state = undeformed(foil, foil.mesh.field(1.0));
   const int n = foil.mesh.columns;
@@ -56,7 +56,7 @@ void add(const FoilFilmState& step, double factor, FoilFilmState& state) {
   state.membrane += factor * step.membrane;
 }
 
-/// Solves the condensed equations densely, without any forces of supports.
+/// Solves the condensed equations as a dense system, without support forces.
 Matrix solve_condensed(const FoilFilm& foil, FoilFilmSystem& system, const Matrix& condensed) {
   const Eigen::Index n = system.block_size();
   const Eigen::Index blocks = system.blocks();
@@ -77,7 +77,7 @@ Matrix solve_condensed(const FoilFilm& foil, FoilFilmSystem& system, const Matri
   for (Eigen::Index j = 0; j < n; ++j) {
     const Eigen::Index pressures = foil.mesh.unknown_rows();
     const bool is_U = j >= pressures && j < pressures + foil.lines.count();
-    if (!is_U) keep_zero((blocks - 1) * n + j);  // at the free end U alone is unknown
+    if (!is_U) keep_zero((blocks - 1) * n + j);  // at the free end only U is unknown
   }
   const Vector solution = A.partialPivLu().solve(right);
   return Eigen::Map<const Matrix>(solution.data(), n, blocks);
@@ -95,7 +95,7 @@ TEST(FoilFilmSystem, FindsNewtonsStep) {
        {Film{-1.9}, Film{8.0}, Film{-1.9, 3}, Film{8.0, 5}, Film{8.0, 1, whole}, Film{-1.9, 2, whole},
         Film{-1.9, 3, whole}, Film{8.0, 3, whole}, Film{8.0, 3, whole, 1}}) {
     FoilFilm foil = example_film(4, 6, width == whole ? 5 : 3, modes, width, further);
-    // Rough enough for peaks to touch at all nodes, and harder than a span.
+    // Asperities high enough to touch at all nodes, and stiffer than a span.
     if (Lam > 0.0) foil.asperities = Asperities{.pressure_factor = 3.0, .roughness = 0.5};
     const ReynoldsEquation equation{.mesh = foil.mesh, .bearing_number = Lam, .knudsen = 0.01};
     const FoilFilmState state = wavy(foil);
@@ -109,7 +109,7 @@ TEST(FoilFilmSystem, FindsNewtonsStep) {
     EXPECT_EQ(step.lift.col(0).norm(), 0.0);
     EXPECT_EQ(step.moment.col(foil.mesh.columns).norm(), 0.0);
 
-    // Along the step all residuals decrease in proportion, up to second order.
+    // Along the step all residuals decrease in proportion, with a second-order error.
     constexpr double h = 1e-6;
     FoilFilmResidual plus, minus;
     FoilFilmState moved = state;
@@ -128,8 +128,8 @@ TEST(FoilFilmSystem, FindsNewtonsStep) {
   }
 }
 
-/// Displacements and moments under `excess` of pressure at all columns but the ends, with U = 0 at the supports, from
-/// the dense compliance of a cantilever.
+/// Displacements and moments under an `excess` pressure at all columns except the ends, with U = 0 at the supports,
+/// from the dense compliance of a cantilever.
 FoilFilmState pressed(const FoilFilm& foil, double excess) {
   const FilmMesh& mesh = foil.mesh;
   const TopFoilBeam beam{scales.radius, stiffness, mesh.angles().tail(mesh.columns)};
@@ -159,7 +159,7 @@ TEST(FoilFilm, BalancesTheLoadsOfTheFilmLikeTheComplianceForm) {
   foil_residual(foil, state, residual);
   const double load = foil.load_scale * 3.5 * 0.5;
   for (const int column : foil.supports) {
-    EXPECT_GT(std::abs(residual.balance(column)), load);  // what the supports bear
+    EXPECT_GT(std::abs(residual.balance(column)), load);  // the support forces
     residual.balance(column) = 0.0;
   }
   // The dense compliance of 36 nodes has a condition number of 1e7.
@@ -177,7 +177,7 @@ TEST(FoilFilm, CarriesItsOverhangByTheMomentOverTheLastSupport) {
   EXPECT_NEAR(state.moment(foil.mesh.columns - 1), 0.0, 1e-6 * load);
 }
 
-/// Between supports the foil sags as a curved beam under uniform pressure does:
+/// Between supports the foil sags like a curved beam under uniform pressure:
 /// u = (R^2/EI') (M_a chi_a + M_b chi_b) + (R^4 q/EI') (1 - phi_a - phi_b - chi_a - chi_b).
 TEST(FoilFilm, SagsAsTheClosedFormSays) {
   double defect[2];
@@ -199,7 +199,7 @@ TEST(FoilFilm, SagsAsTheClosedFormSays) {
     EXPECT_GT(sag, 1e-8);
     defect[i] = found / sag - 1.0;
   }
-  EXPECT_LT(std::abs(defect[0]), 0.04);  // twelve lumps of load
+  EXPECT_LT(std::abs(defect[0]), 0.04);  // twelve lumped loads
   EXPECT_NEAR(defect[0] / defect[1], 4.0, 0.5);
 }
 

@@ -8,7 +8,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Unknowns of a column, and how many of them are the foil's.
+/// Unknowns of a column, and how many of them belong to the foil.
 struct Sizes {
   int n{}, of_foil{};
 };
@@ -29,8 +29,8 @@ Matrix dense_coupling(ColumnCoupling& coupling, const Sizes& sizes) {
   return S;
 }
 
-/// A span and the same with its neighbours, densely: the neighbour before, the columns, the neighbour after, whose own
-/// blocks are zero.
+/// A span, and the same as a dense matrix: the neighbour before, the columns, the neighbour after. Own blocks of the
+/// neighbours are zero.
 struct Example {
   std::unique_ptr<FoilSpan> span;
   Matrix A;
@@ -47,7 +47,7 @@ Example example(int columns, const Sizes& sizes, bool has_before, VectorInstruct
     fill(span.to_before(c), sizes, 1.0 + c);
     fill(span.to_after(c), sizes, 2.0 - c);
     for (int i = 0; i < n; ++i) {
-      // Heavy one place off the diagonal: without row exchanges the pivots would be poor.
+      // Largest next to the diagonal: without row exchanges the pivots would be poor.
       for (int j = 0; j < n; ++j) span.own(c)(i, j) = std::sin(3.0 * c + i * j) + (j == (i + 1) % n ? 5.0 * n : 0.0);
     }
     const Eigen::Index row = Eigen::Index{n} * (c + 1);
@@ -55,7 +55,8 @@ Example example(int columns, const Sizes& sizes, bool has_before, VectorInstruct
     if (c > 0 || has_before) it.A.block(row, row - n, n, n) = dense_coupling(span.to_before(c), sizes);
     it.A.block(row, row + n, n, n) = dense_coupling(span.to_after(c), sizes);
   }
-  if (has_before) it.A.block(0, n, n, n) = dense_coupling(span.of_before(), sizes);  // of none: to the neighbour after
+  // Without columns it couples to the neighbour after.
+  if (has_before) it.A.block(0, n, n, n) = dense_coupling(span.of_before(), sizes);
   it.A.block(Eigen::Index{n} * (columns + 1), Eigen::Index{n} * columns, n, n) = dense_coupling(span.of_after(), sizes);
   return it;
 }
@@ -85,7 +86,7 @@ void expect_like_dense(int columns, const Sizes& sizes, bool has_before, VectorI
   expect_near(condensed.after_by_before, outer(end, 0));
   expect_near(condensed.after, outer(end, end));
 
-  for (const Eigen::Index sides : {1, 3, 2}) {  // nothing is left of the right-hand sides before
+  for (const Eigen::Index sides : {1, 3, 2}) {  // no remainder of earlier right-hand sides
     const Vector ramp = Vector::LinSpaced(inside, -1.0, 2.0);
     const Matrix right = ramp * Vector::LinSpaced(sides, 1.0, -2.0).transpose();
     Matrix before(n, sides), after(n, sides);
@@ -112,9 +113,9 @@ void expect_like_dense(int columns, const Sizes& sizes, bool has_before, VectorI
 
 TEST(FoilSpan, LeavesItsNeighboursWhatDenseEliminationLeaves) {
   for (const VectorInstructions instructions : vector_instructions()) {
-    // Of code of their own, and of none.
+    // Compiled and generic sizes.
     for (const Sizes& sizes : {Sizes{3, 2}, {10, 2}, {18, 2}, {21, 2}, {14, 6}, {22, 6}, {9, 6}, {18, 6}, {39, 8}}) {
-      expect_like_dense(0, sizes, true, instructions);  // neighbours side by side
+      expect_like_dense(0, sizes, true, instructions);  // adjacent neighbours
       for (const int columns : {1, 2, 5}) {
         expect_like_dense(columns, sizes, true, instructions);
         expect_like_dense(columns, sizes, false, instructions);

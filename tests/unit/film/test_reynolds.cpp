@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Pressures and thicknesses without any symmetry, between 0.5 and 1.5.
+/// Pressures and thicknesses without symmetry, between 0.5 and 1.5.
 FilmState wavy_film(const FilmMesh& mesh) {
   FilmState film{mesh.field(1.0), mesh.field(1.0)};
   for (int k = 0; k < mesh.nodes(); ++k) {
@@ -48,7 +48,7 @@ Matrix difference(const ReynoldsEquation& equation, FilmState& film, double& ent
   return (plus - minus) / (2.0 * step);
 }
 
-/// The same derivatives read off the stencils.
+/// The same derivatives from the stencils.
 Matrix derivative(const FilmMesh& mesh, const FilmStencil& stencil, int j, int k) {
   Matrix d = mesh.field(0.0);
   const int n = mesh.nodes();
@@ -84,7 +84,7 @@ double worst_difference(const ReynoldsEquation& equation, double step) {
 
 TEST(Reynolds, DerivativesAgreeWithDifferencesOverDecades) {
   for (const ReynoldsEquation& equation : equations()) {
-    // Truncation falls with the square of the step until roundings, which grow with its inverse, are 1e-10 of it.
+    // The truncation error falls with the square of the step down to 1e-10; round-off grows with its inverse.
     EXPECT_LT(worst_difference(equation, 1e-2), 1e-2);
     EXPECT_LT(worst_difference(equation, 1e-3), 1e-4);
     EXPECT_LT(worst_difference(equation, 1e-4), 1e-6);
@@ -127,7 +127,7 @@ TEST(Reynolds, ResidualsOfASteadyFilmSumToZero) {
     equation.squeeze_rate = 0.0;
     Matrix residual;
     reynolds_residual(equation, wavy_film(equation.mesh), residual);
-    EXPECT_NEAR(residual.sum(), 0.0, 1e-12);  // what leaves a volume enters another, to rounding
+    EXPECT_NEAR(residual.sum(), 0.0, 1e-12);  // flow out of a volume enters another, up to round-off
   }
 }
 
@@ -149,7 +149,7 @@ TEST(Reynolds, TurningTheSpeedRoundTurnsTheFilmRound) {
   Matrix residual, reversed;
   reynolds_residual({.mesh = mesh, .bearing_number = 7.0}, film, residual);
   reynolds_residual({.mesh = mesh, .bearing_number = -7.0}, turned, reversed);
-  EXPECT_LT((residual - reversed.rowwise().reverse()).cwiseAbs().maxCoeff(), 1e-14);  // the order of sums differs
+  EXPECT_LT((residual - reversed.rowwise().reverse()).cwiseAbs().maxCoeff(), 1e-14);  // sums in a different order
 }
 
 TEST(Reynolds, FluxOfAUniformFilmIsThatOfCouetteFlow) {
@@ -164,7 +164,7 @@ TEST(Reynolds, FluxOfAUniformFilmIsThatOfCouetteFlow) {
 TEST(Reynolds, UpwindingSufficesForPositivePressures) {
   for (double X = 1e-3; X < 1e12; X *= 1.1) {
     const UpwindWeight l(X);
-    EXPECT_GE(l.value, 1.0 - 1.0 / X - 1e-15);  // both are 1 to rounding in the end
+    EXPECT_GE(l.value, 1.0 - 1.0 / X - 1e-15);  // both approach 1 up to round-off
     EXPECT_LE(l.value, 1.0);
     EXPECT_GE(l.slope, 0.0);
   }
@@ -174,8 +174,8 @@ TEST(Reynolds, UpwindingSufficesForPositivePressures) {
   EXPECT_NEAR(UpwindWeight(1e-3).value, 1e-12, 2e-15);  // X^4: second order stays exact
 }
 
-/// Given the coefficients, the matrix that multiplies P has positive entries on its diagonal, none off it, and columns
-/// that sum to what flows out at edges: with it, P > 0.
+/// With frozen coefficients, the matrix that multiplies P has positive diagonal entries, non-positive others, and
+/// column sums equal to the outflow at edges: it ensures P > 0.
 TEST(Reynolds, FrozenCoefficientsMakeAnMMatrix) {
   for (const double Lam : {-200.0, -3.0, 0.4, 3.0, 200.0}) {
     const FilmNode a{0.8, 0.3};

@@ -22,7 +22,7 @@ TEST(ReferenceCase, BumpsFillTheCircumference) {
 
 TEST(ReferenceCase, IsPushedToTwoAndAHalfClearancesAlongBothAxes) {
   const Case reference = reference_case();
-  // Both numbers are printed with three digits.
+  // Both numbers have three digits.
   EXPECT_NEAR(reference.cycle.amplitude.value / reference.bearing.radial_clearance, 2.5, 1e-12);
   ASSERT_EQ(reference.cycle.directions.size(), 4U);
   EXPECT_EQ(bumpfoil::unit_vector(reference.cycle.directions[0]), Eigen::Vector2d(1.0, 0.0));

@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A few roundings of numbers of order one.
+/// Round-off of numbers of order one.
 constexpr double design_rounding = 1e-14;
 constexpr BumpShape reference_shape{
     .pitch = 4.572e-3, .half_length = 1.778e-3, .rise = 0.406e-3, .thickness = 0.102e-3};
@@ -20,7 +20,7 @@ FoilDesign row_of(std::vector<BumpShape> bumps) {
   return foils;
 }
 
-/// Bumps whose pitches and chords grow.
+/// Bumps with increasing pitches and chords.
 FoilDesign graded() {
   FoilDesign foils = row_of({reference_shape, reference_shape, reference_shape});
   foils.bumps[1].pitch = 5e-3;
@@ -53,7 +53,7 @@ TEST(CrestPositions, OfEqualPitchesAreMultiplesToTheLastDigit) {
 TEST(CrestPositions, StandInTheMiddleOfPitchesThatAddUp) {
   const Vector crests = crest_positions(graded());
   EXPECT_LT((crests - Vector{{2.286e-3, 4.572e-3 + 2.5e-3, 9.572e-3 + 3e-3}}).norm(), 1e-17);
-  // Runs of equal pitches inside a foil.
+  // Groups of equal pitches within a foil.
   FoilDesign groups = row_of({reference_shape, reference_shape, reference_shape, reference_shape, reference_shape});
   groups.bumps[2].pitch = groups.bumps[3].pitch = 1e-3;
   const double p = reference_shape.pitch;

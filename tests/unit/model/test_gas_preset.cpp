@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Viscosities at low pressure as tables of steam and gases have them (reference equations of NIST and IAPWS), uPa s.
+/// Viscosities at low pressure from tables of steam and gases (reference equations of NIST and IAPWS), uPa s.
 TEST(GasPreset, ViscositiesAreThoseOfTables) {
   struct Entry {
     GasPreset gas;
@@ -16,7 +16,7 @@ TEST(GasPreset, ViscositiesAreThoseOfTables) {
                              Entry{GasPreset::nitrogen, 300.0, 17.9}, Entry{GasPreset::nitrogen, 600.0, 29.6},
                              Entry{GasPreset::steam, 400.0, 13.3}, Entry{GasPreset::steam, 600.0, 21.4}}) {
     SCOPED_TRACE(testing::Message() << static_cast<int>(entry.gas) << ' ' << entry.temperature);
-    // The laws are said to hold within 2 to 5 %; here they do within 3 %.
+    // The laws have a stated accuracy of 2 to 5 %; here they are within 3 %.
     EXPECT_NEAR(1e6 * viscosity(entry.gas, entry.temperature), entry.micropascal_seconds,
                 0.03 * entry.micropascal_seconds);
   }

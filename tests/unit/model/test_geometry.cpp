@@ -10,7 +10,7 @@ namespace bumpfoil {
 namespace {
 
 using std::numbers::pi;
-/// A few roundings of numbers of order one.
+/// Round-off of numbers of order one.
 constexpr double rounding = 1e-14;
 
 TEST(NominalBump, OverallHeightIncludesTheThickness) {
@@ -70,7 +70,7 @@ TEST(JournalForce, PushingTowardsABumpNeedsAForceTowardsIt) {
   const Eigen::Vector2d force = journal_force(outward_normals(phi), loads);
   EXPECT_NEAR(force.norm(), 3.0, rounding);
   EXPECT_NEAR(std::atan2(force.y(), force.x()), phi[4], rounding);
-  // Bump 5 lies in the half plane of +Y with the default weld and wrap.
+  // Bump 5 is in the half plane of +Y with the default weld and wrap.
   EXPECT_GT(force.y(), 0.0);
 }
 
@@ -86,7 +86,7 @@ TEST(UnitVector, IsExactAlongTheAxes) {
 
 TEST(BearingFoils, HaveTheNominalBumpEverywhere) {
   Case input = reference_case();
-  input.bump_foil.height_errors = std::vector<double>(26, 5e-6);  // gaps alone
+  input.bump_foil.height_errors = std::vector<double>(26, 5e-6);  // affects gaps only
   const FoilDesign foils = make_bearing_design(input);
   EXPECT_EQ(foils.bumps, std::vector<BumpShape>(26, nominal_bump(input.bump_foil)));
   EXPECT_EQ(foils.radius, input.bearing.radius);
@@ -136,7 +136,7 @@ TEST(RadiusProfile, AddsItsWavesAndWhatWasMeasured) {
   EXPECT_EQ(deviation_at({}, 1.0), 0.0);
   const RadiusProfile waves{.waves = {{3, 5e-6, 0.7}, {1, 2e-6, 0.0}}};
   EXPECT_NEAR(deviation_at(waves, 1.1), 5e-6 * std::cos(3.0 * 1.1 - 0.7) + 2e-6 * std::cos(1.1), 1e-20);
-  // At X, Y, -X and -Y, straight between them, and the same after a turn.
+  // At X, Y, -X and -Y, linear in between, and periodic.
   const RadiusProfile measured{.deviations = {1e-6, 3e-6, 0.0, -2e-6}};
   for (const double turn : {-2.0 * pi, 0.0, 4.0 * pi}) {
     EXPECT_NEAR(deviation_at(measured, turn), 1e-6, 1e-20);
@@ -156,9 +156,9 @@ TEST(CrestOffsets, CountFromTheTallestNominalBump) {
   foil.height = PerBump(std::vector{0.5e-3, 0.52e-3, 0.51e-3, 0.52e-3});
   foil.height_errors = {1e-6, 2e-6, 0.0, 0.0};
   foil.shims = {{.from = 3, .to = 4, .thickness = 15e-6}};
-  // Millionths of a micrometre are roundings of the heights.
+  // Millionths of a micrometre are round-off of the heights.
   EXPECT_TRUE(crest_offsets(foil).isApprox(Vector{{-19e-6, 2e-6, 5e-6, 15e-6}}, 1e-9)) << crest_offsets(foil);
-  // Of the mid-surface, thicker foils are taller.
+  // With mid-surface heights, thicker foils are taller.
   foil.height_errors.clear();
   foil.shims.clear();
   foil.height = 0.4e-3;

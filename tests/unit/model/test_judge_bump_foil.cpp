@@ -1,4 +1,4 @@
-// What is wrong with a bump foil.
+// Validation of bump foils.
 
 #include "bumpfoil/model/validation.hpp"
 
@@ -26,7 +26,7 @@ TEST(FindFaults, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
       input.bump_foil.stiffness_follows_height = true;
       input.bump_foil.bumps = 3;
       input.bump_foil.height_errors = errors;
-      // Just below a half circle whose neighbours are 0.072 mm away.
+      // Slightly less than a half circle, 0.072 mm from its neighbours.
       input.bump_foil.length = 4.5e-3;
       input.bump_foil.height = 2.3e-3;
     };
@@ -40,7 +40,7 @@ TEST(FindFaults, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
 TEST(FindFaults, KeepsBumpsApart) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.length = input.bump_foil.pitch; }), Keys{"bump_foil.length"});
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 27; }), Keys{"bump_foil.bumps"});
-  // A foil that goes round exactly once, but for a rounding.
+  // A foil that covers the circumference exactly, except for round-off.
   EXPECT_EQ(faulty_keys([](Case& input) {
               input.bearing.radius =
                   26 * input.bump_foil.pitch.values.front() / (2.0 * std::numbers::pi) * (1.0 - 1e-15);
@@ -53,7 +53,7 @@ TEST(FindFaults, KeepsBumpsApart) {
 
 TEST(FindFaults, JudgesEveryBumpOfAVariableFoil) {
   using List = std::vector<double>;
-  // As many values as bumps, each usable.
+  // One value per bump, each of them valid.
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(26, 4.5e-3)); }), Keys{});
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(25, 4.5e-3)); }),
             Keys{"bump_foil.pitch"});
@@ -65,7 +65,7 @@ TEST(FindFaults, JudgesEveryBumpOfAVariableFoil) {
             Keys{"bump_foil.length[5]"});
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = PerBump(0.5e-3, 0.0, Grading::linear); }),
             Keys{"bump_foil.height.end"});
-  // Each bump by itself, under the key that gives it.
+  // Each bump separately, reported at its key.
   EXPECT_EQ(faulty_keys([](Case& input) {
               input.bump_foil.length = PerBump(List(26, 3.5e-3));
               input.bump_foil.length.values[9] = 4.6e-3;
@@ -75,7 +75,7 @@ TEST(FindFaults, JudgesEveryBumpOfAVariableFoil) {
             Keys{"bump_foil.section[1].height"});
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.sections = {{.from = 3, .to = 9, .thickness = 3e-3}}; }),
             (Keys{"bump_foil.section[1].thickness", "bump_foil.height"}));
-  // Round the circumference, all of them together.
+  // All bumps together around the circumference.
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(4.5e-3, 4.9e-3, Grading::linear); }),
             Keys{"bump_foil.bumps"});
 }
@@ -140,7 +140,7 @@ TEST(FindFaults, WantsARise) {
 
 TEST(FindFaults, WantsThinFoils) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 2e-3; }), Keys{"top_foil.thickness"});
-  // Top foils ten times thicker and thinner are studied.
+  // Studies include top foils ten times thicker and thinner.
   EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 1.02e-3; }), Keys{});
   EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 0.0102e-3; }), Keys{});
 }

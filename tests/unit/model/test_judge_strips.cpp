@@ -1,4 +1,4 @@
-// What is wrong with the strips of a bump foil.
+// Validation of the strips of a bump foil.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using test_support::faulty_keys;
 using test_support::Keys;
 
-/// Three strips that differ, on a foil with room behind its last bump.
+/// Three different strips, on a foil with space after its last bump.
 void split(Case& input) {
   input.bump_foil.bumps = 25;
   input.bump_foil.strips = 3;
@@ -56,7 +56,7 @@ TEST(JudgeStrips, CountsThemAndLeavesThemWidth) {
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip_gap = -1e-3; }), Keys{"bump_foil.strip_gap"});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip_gap = 19e-3; }), Keys{"bump_foil.strip_gap"});
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip_gap = 1e-3; }), Keys{"bump_foil.strip_gap"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip.resize(1); }), Keys{});  // of a whole foil: as it is
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip.resize(1); }), Keys{});  // a whole foil is unchanged
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip.resize(2); }), Keys{"bump_foil.strip"});
   Case whole = reference_case();
   whole.bump_foil.strip = {FoilStrip{.stagger = 0.0, .height_errors = -1e-6}};
@@ -73,7 +73,7 @@ TEST(JudgeStrips, StaggersOnTheMesh) {
               for (FoilStrip& strip : input.bump_foil.strip) strip.stagger = 0.5;
             }),
             Keys{"bump_foil.strip[1].stagger"});
-  EXPECT_EQ(with([](Case& input) { input.bump_foil.bumps = 26; }), Keys{"bump_foil.strip"});  // no room is left
+  EXPECT_EQ(with([](Case& input) { input.bump_foil.bumps = 26; }), Keys{"bump_foil.strip"});  // no space left
   EXPECT_EQ(with([](Case& input) { input.bearing.taper = 1e-6; }), Keys{"bump_foil.strip"});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.pitch = PerBump(4.3e-3, 4.5e-3, Grading::linear); }),
             Keys{"bump_foil.strip"});
@@ -97,7 +97,7 @@ TEST(JudgeStrips, FitsTheirThicknessToTheBumps) {
   const Keys of_strip{"bump_foil.strip[3].thickness"};
   EXPECT_EQ(of_thickness(0.127e-3), Keys{});
   EXPECT_EQ(of_thickness(-1.0), of_strip);
-  EXPECT_EQ(of_thickness(0.6e-3), of_strip);  // more than the bump is high
+  EXPECT_EQ(of_thickness(0.6e-3), of_strip);  // more than the bump height
   EXPECT_EQ(of_thickness(0.127e-3, [](Case& input) { input.bump_foil.truss.k1 = 1.5e8; }), of_strip);
   EXPECT_EQ(of_thickness(0.127e-3, [](Case& input) { input.bump_foil.height_reference = HeightReference::midsurface; }),
             of_strip);
@@ -130,8 +130,8 @@ TEST(JudgeStrips, SplitsTheTopFoilOverThem) {
   Case input = reference_case();
   split(input);
   input.top_foil.split = true;
-  input.width.modes = 1;             // has none
-  input.film.columns_per_pitch = 4;  // each strip has a mesh of its own
+  input.width.modes = 1;             // split foils have no modes
+  input.film.columns_per_pitch = 4;  // each strip has its own mesh
   input.bump_foil.strip[1].stagger = 0.33;
   for (const char* const command : {"cycle", "path", "vibration", "equilibrium"}) {
     EXPECT_TRUE(find_faults(input, {command}).empty()) << command;
@@ -171,7 +171,7 @@ TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
   ASSERT_EQ(find_faults(level, {"equilibrium"}).size(), 1U);
   level.width.modes = 3;
   for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
-    for (const Case* one : {&level, &input}) {  // staggered, too
+    for (const Case* one : {&level, &input}) {  // also staggered
       const std::vector<Fault> faults = find_faults(*one, {command});
       EXPECT_FALSE(std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
         return fault.key == "bump_foil.strip";

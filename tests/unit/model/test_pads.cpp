@@ -19,7 +19,7 @@ Case of_pads(std::size_t pads) {
   return input;
 }
 
-/// Whether two angles are the same but for whole turns.
+/// Checks that two angles are the same except for whole turns.
 void expect_angle(double angle, double expected) {
   EXPECT_NEAR(std::remainder(angle - expected, 2.0 * pi), 0.0, 1e-14);
 }
@@ -69,7 +69,7 @@ TEST(Pads, StretchTheirPitchesToTheirArc) {
   EXPECT_NEAR(foil_angle(pads[1].alone), 1.2, 1e-14);
   EXPECT_NEAR(pads[1].arc, 1.2, 1e-14);
   EXPECT_EQ(pads[1].crests, crest_angles(pads[1].alone));
-  // All alike: their ratio stays.
+  // All scaled alike: their ratio is unchanged.
   const std::vector<BumpShape> bumps = nominal_bumps(pads[1].alone.bump_foil);
   EXPECT_DOUBLE_EQ(bumps[1].pitch / bumps[0].pitch, 4.0 / 4.572);
 }
@@ -95,7 +95,7 @@ TEST(Pads, HaveFoilsAndWeldsOfTheirOwn) {
   EXPECT_EQ(find_bump(input, 7).bump, 0);
 }
 
-/// From the side z < 0 on, with the weld at that of the strip.
+/// Starting at the side z < 0, with the weld position of the strip.
 TEST(Pads, AreCutIntoTheirStripsUnderAFilm) {
   Case input = of_pads(2);
   EXPECT_EQ(place_film_pads(input).size(), 2U);

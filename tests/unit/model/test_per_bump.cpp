@@ -14,7 +14,7 @@ TEST(PerBump, IsOneForAllOrOneForEach) {
   EXPECT_FALSE(common.is_list());
   const PerBump each(std::vector{1.0, 2.0, 4.0});
   EXPECT_EQ(each.at(1, 3), 2.0);
-  EXPECT_EQ(each.at(1, 2), 2.0);  // of the first two
+  EXPECT_EQ(each.at(1, 2), 2.0);  // within the first two
   EXPECT_TRUE(each.is_list());
 }
 
@@ -24,7 +24,7 @@ TEST(PerBump, GoesFromTheFirstToTheLastByItsLaw) {
   EXPECT_FALSE(linear.is_list());
   for (const PerBump& law : {linear, geometric}) {
     EXPECT_EQ(law.at(0, 5), 1.0);
-    EXPECT_EQ(law.at(4, 5), 16.0);  // to the last digit
+    EXPECT_EQ(law.at(4, 5), 16.0);  // exact
     EXPECT_EQ(law.at(0, 1), 1.0);
   }
   EXPECT_DOUBLE_EQ(linear.at(1, 5), 4.75);

@@ -12,7 +12,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(Scatter, NormalQuantilesAreThoseOfTables) {
-  // From an independent implementation, that of Wichura (AS 241) in statistics.NormalDist of Python.
+  // From an independent implementation by Wichura (AS 241), statistics.NormalDist of Python.
   EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-14);
   EXPECT_NEAR(normal_quantile(0.025), -1.959963984540054, 1e-14);
   EXPECT_NEAR(normal_quantile(1e-9), -5.997807015007686, 1e-13);
@@ -21,7 +21,7 @@ TEST(Scatter, NormalQuantilesAreThoseOfTables) {
 }
 
 TEST(Scatter, NormalQuantilesInvertTheProbability) {
-  // Three units in the last place of p: that of z times the slope, for the tails |z| < 8.3 times that.
+  // Three units in the last place: round-off of p, and that of z times the relative slope of p, for tails |z| < 8.3.
   for (double p = 0x1p-53; p < 0.5; p *= 1.37) {
     const double z = normal_quantile(p);
     EXPECT_NEAR(normal_probability(z) / p, 1.0, 3e-16 * (1.0 + z * z)) << p;
@@ -49,7 +49,7 @@ TEST(Scatter, TruncationKeepsShareAndBounds) {
       EXPECT_GE(x, before);
       EXPECT_LE(x, upper);
       before = x;
-      // The part below x of what lies between the bounds, counted from whichever tail keeps its digits.
+      // The probability below x relative to that between the bounds, from the tail that keeps its digits.
       const auto tail = [](double y) { return normal_probability(-y / 2.0); };
       EXPECT_NEAR((tail(lower) - tail(x)) / (tail(lower) - tail(upper)), p, 1e-12) << lower;
     }

@@ -38,7 +38,7 @@ TEST(SettingsByType, IsCopiedAndComparedByValue) {
   other.set(First{3});
   EXPECT_EQ(one, other);
   other.set(Second{});
-  EXPECT_NE(one, other);  // none is not the default
+  EXPECT_NE(one, other);  // absent differs from default
 }
 
 }  // namespace

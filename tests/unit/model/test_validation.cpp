@@ -130,10 +130,10 @@ TEST(FindFaults, JudgesPads) {
               }).size(),
               1U);
   }
-  // Each as long as a third of the circumference would be seven pitches and a bit; eight pads of these overlap.
+  // Pads start a third of the circumference, 2.09 rad, apart: these overlap.
   EXPECT_EQ(pads([](Case& input) { input.pads[2].weld_angle = input.bearing.weld_angle - 2.2; }), Keys{"pad[3]"});
   EXPECT_EQ(pads([](Case& input) { input.pads[1].arc = 2.2; }), Keys{"pad[3]"});
-  // A journal that comes as far as the rise over a pad that was brought nearer.
+  // The limit, clearance plus rise, is lower towards a pad that is closer.
   EXPECT_EQ(pads([](Case& input) { input.cycle.amplitude.value = 435e-6; }), Keys{});
   EXPECT_EQ(pads([](Case& input) {
               input.cycle.amplitude.value = 435e-6;
@@ -164,7 +164,7 @@ TEST(FindFaults, JudgesTheFormingOfTopFoils) {
     return faulty_keys([&](Case& input) { change(input.top_foil); });
   };
   EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 19.2e-3}; }), Keys{});
-  EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 18.9e-3}; }), Keys{});  // is warned of
+  EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 18.9e-3}; }), Keys{});  // a warning only
   EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 9e-3}; }), Keys{"top_foil.formed_radius"});
   EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, NAN}; }), Keys{"top_foil.formed_radius"});
   EXPECT_EQ(top([](TopFoil& foil) { foil.seat_pressure = -1.0; }), Keys{"top_foil.seat_pressure"});
@@ -361,7 +361,7 @@ TEST(FindFaults, JudgesWhatCyclesGoAbout) {
               c.preload = PlaneTarget{Control::displacement, {0.0, 0.44e-3}};
             }),
             Keys{"cycle.preload"});
-  // Together they would press the bumps flat.
+  // Together they would flatten the bumps.
   EXPECT_EQ(course([](CycleSettings& c) {
               c.preload = PlaneTarget{Control::displacement, {0.0, 0.37e-3}};
             }),
@@ -416,7 +416,7 @@ TEST(FindFaults, WantsEveryDirectionOnce) {
   using std::numbers::pi;
   const double degree = pi / 180.0;
   EXPECT_EQ(directions({0.0, pi, 0.5 * pi, -0.25 * pi}), Keys{});
-  EXPECT_EQ(directions({0.0, 1e-6}), Keys{});  // close, yet two
+  EXPECT_EQ(directions({0.0, 1e-6}), Keys{});  // close, but different
   EXPECT_EQ(directions({1.0, 2.0, 1.0}), Keys{"cycle.directions[3]"});
   EXPECT_EQ(directions({0.0, 2.0 * pi}), Keys{"cycle.directions[2]"});
   EXPECT_EQ(directions({-90.0 * degree, 1.0, 270.0 * degree}), Keys{"cycle.directions[3]"});
@@ -424,7 +424,7 @@ TEST(FindFaults, WantsEveryDirectionOnce) {
   // In the order of the case, not of the angles.
   EXPECT_EQ(directions({3.0, 1.0, 3.0, 1.0}), (Keys{"cycle.directions[3]", "cycle.directions[4]"}));
   EXPECT_EQ(directions({1.0, 1.0, 1.0}), (Keys{"cycle.directions[2]", "cycle.directions[3]"}));
-  EXPECT_EQ(directions({nan, nan}), (Keys{"cycle.directions[1]", "cycle.directions[2]"}));  // judged already
+  EXPECT_EQ(directions({nan, nan}), (Keys{"cycle.directions[1]", "cycle.directions[2]"}));  // already reported
 }
 
 TEST(FindFaults, KnowsNoStripOfTheFormerModel) {

@@ -39,13 +39,13 @@ TEST(Branch, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
   EXPECT_EQ(cold_start(stepper, outside, 1000.0, state).status, Status::no_room);
   EXPECT_EQ(state.film.pressure, rest.film.pressure);
   EXPECT_EQ(state.position, rest.position);
-  // With foils that give way on the way there is.
+  // A foil that deflects on the way makes room.
   ASSERT_EQ(follow(stepper, OperatingPoint::held_at(outside, 4000.0), state).status, Status::converged);
   EXPECT_EQ(state.position, outside);
 }
 
-/// Gas that enters at the weld, off which the load takes the journal. Judged by the equations of the bearing as it is:
-/// nothing of the way there enters them.
+/// Gas enters at the weld; the load moves the journal away from it. The check uses the equations of the final state
+/// only, independent of the path.
 TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
   const double speed = speed_of_rpm(-45000.0);
   const Eigen::Vector2d load(150.0, 0.0);
@@ -75,7 +75,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
         continue;
       }
       if (f > 0.0) continue;
-      // A clearance that need not be opened: the same state.
+      // A positive clearance needs no opening: the same state.
       BearingState direct;
       ASSERT_EQ(cold_start(stepper, {0.6 * clearance, 0.0}, speed, direct).status, Status::converged);
       ASSERT_EQ(follow(stepper, loaded, direct).status, Status::converged);
@@ -97,8 +97,8 @@ TEST(Branch, SaysWhenSurfacesTouch) {
   EXPECT_GT(state.position.x(), 0.2 * bearing.clearance);
 }
 
-/// Near the end of a branch the tangent leads nowhere: under the load that lies behind it the foil jumps, once, and
-/// says so. (Newton's method reaches a state there in one solve, too: any.)
+/// Near the end of a branch no tangent leads on: under a load beyond it the foil jumps once and reports it. (Newton's
+/// method can also reach a state there in one solve, but an arbitrary one.)
 TEST(Branch, JumpsWhereTheBranchUnderALoadEnds) {
   const double speed = speed_of_rpm(45000.0);
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8}, 0.1);
@@ -130,9 +130,9 @@ TEST(Branch, FindsThePositionThatCarriesALoad) {
   const BearingState start = state;
   ASSERT_EQ(follow(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), state).status, Status::converged);
   EXPECT_EQ(state.speed, 0.8 * speed);
-  // Newton's last step moved P by less than 1e-9: some 1e-8 N.
+  // Newton's last step changed P by less than 1e-9: about 1e-8 N.
   EXPECT_LT((film_bearing_outcome(bearing, state).force - load).norm(), 1e-7);
-  EXPECT_GT(state.position.y(), 0.0);  // the journal leans in the sense of rotation
+  EXPECT_GT(state.position.y(), 0.0);  // the journal is displaced in the sense of rotation
   expect_solved(bearing, state);
 }
 

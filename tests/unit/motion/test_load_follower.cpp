@@ -27,7 +27,7 @@ class FollowedLoad : public testing::TestWithParam<BumpFoilModel> {
     return input;
   }
 
-  /// From the unstressed foils through the loads, each in so many equal increments.
+  /// From the unstressed foils through the loads, each in this number of equal increments.
   Step through(const std::vector<Eigen::Vector2d>& loads, int increments, SolverName solver = SolverName::events) {
     FoilStepper stepper = make_stepper(foils, {.name = solver, .uzawa = {}});
     Step step, next;
@@ -56,7 +56,7 @@ TEST_P(FollowedLoad, DoesNotDependOnTheIncrements) {
   const Step once = through({first_load, side_load, first_load}, 1);
   const Step often = through({first_load, side_load, first_load}, 7);
   EXPECT_LT((force(once.state) - first_load).norm(), 1e-7);
-  // A load is met to 1e-9 of it, against a stiffness of some MN/m.
+  // Loads are met to 1e-9 of their size, with a stiffness of several MN/m.
   EXPECT_LT((once.state.position - often.state.position).norm(), 1e-12);
   EXPECT_NEAR(once.state.work, often.state.work, 1e-8 * once.state.work);
   EXPECT_NEAR(once.state.dissipated_energy, often.state.dissipated_energy, 1e-8 * once.state.work);
@@ -66,7 +66,7 @@ TEST_P(FollowedLoad, DoesNotDependOnTheIncrements) {
 }
 
 TEST_P(FollowedLoad, TurnsRoundWhateverTheIncrements) {
-  // About the bearing, and across its clearance: what happens as the last contacts open is no piece of a way.
+  // Around the bearing, and across its clearance: when the last contacts open, the response is not piecewise linear.
   for (const auto& [back, met] : {std::pair{Eigen::Vector2d(-8.0, 60.0), 1e-12}, {-0.4 * side_load, 1e-9}}) {
     const Step once = through({side_load, back}, 1);
     const Step often = through({side_load, back}, 5);
@@ -92,7 +92,7 @@ TEST_P(FollowedLoad, KeepsTheEnergyAndTheLine) {
   const double dissipated = step.state.dissipated_energy - begin.dissipated_energy;
   EXPECT_NEAR(work, elastic(step.state) - elastic(begin) + dissipated, 1e-9 * work);
   EXPECT_GT(dissipated, 0.01 * work);
-  // Between two waypoints the force is on the line from load to load, and goes on along it.
+  // Between two waypoints the force is on the line from load to load and advances along it.
   ASSERT_GT(step.waypoints.size(), 5U);
   const Eigen::Vector2d line = (side_load - first_load).normalized();
   double gone = 0.0;
@@ -112,7 +112,7 @@ TEST_P(FollowedLoad, IsTheLimitOfManySmallIncrements) {
     const Step step = through({first_load, side_load}, increments, SolverName::newton);
     return (step.state.position - exact).norm();
   };
-  // Of first order.
+  // First order.
   const double coarse = error(10);
   const double fine = error(160);
   EXPECT_LT(fine, 0.15 * coarse);
@@ -139,7 +139,7 @@ TEST(FollowLoad, SaysThatNothingIsInTheWay) {
   FoilStepper stepper = make_stepper(make_bearing_foils(input), {.name = SolverName::events, .uzawa = {}});
   Step first, step;
   stepper.assemble({}, first);
-  // No bump has a part of this normal, and the journal leaves the bearing.
+  // No bump has a normal component along this load, and the journal leaves the bearing.
   advance_to_load(stepper, first.state, 20.0 * unit_vector(3.4), least, reach, step);
   EXPECT_EQ(step.status, Status::load_out_of_reach);
 }

@@ -48,11 +48,11 @@ TEST_P(LoadedBearing, FindsALoadWhereMovingThereMeetsIt) {
     // The tolerance of the search; the regularised solver has a residual of its own.
     const double met = (GetParam() == SolverName::uzawa ? 1e-5 : 1e-9) * load.norm();
     EXPECT_LT((force(by_load.state) - load).norm(), met);
-    if (GetParam() == SolverName::events) continue;  // goes there by its own way
+    if (GetParam() == SolverName::events) continue;  // follows the path with its own increments
     FoilStepper fresh = make_stepper(foils, {.name = GetParam(), .uzawa = {}});
     fresh.advance(state, by_load.state, by_place);
     ASSERT_TRUE(by_place.converged());
-    // Both are solved to the same bound, by a solver that has seen other increments: 1e-6 is that of the multipliers.
+    // Both are solved to the same bound, by solvers with different histories: 1e-6 is that of the multipliers.
     const double solved = GetParam() == SolverName::uzawa ? 1e-6 : 1e-9;
     EXPECT_LT((force(by_place.state) - force(by_load.state)).norm(), solved * load.norm());
     EXPECT_NEAR(by_place.state.work, by_load.state.work, solved * std::abs(by_load.state.work));
@@ -75,7 +75,7 @@ TEST(LoadSearch, FindsTheFirstLoadAcrossAnOpenGap) {
   FoilStepper stepper = make_stepper(foils);
   Step first, step;
   stepper.assemble({}, first);
-  EXPECT_EQ(holding_force(*foils, first.state.contacts.normal_force).norm(), 0.0);  // nothing tells the way
+  EXPECT_EQ(holding_force(*foils, first.state.contacts.normal_force).norm(), 0.0);  // no force defines the direction
   advance_to_load(stepper, first.state, 5.0 * push, least_load, search_reach, step);
   ASSERT_TRUE(step.converged());
   EXPECT_LT((holding_force(*foils, step.state.contacts.normal_force) - 5.0 * push).norm(), 1e-8);

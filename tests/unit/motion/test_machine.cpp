@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A rotor that tilts, on two bearings with friction under 30 N each, with an unbalance out of the middle.
+/// A rotor that can tilt, on two bearings with friction under 30 N each, with an unbalance away from the middle.
 class Machine : public ::testing::Test {
  protected:
   [[nodiscard]] MachineState at_rest() const {
@@ -55,7 +55,7 @@ TEST_F(Machine, RestsInEquilibrium) {
     ASSERT_EQ(report.status, Status::converged);
     EXPECT_EQ(report.parts, 1);
   }
-  // The states settled to 1e-6 of P and U at least, and a step of time moves a mass by little.
+  // The states settled to at least 1e-6 of P and U; a time step moves a mass only slightly.
   EXPECT_LT((state.rotor.y - begin.rotor.y).norm(), 1e-13);
 }
 
@@ -91,10 +91,10 @@ TEST_F(Machine, ObeysItsEquations) {
       EXPECT_EQ(bearing.speed, speed);
       EXPECT_NEAR(bearing.time - rest_.time, end.time, 1e-15);
       EXPECT_EQ(bearing.last_step.dt, dt);
-      EXPECT_EQ(bearing.slip_origin, from.bearings[i].contacts.x);  // increments of friction are steps
+      EXPECT_EQ(bearing.slip_origin, from.bearings[i].contacts.x);  // each time step is a friction increment
       balance -= B.transpose() * journal_force(*bearing_, bearing.film, speed);
     }
-    // Round-off of y in M y / dt^2, some 1e-20 m times 1e10 N/m.
+    // Round-off of y in M y / dt^2, about 1e-20 m times 1e10 N/m.
     EXPECT_LT(balance.norm(), 1e-8);
     before_dt = dt;
   }
@@ -131,7 +131,7 @@ TEST_F(Machine, GoesOnFromACopyToTheLastBit) {
   }
 }
 
-/// A blow that no film takes.
+/// An impact that no film can carry.
 TEST_F(Machine, EndsWithItsLastState) {
   MachineState state = at_rest();
   ASSERT_EQ(advance({.dt = dt_, .speed = speed_}, state).status, Status::converged);
@@ -143,11 +143,11 @@ TEST_F(Machine, EndsWithItsLastState) {
   EXPECT_EQ(state.time, before.time);
   EXPECT_EQ(state.rotor.y, before.rotor.y);
   EXPECT_EQ(state.bearings[1].film.pressure, before.bearings[1].film.pressure);
-  // It can go on from there.
+  // The march can continue from there.
   EXPECT_EQ(advance({.dt = dt_, .speed = speed_}, state).status, Status::converged);
 }
 
-/// A disc that hangs from the journal on a spring: the spring is longer by weight over stiffness.
+/// A disc hanging from the journal by a spring: the spring extends by weight over stiffness.
 TEST(MachineAtRest, BendsAShaft) {
   const double speed = speed_of_rpm(-45000.0);
   const Eigen::Vector2d load(20.0, -5.0);

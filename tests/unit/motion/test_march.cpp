@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The assembled reference bearing, where a march begins.
+/// The assembled reference bearing at the start of a march.
 class March : public ::testing::Test {
  protected:
   March() {
@@ -65,7 +65,7 @@ TEST_F(March, KeepsTheStateOfAnIncrementThatStopsItAndNotOfOneThatIsRefused) {
   }
 }
 
-/// Under no load the place would not be determined: a millionth of the largest stands for it.
+/// Under zero load the position would be undetermined: a millionth of the largest load replaces it.
 TEST_F(March, ALoadOfZeroIsAMillionthOfTheLargest) {
   const Program program{{Branch::loading, Control::load, {}, 0.0, 100.0, 1},
                         {Branch::unloading, Control::load, {}, 100.0, 0.0, 1}};
@@ -87,7 +87,7 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   Program program{ramp(begin, further, 2), ramp(loaded, loaded, 5)};
   program.back().dt = dt;
   Step step;
-  step.substeps = 7;  // of another march
+  step.substeps = 7;  // from an earlier march
   int taken = 0;
   BearingState before = state;
   ASSERT_TRUE(march(stepper, program, state, step, [&](const Passage& at) {
@@ -105,10 +105,10 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   EXPECT_EQ(taken, 7);
   EXPECT_NEAR(state.time, 5.0 * dt, 1e-18);
   EXPECT_EQ(state.speed, 0.9 * speed);
-  EXPECT_LT((film_force(bearing, state.film.pressure) - loaded.journal).norm(), 1e-3);  // N, of P to 1e-6
+  EXPECT_LT((film_force(bearing, state.film.pressure) - loaded.journal).norm(), 1e-3);  // N, for P to 1e-6
 }
 
-/// A journal that is moved goes by at most 0.00625 C_r per iteration: the longer the way, the more of them.
+/// A prescribed journal moves by at most 0.00625 C_r per iteration: longer distances need more iterations.
 TEST(FilmMarch, AStepInTimeThatFailsIsTakenInParts) {
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}, 0.1);
   FilmBearingOptions options;
@@ -131,7 +131,7 @@ TEST(FilmMarch, AStepInTimeThatFailsIsTakenInParts) {
   BearingState parts = start;
   const int taken = moved(hasty, 0.1, 1, parts).substeps + 1;
   EXPECT_GT(taken, 1);
-  // The same steps, each with friction from its start.
+  // The same steps, with friction measured from the start of each.
   BearingState whole = start;
   EXPECT_EQ(moved(patient, 0.1, taken, whole).substeps, 0);
   EXPECT_LT(patient.distance(parts, whole), 1e-8);

@@ -38,13 +38,13 @@ class OrbitSearch : public ::testing::Test {
   };
 };
 
-/// Two turns more, marched as they come, are the same turn: the search, and what it says of it.
+/// Two more turns, marched in time, repeat the orbit: checks the search and the reported results.
 TEST_F(OrbitSearch, FindsWhatRepeatsItself) {
   constexpr int steps = 40;
   const Orbit orbit = find_orbit(stepper_, forces_, start(), {.steps_per_turn = steps, .tolerance = 1e-8});
   ASSERT_EQ(orbit.status, Status::converged);
   EXPECT_LT(orbit.change, 1e-8);
-  EXPECT_LT(orbit.turns, 30);  // what is left decays by 7 % in a turn: 200 turns without extrapolation
+  EXPECT_LT(orbit.turns, 30);  // disturbances decay by 7 % per turn: 200 turns without extrapolation
   EXPECT_FALSE(orbit.multipliers.empty());
   EXPECT_NEAR(std::abs(orbit.multipliers.front()), 0.93, 0.02);
   MachineState state = orbit.state;
@@ -61,7 +61,7 @@ TEST_F(OrbitSearch, FindsWhatRepeatsItself) {
   EXPECT_LT((state.rotor.y - orbit.state.rotor.y).norm(), 1e-7 * bearing_.bearing().scales.thickness);
   EXPECT_LT((sum / (2 * steps) - orbit.bearings.front().mean).norm(), 1e-12);
   EXPECT_NEAR(thinnest * bearing_.bearing().scales.thickness, orbit.turn.front().thinnest, 1e-12);
-  // By Parseval's theorem half the squares of amplitudes is the mean square; harmonics from the third on are small.
+  // Parseval's theorem: half the sum of squared amplitudes is the mean square; harmonics above the second are small.
   const StationOrbit& found = orbit.bearings.front();
   const Eigen::Vector2d harmonics = 0.5 * (found.once.cwiseAbs2() + found.twice.cwiseAbs2());
   EXPECT_LT((square / (2 * steps) - harmonics).norm(), 1e-5 * harmonics.norm());
@@ -70,7 +70,7 @@ TEST_F(OrbitSearch, FindsWhatRepeatsItself) {
   EXPECT_LT((found.half_peak_to_peak - found.once.cwiseAbs()).norm(), 1e-2 * found.once.norm());
 }
 
-/// From where it ends a search has nothing to look for: what it says of the orbit follows from a disturbance.
+/// A search that starts on the orbit has nothing to find: its multipliers follow from a disturbance.
 TEST_F(OrbitSearch, DisturbsWhatItHasFoundAtOnce) {
   const OrbitOptions options{.steps_per_turn = 40, .tolerance = 1e-6};
   const Orbit orbit = find_orbit(stepper_, forces_, start(), options);
@@ -79,19 +79,19 @@ TEST_F(OrbitSearch, DisturbsWhatItHasFoundAtOnce) {
   end.time = 0.0;
   const Orbit again = find_orbit(stepper_, forces_, end, options);
   ASSERT_EQ(again.status, Status::converged);
-  EXPECT_EQ(again.turns, 2 + 2 + 6);  // found, recorded, forgotten, told
+  EXPECT_EQ(again.turns, 2 + 2 + 6);  // find and record, settle after the disturbance, determine multipliers
   EXPECT_LT(again.change, 1e-6);
   ASSERT_FALSE(again.multipliers.empty());
   EXPECT_NEAR(std::abs(again.multipliers.front()), std::abs(orbit.multipliers.front()), 0.01);
-  // It is the orbit that was found, and not what the disturbance left of it.
+  // This is the orbit as found, not the remainder of the disturbance.
   EXPECT_LT((again.state.rotor.y - orbit.state.rotor.y).norm(), 1e-5 * bearing_.bearing().scales.thickness);
   EXPECT_LT((again.bearings[0].once - orbit.bearings[0].once).norm(), 1e-4 * orbit.bearings[0].once.norm());
 }
 
-/// The orbit at a speed nearby is a better start than the linear response, and leads to the same orbit.
+/// The orbit at a nearby speed is a better start than the linear response, and leads to the same orbit.
 TEST_F(OrbitSearch, FollowsTheOrbitToAnotherSpeed) {
   const OrbitOptions options{.steps_per_turn = 40};
-  unbalance_.amount = 2e-6;  // 3 um: the orbit is no small one
+  unbalance_.amount = 2e-6;  // 3 um: the orbit is not small
   const MachineState before = start();
   const Orbit old = find_orbit(stepper_, forces_, before, options);
   ASSERT_EQ(old.status, Status::converged);
@@ -103,13 +103,13 @@ TEST_F(OrbitSearch, FollowsTheOrbitToAnotherSpeed) {
   ASSERT_TRUE(moved.has_value());
   EXPECT_EQ(moved->speed, speed_);
   EXPECT_EQ(moved->last_dt, 0.0);
-  // It lies nearer to the orbit of its speed than the linear start does, by the place after whole turns.
+  // Compared by the state after whole turns, it is closer to the orbit of its speed than the linear start is.
   EXPECT_LT((moved->rotor.y - orbit.state.rotor.y).norm(), 0.2 * (linear.rotor.y - orbit.state.rotor.y).norm());
   const Orbit followed = find_orbit(stepper_, forces_, *moved, options);
   ASSERT_EQ(followed.status, Status::converged);
   EXPECT_LE(followed.turns, orbit.turns);
   EXPECT_LT((followed.bearings[0].once - orbit.bearings[0].once).norm(), 1e-4 * orbit.bearings[0].once.norm());
-  // A difference as large as the film leaves none.
+  // A difference as large as the film leaves no film.
   MachineState far = old.state;
   far.bearings[0].film.thickness.array() -= 1.1 * far.bearings[0].film.thickness.maxCoeff();
   EXPECT_FALSE(moved_orbit(linear, far, before).has_value());
@@ -131,7 +131,7 @@ TEST_F(OrbitSearch, SaysWhereItFindsNone) {
   EXPECT_TRUE(stopped.bearings.empty());
 }
 
-/// A motion that would take all of the film is scaled so that half of it is left at the place that loses most.
+/// A motion that would close the film is scaled to leave half the film where it shrinks most.
 TEST_F(OrbitSearch, LeavesHalfOfTheFilm) {
   const MachineState rest = stepper_.at_rest({rest_}, load_);
   MachineState moved = rest;

@@ -42,7 +42,7 @@ TEST(Program, PartsOfAnIncrementLieBetweenItsEnds) {
 
 TEST(Program, RevolutionsTakeTheirTimeWhateverTheSense) {
   const OperatingPoint at =
-      OperatingPoint::loaded_by({3.0, 4.0}, -200.0 * std::numbers::pi);  // 100 revolutions a second
+      OperatingPoint::loaded_by({3.0, 4.0}, -200.0 * std::numbers::pi);  // 100 revolutions per second
   const Leg leg = revolutions(at, 2.5, 40);
   EXPECT_EQ(leg.steps, 100);
   EXPECT_DOUBLE_EQ(leg.dt, 1.0 / 4000.0);

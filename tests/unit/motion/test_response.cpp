@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Slow forces meet the stiffness, fast ones the mass.
+/// The response to slow forces is governed by stiffness, to fast ones by mass.
 TEST(LinearResponse, IsThatOfStiffnessAndOfMass) {
   FilmStepper stepper(film_reference_bearing({4, 3}, 0.1));
   const BearingState state = state_under(stepper, {30.0, 0.0}, speed_of_rpm(-45000.0));
@@ -28,7 +28,7 @@ TEST(LinearResponse, IsThatOfStiffnessAndOfMass) {
     const std::complex<double> rate(0.0, 1e7);
     const auto fast = linear_response(rotor, {{stepper, state}}, force, rate, stuck);
     ASSERT_TRUE(fast);
-    // A film that cannot give way has some 1e8 N/m, m nu^2 is 2e14 N/m.
+    // A film that cannot flow has about 1e8 N/m; m nu^2 is 2e14 N/m.
     EXPECT_LT((rate * rate * 2.0 * *fast - force).norm(), 1e-4);
   }
 }
@@ -48,7 +48,7 @@ Eigen::Vector4d response_of(double friction, bool stuck) {
   return {1e6 * std::abs((*y)[0]), 1e6 * std::abs((*y)[1]), degrees((*y)[0]), degrees((*y)[1])};
 }
 
-/// Numbers of another program. With friction the states depend on the increments that led to them: 1 %.
+/// Values of an independent program. With friction, states depend on the increments leading to them: 1 %.
 TEST(LinearResponse, IsThatOfThePrototype) {
   const Eigen::Vector4d smooth = response_of(0.0, false);
   EXPECT_NEAR(smooth[0], 1.32838, 1e-5);
@@ -60,7 +60,7 @@ TEST(LinearResponse, IsThatOfThePrototype) {
   EXPECT_NEAR(stuck[1], 1.2178, 0.02);
 }
 
-/// Far above its critical speed a rotor turns about its centre of mass.
+/// Far above its critical speed a rotor spins about its centre of mass.
 TEST(LinearResponse, CentresAHeavyRotor) {
   FilmStepper stepper(film_reference_bearing({4, 4}));
   const double speed = speed_of_rpm(-45000.0);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr FilmResolution rest_resolution{.columns_per_pitch = 4, .rows = 4};
 
-/// Let go, the journal comes to rest where it carries its load. Time passes on the way, as long as the film takes.
+/// Released, the journal comes to rest where the film carries its load. The elapsed time is what the film needs.
 TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
   const FilmBearing bearing = film_reference_bearing(rest_resolution, 0.1);
   FilmStepper stepper(bearing);
@@ -20,7 +20,7 @@ TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
   const Eigen::Vector2d load(40.0, 0.0);
   BearingState released = start;
   ASSERT_EQ(settle(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), released).status, Status::converged);
-  // Newton's last step moved P by less than 1e-9: some 1e-8 N.
+  // Newton's last step changed P by less than 1e-9: about 1e-8 N.
   EXPECT_LT((film_bearing_outcome(bearing, released).force - load).norm(), 1e-7);
   EXPECT_EQ(released.speed, 0.8 * speed);
   EXPECT_EQ(released.slip_origin, start.contacts.x);
@@ -28,7 +28,7 @@ TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
   expect_solved(bearing, released);
 }
 
-/// The march goes on in steps of any length until hardly anything changes.
+/// The march continues with steps of any length until changes are below the limit.
 TEST(Rest, ComesLaterWhereLessIsRest) {
   const FilmBearing bearing = film_reference_bearing(rest_resolution);
   const auto time_until_rest = [&](double resting_change) {

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double g = 9.81;  // m/s^2
 
-/// 1 kg on the reference bearing without friction, gas entering at the weld: it begins to whirl forward at 13,072.43
-/// rpm, where a secant of another program over its own pencil has it. Nothing slips, so that both kinds are one.
+/// 1 kg on the reference bearing without friction, gas entering at the weld: forward whirl starts at 13,072.43 rpm,
+/// found by an independent program with a secant search on its own pencil. Without friction, stuck and sliding results
+/// coincide.
 TEST(SpeedMap, HasTheOnsetBetweenItsSpeeds) {
   FilmStepper stepper(film_reference_bearing({6, 8}));
   const SpeedMap map =
@@ -27,7 +28,7 @@ TEST(SpeedMap, HasTheOnsetBetweenItsSpeeds) {
     EXPECT_GT(worst.direction, 0.5);
     EXPECT_NEAR(std::abs(worst.rate - point.stuck->whirls.front().rate), 0.0, 1e-9 * std::abs(worst.rate));
     EXPECT_EQ(worst.rate.real() > 0.0, std::abs(point.speed) > speed_of_rpm(13072.4));
-    // It is one motion, here as there.
+    // The same motion at all speeds.
     EXPECT_EQ(point.sliding->numbers.front(), map.points[0].sliding->numbers.front());
     EXPECT_EQ(point.stuck->numbers.front(), point.sliding->numbers.front());
   }
@@ -41,9 +42,9 @@ TEST(SpeedMap, HasTheOnsetBetweenItsSpeeds) {
   }
 }
 
-/// With friction the modes of contacts hang on the path, which another program takes otherwise: it has 12,474.67 rpm
-/// where all stick, and 12,393.26 where those of its path slip. What sticks hardly knows the path; where others slip,
-/// the onset lies between that without friction and that.
+/// With friction, contact modes depend on the path, which differs in the independent program: its onset is 12,474.67
+/// rpm with full stick, and 12,393.26 rpm with the sliding contacts of its path. The onset with full stick depends
+/// little on the path; the one with sliding contacts lies between the onset without friction and that with full stick.
 TEST(SpeedMap, TellsStuckFromSlidingContacts) {
   FilmStepper stepper(film_reference_bearing({6, 8}, 0.1));
   const SpeedMap map = map_speeds(make_point_mass(0.5), {&stepper}, {g, 0.0}, speeds_of_rpm({-12000.0, -13000.0}));
@@ -54,12 +55,12 @@ TEST(SpeedMap, TellsStuckFromSlidingContacts) {
   EXPECT_NEAR(map.onsets[1].onset.speed, speed_of_rpm(-12474.669874491836), speed_of_rpm(8.0));
 }
 
-/// Two equal bearings under a rigid rotor that weighs on both alike: the onset is that of its half.
+/// Two equal bearings share the weight of a rigid rotor equally: the onset is that of half the rotor.
 TEST(SpeedMap, OfTwoEqualBearingsHasTheOnsetOfOne) {
   FilmStepper first(film_reference_bearing({4, 4}));
   FilmStepper second(film_reference_bearing({4, 4}));
   const std::vector<double> speeds = speeds_of_rpm({-12500.0, -13500.0});
-  // Tilting has an onset of its own: light ends that are far apart keep it away.
+  // Tilting has its own onset: light ends that are far apart shift it out of range.
   const Rotor rigid =
       make_rigid_rotor({.mass = 2.0, .transverse_inertia = 1e-4, .polar_inertia = 1e-4, .bearings = {-0.1, 0.1}});
   const SpeedMap one = map_speeds(make_point_mass(1.0), {&first}, {g, 0.0}, speeds);
@@ -69,7 +70,7 @@ TEST(SpeedMap, OfTwoEqualBearingsHasTheOnsetOfOne) {
   EXPECT_NEAR(two.onsets[0].onset.speed, one.onsets[0].onset.speed, 1e-8 * std::abs(one.onsets[0].onset.speed));
 }
 
-/// There is an onset before the place where it is stopped: it is not searched for any more.
+/// Onsets before the interruption are not searched for.
 TEST(SpeedMap, EndsWhereItIsStopped) {
   FilmStepper stepper(film_reference_bearing({4, 4}));
   int asked = 0;

@@ -13,7 +13,7 @@ namespace {
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Turns as a rotor would.
+/// Follows a speed program as a rotor does.
 struct Turning {
   explicit Turning(SpeedProgram speeds, int steps, double longest = no_limit)
       : program(std::move(speeds)), steps_per_turn(steps), longest_step(longest) {
@@ -45,12 +45,12 @@ TEST(SpeedProgram, TakesEqualAnglesAndEndsTurnsWithAStep) {
       EXPECT_EQ(whole_turns(rotor.state.angle), turn);
       EXPECT_NEAR(std::abs(rotor.state.angle), turn * full_turn, 1e-11);
     }
-    // Even acceleration.
+    // Constant acceleration.
     EXPECT_NEAR(rotor.state.speed, sense * (2000.0 - 15000.0 * rotor.state.time), 1e-9);
     while (!rotor.program.is_over(rotor.state)) rotor.step();
     EXPECT_NEAR(rotor.state.time, 0.1, 1e-15);
     EXPECT_EQ(rotor.state.speed, sense * 500.0);
-    EXPECT_NEAR(rotor.state.angle, sense * 125.0, 1e-10);  // the mean of the speeds times the time
+    EXPECT_NEAR(rotor.state.angle, sense * 125.0, 1e-10);  // mean speed times time
   }
 }
 
@@ -78,7 +78,7 @@ TEST(SpeedProgram, GoesFromRampToRamp) {
     has_met_corner |= std::abs(rotor.state.time - 0.33) < 1e-12 && rotor.state.speed == 200.0;
   }
   EXPECT_TRUE(has_met_corner);
-  EXPECT_GT(shortest, 0.4 * full_turn / 17.0 / 200.0);  // no slivers
+  EXPECT_GT(shortest, 0.4 * full_turn / 17.0 / 200.0);  // no tiny steps
   EXPECT_EQ(rotor.state.speed, 0.0);
   EXPECT_NEAR(rotor.state.angle, 150.0 * 0.33 + 20.0 + 21.0, 1e-9);
 }

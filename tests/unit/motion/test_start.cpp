@@ -9,14 +9,14 @@
 namespace bumpfoil {
 namespace {
 
-/// A journal without clearance: foils everywhere touch it at rest.
+/// A bearing without clearance: the foils touch the journal everywhere at rest.
 FilmBearing tight_bearing() {
   Case input = film_reference_case({4, 4});
   input.bearing.radial_clearance = 0.0;
   return make_film_bearing(input);
 }
 
-/// Where there is room nothing is opened; where there is none, until c is left.
+/// With clearance nothing is opened; without, until c remains.
 TEST(OpeningToStart, LeavesTheRoomOfAFilm) {
   EXPECT_EQ(opening_to_start(film_reference_bearing({4, 4}), 1e-7), 0.0);
   const FilmBearing tight = tight_bearing();

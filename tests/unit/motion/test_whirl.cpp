@@ -11,8 +11,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Cross-coupled springs q against dampers c: forward whirl grows, backward whirl decays, both as
-/// m s^2 + (c s + k) -+ i q = 0 says.
+/// Cross-coupled springs q against dampers c: forward whirl grows, backward whirl decays, with
+/// m s^2 + (c s + k) -+ i q = 0.
 TEST(Whirl, IsThatOfACrossCoupledRotor) {
   constexpr double m = 0.8;
   constexpr double k = 3e6;
@@ -38,7 +38,7 @@ TEST(Whirl, IsThatOfACrossCoupledRotor) {
       EXPECT_LT(found.residual, 1e-12);
       EXPECT_NEAR(found.log_decrement(), -2.0 * std::numbers::pi * expected.real() / expected.imag(), 1e-9);
       EXPECT_NEAR(found.damping_ratio(), -expected.real() / std::abs(expected), 1e-9);
-      // 2 m s + c: almost all of it is the rotor's.
+      // 2 m s + c: the motion is almost entirely that of the rotor.
       EXPECT_NEAR(found.rotor_share, 1.0 / (1.0 + c / std::abs(2.0 * m * expected)), 1e-9);
     }
     EXPECT_GT(whirls[0].rate.real(), 0.0);
@@ -46,7 +46,7 @@ TEST(Whirl, IsThatOfACrossCoupledRotor) {
   }
 }
 
-/// Bearings that differ in squeeze time and shift are put together right: two half springs are one.
+/// Bearings with different squeeze times and shifts are combined correctly: two half springs act as one.
 TEST(Whirl, AddsBearings) {
   const Eigen::Matrix2d K = Eigen::Vector2d(2e6, 1e6).asDiagonal();
   const Eigen::Matrix2d C = Eigen::Vector2d(50.0, 20.0).asDiagonal();
@@ -65,8 +65,8 @@ TEST(Whirl, AddsBearings) {
   }
 }
 
-/// A spring beside a spring and damper in series, k + g e / (1 + 2 e) with e = T0 s, that has a motion of its own near
-/// the pole, s = -1 / (2 T0). The weaker its force g on the journal, the less it is one of the rotor, down to
+/// A spring in parallel with a spring and damper in series, k + g e / (1 + 2 e) with e = T0 s, which has its own motion
+/// near the pole, s = -1 / (2 T0). The weaker its force g on the journal, the smaller the rotor's share in it, down to
 /// round-off.
 TEST(Whirl, LeavesOutWhatExertsNoForceOnTheJournal) {
   constexpr double m = 1.0;
@@ -91,7 +91,7 @@ TEST(Whirl, LeavesOutWhatExertsNoForceOnTheJournal) {
     ASSERT_NE(real, whirls.end());
     const double e = unit * real->rate.real();
     const double of_series = coupling * k / (1.0 + 2.0 * e);
-    // The root is known to 1e-12 and lies as close as 4e-7 to the pole.
+    // The root is accurate to 1e-12 and as close as 4e-7 to the pole.
     EXPECT_LT(std::abs(m * std::pow(real->rate.real(), 2) + k + e * of_series), 1e-4 * k);
     const double of_rotor = 2.0 * m * std::abs(real->rate.real());
     const double of_films = unit * coupling * k / std::pow(1.0 + 2.0 * e, 2);
@@ -99,9 +99,8 @@ TEST(Whirl, LeavesOutWhatExertsNoForceOnTheJournal) {
   }
 }
 
-/// On springs against displacement, k, and against inclination, h^2 k_t, at the distance l on both sides:
-/// I_t s^2 + 2 h^2 (k_t + s c_t) + 2 l^2 (k + s c) = 0. One of the two bearings resists no inclination: it has
-/// h = 0.
+/// Springs against displacement, k, and inclination, h^2 k_t, at distance l on both sides:
+/// I_t s^2 + 2 h^2 (k_t + s c_t) + 2 l^2 (k + s c) = 0. One of the two bearings does not resist inclination, h = 0.
 TEST(Whirl, TiltsOnSpringsThatResistIt) {
   constexpr double h = 0.02;
   constexpr double l = 0.03;
@@ -153,7 +152,7 @@ TEST(Whirl, SplitsByTheGyroscopicEffect) {
   }
 }
 
-/// A mass whose forward whirl grows however slowly is seen up to 8 times the speed, what decays up to twice.
+/// Forward whirl that grows, however slowly, is found up to 8 times the speed, decaying whirl up to twice the speed.
 TEST(Whirl, IsSeenFartherOutWhereItGrows) {
   constexpr double m = 0.8;
   constexpr double c = 100.0;
@@ -171,7 +170,7 @@ TEST(Whirl, IsSeenFartherOutWhereItGrows) {
   EXPECT_GT(whirls[0].residual, 0.0);  // round-off
 }
 
-/// Coefficients of a spring and a damper are themselves, at any speed.
+/// The coefficients of a spring and a damper are their own stiffness and damping, at any speed.
 TEST(Whirl, OnCoefficientsOfSpringsIsThatOnSprings) {
   const Eigen::Matrix2d K = (Eigen::Matrix2d() << 3e6, 4e5, -3e5, 2e6).finished();
   const std::vector<FilmImpedance> springs{linear_impedance(K, Eigen::Vector2d(80.0, 60.0).asDiagonal(), 1000.0)};
@@ -200,14 +199,14 @@ TEST(Onset, IsWhereTheGrowthChangesItsSign) {
   EXPECT_FALSE(find_onset([](double) { return std::optional<Complex>(); }, 100.0, 1000.0).has_value());
 }
 
-/// Contacts that change at a speed.
+/// Contacts that change their modes at a speed.
 TEST(Onset, SaysWhereTheGrowthJumps) {
   const auto onset =
       find_onset([](double speed) { return std::optional(Complex(speed < 400.0 ? -2.0 : 7.0, 100.0)); }, 100.0, 1000.0);
   ASSERT_TRUE(onset.has_value());
   EXPECT_NEAR(onset->speed, 400.0, 1e-6);
   EXPECT_TRUE(onset->jumps);
-  // By a part of the speed that is round-off.
+  // A jump of the size of round-off, relative to the speed.
   const auto rounded = find_onset(
       [](double speed) { return std::optional(Complex(speed < 400.0 ? -2e-5 : 7e-5, 100.0)); }, 100.0, 1000.0);
   ASSERT_TRUE(rounded.has_value());

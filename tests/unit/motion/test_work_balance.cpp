@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A rotor on springs and dampers alone that an even force pushes along, then its balance.
+/// The work balance of a rotor on springs and dampers only, pushed by a constant force.
 WorkBalance balance_of(double damping, int steps) {
   Rotor rotor = make_point_mass(2.0);
   rotor.stiffness = 50.0 * Eigen::Matrix2d::Identity();
@@ -27,7 +27,7 @@ WorkBalance balance_of(double damping, int steps) {
     EXPECT_EQ(stepper.advance({.dt = 1.0 / steps, .speed = 1.0}, forces, state).status, Status::converged);
     sum += meter.step_to(state);
   }
-  // What is stored is that of the state, and the even force does its work on the way.
+  // The stored energy is that of the final state, and the constant force does its work on the way.
   const double stored = state.rotor.v.squaredNorm() + 25.0 * state.rotor.y.squaredNorm() - 0.01;
   EXPECT_NEAR(sum.stored, stored, 1e-14);
   EXPECT_NEAR(sum.forces, 3.0 * state.rotor.y.x(), 1e-14);
@@ -39,7 +39,7 @@ TEST(WorkBalance, IsMetByShorterSteps) {
   const double fine = std::abs(balance_of(4.0, 400).defect());
   EXPECT_GT(balance_of(4.0, 200).damping, 0.01);
   EXPECT_LT(fine, 1e-4);
-  EXPECT_NEAR(coarse / fine, 4.0, 1.0);  // of second order
+  EXPECT_NEAR(coarse / fine, 4.0, 1.0);  // second order
 }
 
 TEST(WorkBalance, DampsNothingWithoutDampers) {
@@ -49,7 +49,7 @@ TEST(WorkBalance, DampsNothingWithoutDampers) {
   EXPECT_LT(std::abs(sum.defect()), 1e-3 * std::abs(sum.forces));
 }
 
-/// A journal that is pushed to and fro on its foils: what they rub away is missing elsewhere.
+/// A journal pushed back and forth on its foils: their friction loss is part of the balance.
 TEST(WorkBalance, HasTheFrictionOfTheFoils) {
   const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({4, 3}, 0.1));
   FilmStepper film(bearing);
@@ -70,7 +70,7 @@ TEST(WorkBalance, HasTheFrictionOfTheFoils) {
     sum += meter.step_to(state);
   }
   EXPECT_GT(sum.friction, 5e-8);                          // J
-  EXPECT_LT(std::abs(sum.defect()), 0.3 * sum.friction);  // the error of the steps
+  EXPECT_LT(std::abs(sum.defect()), 0.3 * sum.friction);  // time step error
 }
 
 }  // namespace

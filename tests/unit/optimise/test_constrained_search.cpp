@@ -9,7 +9,7 @@ namespace {
 
 const Eigen::VectorXd middle_of_box = Eigen::VectorXd::Constant(2, 0.5);
 
-/// A bowl whose lowest place, (0.3, 0.8), is beyond a limit: x + y <= 1.
+/// A quadratic function whose minimum, (0.3, 0.8), violates a limit: x + y <= 1.
 bool bowl(const Eigen::VectorXd& x, double& aim, Eigen::VectorXd& limits) {
   aim = (x - Eigen::Vector2d(0.3, 0.8)).squaredNorm();
   limits[0] = x.sum() - 1.0;
@@ -35,7 +35,7 @@ TEST(ConstrainedSearch, StopsWhereTheFunctionDoes) {
   EXPECT_EQ(calls, 5);
 }
 
-/// Without a tolerance steps shrink until they move nothing.
+/// Without a tolerance steps shrink down to round-off.
 TEST(ConstrainedSearch, SaysWhereRoundOffEndsIt) {
   EXPECT_EQ(search_constrained({1, bowl}, middle_of_box, 0.25, 0.0), SearchEnd::rounding);
 }
@@ -44,7 +44,7 @@ struct OwnError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What the function throws comes out as it is, through the C of NLopt.
+/// Exceptions of the function pass through the C code of NLopt unchanged.
 TEST(ConstrainedSearch, PassesOnWhatTheFunctionThrows) {
   const auto throws = [](const auto&, double&, auto&) -> bool { throw OwnError("of the function"); };
   EXPECT_THROW(search_constrained({1, throws}, middle_of_box, 0.25, 1e-4), OwnError);
@@ -53,7 +53,7 @@ TEST(ConstrainedSearch, PassesOnWhatTheFunctionThrows) {
                std::bad_alloc);
 }
 
-/// A start outside of the box is none: NLopt refuses it, and the message is its own.
+/// NLopt rejects a start outside the box, with its own message.
 TEST(ConstrainedSearch, ThrowsWhatNloptRefuses) {
   try {
     static_cast<void>(search_constrained({1, bowl}, Eigen::VectorXd::Constant(2, 1.5), 0.25, 1e-4));

@@ -37,7 +37,7 @@ const OptimisePoint& best_of(const OptimiseResult& result) {
   return result.points.at(result.best.value());
 }
 
-/// Force and energy of a loop fall with the clearance, so that the least energy lies where the force is at its limit.
+/// Force and energy of a loop fall with the clearance: the least energy is where the force is at its limit.
 TEST(Optimise, EndsAtTheLimitThatBisectionFinds) {
   const double least_force = force_at(32e-6);
   double low = any_clearance.lower;
@@ -51,7 +51,7 @@ TEST(Optimise, EndsAtTheLimitThatBisectionFinds) {
   const OptimiseResult result = run_optimise(optimised(settings));
   EXPECT_EQ(result.status, OptimiseStatus::converged);
   EXPECT_TRUE(optimise_failures(result).empty());
-  // The tolerance of the search, 1e-3 of the bounds, and what it keeps from the limit, 1e-4 of it: here as much again.
+  // The tolerance of the search is 1e-3 of the bounds, and its margin from the limit 1e-4: twice the tolerance.
   EXPECT_NEAR(best_of(result).values[0], low, 2e-3 * (any_clearance.upper - any_clearance.lower));
   EXPECT_LT(best_of(result).values[0], low);
   EXPECT_TRUE(result.is_feasible(best_of(result)));
@@ -59,7 +59,7 @@ TEST(Optimise, EndsAtTheLimitThatBisectionFinds) {
   EXPECT_EQ(result.bound_of(0), 0);
   EXPECT_LE(std::ssize(result.points), 60);
   EXPECT_EQ(result.points.front().values[0], 30e-6);
-  // The case that is written gives the same.
+  // The written case gives the same.
   const Case again = parse_case(optimised_case_text(result), "case.toml", {.overrides = {}, .commands = {"cycle"}});
   EXPECT_EQ(again, result.optimised);
   EXPECT_EQ(run_cycles(again).cycles.front().turning_point->max_force, best_of(result).limits[0]);
@@ -73,14 +73,14 @@ TEST(Optimise, EndsAtABoundWithoutLimits) {
   EXPECT_EQ(best_of(result).values[0], any_clearance.lower);
   EXPECT_EQ(result.bound_of(0), -1);
   EXPECT_NE(optimise_table(result).find("at its lower bound"), std::string::npos);
-  // The search begins at a place that is known, which costs nothing again.
+  // The search starts at a known point, which is not evaluated again.
   const auto searched = std::count_if(result.points.begin(), result.points.end(),
                                       [](const OptimisePoint& point) { return point.search == 1; });
   ASSERT_EQ(result.searches.size(), 1U);
   EXPECT_EQ(result.searches[0].evaluations, static_cast<std::size_t>(searched));
 }
 
-/// The loss factor is largest between little friction and so much that foils stick. The other key has no influence.
+/// The loss factor peaks between low friction and full stick. The other key has no influence.
 TEST(Optimise, FindsAnOptimumInsideTheBounds) {
   const OptimisedKey friction{.key = "friction.coefficient", .lower = 0.02, .upper = 2.0 / 3.0, .log = true};
   const OptimiseResult result =
@@ -92,7 +92,7 @@ TEST(Optimise, FindsAnOptimumInsideTheBounds) {
     input.cycle.steps = 20;
     most = std::max(most, *run_cycles(input).cycles.front().loss_factor);
   }
-  // Places are as many on either side of the middle of the logarithm.
+  // Points are distributed evenly about the middle of the logarithm.
   std::vector<double> places;
   for (const OptimisePoint& point : result.points) {
     if (point.search == 0 && point.values[0] != 0.03) places.push_back(point.values[0]);
@@ -100,8 +100,8 @@ TEST(Optimise, FindsAnOptimumInsideTheBounds) {
   const auto low = std::count_if(places.begin(), places.end(),
                                  [&](double mu) { return mu < std::sqrt(friction.lower * friction.upper); });
   ASSERT_EQ(places.size(), 4U);
-  EXPECT_EQ(low, 2);  // 1 of even steps of the friction itself
-  // Near it the loss factor is flat.
+  EXPECT_EQ(low, 2);  // 1 with linear spacing
+  // The loss factor is flat near its maximum.
   EXPECT_GE(best_of(result).aims[0], most * (1.0 - 1e-4));
   EXPECT_EQ(result.optimised.friction.top_bump, best_of(result).values[0]);
 }
@@ -114,7 +114,7 @@ TEST(Optimise, NamesTheLimitThatIsMissedByTheLeast) {
                                                         .keys = {any_clearance}}));
   EXPECT_EQ(result.status, OptimiseStatus::infeasible);
   EXPECT_FALSE(result.best);
-  // The largest force is nearest to it.
+  // The largest force is the closest.
   EXPECT_NEAR(result.points[*result.nearest].values[0], any_clearance.lower, 0.5e-6);
   const std::string failure = optimise_failures(result).front();
   EXPECT_NE(failure.find("\"max_force > 2 kN\" by"), std::string::npos) << failure;
@@ -122,7 +122,7 @@ TEST(Optimise, NamesTheLimitThatIsMissedByTheLeast) {
   EXPECT_NE(optimise_table(result).find("missed"), std::string::npos);
 }
 
-/// Bumps lower than their foil is thick make no bearing.
+/// Bumps lower than the foil thickness are an invalid sample.
 TEST(Optimise, KeepsPointsThatFailWhichNeverWin) {
   const OptimisedKey height{.key = "bump_foil.height", .lower = 0.05e-3, .upper = 0.3e-3};
   const OptimiseResult result = run_optimise(
@@ -159,7 +159,7 @@ TEST(Optimise, DoesNotDependOnThreads) {
   EXPECT_EQ(optimise_lists(one), optimise_lists(two));
 }
 
-/// Forces of bearings of an ensemble: most of them are above the limit, or their lowest twentieth is.
+/// Limits on forces of an ensemble: for most of the bearings, or for the 5th percentile.
 TEST(Optimise, TakesYieldsAndStatisticsOfEnsembles) {
   const double force = force_at(35e-6);
   const std::string least = "> " + std::to_string(force);
@@ -175,7 +175,7 @@ TEST(Optimise, TakesYieldsAndStatisticsOfEnsembles) {
   const OptimiseResult by_yield = run_optimise(input, {}, 2);
   ASSERT_TRUE(by_yield.best);
   EXPECT_GT(best_of(by_yield).limits[0], 0.85);
-  EXPECT_GT(force_at(best_of(by_yield).values[0]), force);  // of the nominal bearing, which is one of the better half
+  EXPECT_GT(force_at(best_of(by_yield).values[0]), force);  // of the nominal bearing, which is in the better half
   settings.command = OptimisedCommand::montecarlo;
   settings.limits = {"max_force.p5 " + least};
   input.settings.set(settings);
@@ -183,11 +183,11 @@ TEST(Optimise, TakesYieldsAndStatisticsOfEnsembles) {
   ASSERT_TRUE(by_percentile.best);
   EXPECT_EQ(by_percentile.status, OptimiseStatus::converged);
   EXPECT_NEAR(best_of(by_percentile).limits[0], force, 0.01 * force);
-  // The same bearings at every point: a nominal bearing there has a margin of some standard deviations.
+  // All points use the same samples: the nominal bearing has a margin of several standard deviations.
   EXPECT_GT(force_at(best_of(by_percentile).values[0]), force);
 }
 
-/// Bumps of some samples are lower than their foil is thick: they make no bearing.
+/// Bumps of some samples are lower than the foil thickness: these samples are invalid.
 TEST(Optimise, KnowsNoStatisticsWhereSamplesFailButTheirYield) {
   const OptimiseSettings settings{.minimise = {"loop_energy.mean"},
                                   .bearing_limits = {"max_force > 1 N"},
@@ -209,7 +209,7 @@ TEST(Optimise, KnowsNoStatisticsWhereSamplesFailButTheirYield) {
   EXPECT_LT(first.aims.at(0), 1.0);
 }
 
-/// Of several directions the worst: the least of what is to be largest, and of what is not to fall below a limit.
+/// The worst of several directions: the smallest value if it is maximised or has a lower limit.
 TEST(Optimise, TakesTheWorstOfAllDirections) {
   OptimisedKey clearance = any_clearance;
   clearance.start = 33e-6;
@@ -234,7 +234,7 @@ TEST(Optimise, TakesTheWorstOfAllDirections) {
                                  std::max(one.turning_point->max_force, other.turning_point->max_force)}));
 }
 
-/// The best of each aim is to be found by its tolerance. A search that ends early leaves evaluations to the other.
+/// The search of each aim must end by its tolerance. A search that ends early leaves its evaluations to the other.
 TEST(Optimise, ConvergesInTwoAimsOnlyIfBothDo) {
   const OptimisedKey friction{.key = "friction.coefficient", .lower = 0.05, .upper = 0.5};
   const auto run = [&](int evaluations) {
@@ -259,7 +259,7 @@ TEST(Optimise, ConvergesInTwoAimsOnlyIfBothDo) {
   EXPECT_TRUE(enough.searches[1].by_tolerance);
 }
 
-/// Where the second aim is the same everywhere, the best of the first is better than all.
+/// If the second aim is constant, the optimum of the first dominates all points.
 TEST(Optimise, LeavesOutOfTheFrontWhatIsWorseInAnAimAndBetterInNone) {
   const OptimiseResult result = run_optimise(optimised(
       {.maximise = {"max_force"}, .minimise = {"amplitude"}, .evaluations = 40, .starts = 1, .keys = {any_clearance}}));
@@ -267,7 +267,7 @@ TEST(Optimise, LeavesOutOfTheFrontWhatIsWorseInAnAimAndBetterInNone) {
   EXPECT_EQ(result.points[result.front[0]].values[0], any_clearance.lower);
 }
 
-/// Both aims fall with the clearance: all of it is the front.
+/// Both aims fall with the clearance: its whole range is the front.
 TEST(Optimise, SpreadsTheFrontOfTwoAimsEvenly) {
   const OptimiseResult result = run_optimise(optimised({.maximise = {"loop_energy"},
                                                         .minimise = {"max_force"},
@@ -283,7 +283,7 @@ TEST(Optimise, SpreadsTheFrontOfTwoAimsEvenly) {
   const double range = aims(0)[1] - aims(4)[1];
   for (std::size_t k = 1; k < 5; ++k) {
     EXPECT_LT(aims(k)[0], aims(k - 1)[0]);
-    // By what searches end with.
+    // Tolerance of the searches.
     EXPECT_NEAR(aims(k)[1], aims(0)[1] - range * static_cast<double>(k) / 4.0, 0.01 * range);
   }
   EXPECT_NE(std::find(result.front.begin() + 1, result.front.end() - 1, *result.best), result.front.end() - 1);

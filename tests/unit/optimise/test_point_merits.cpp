@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A film to be thick, a power to be small, a force not above 200 N.
+/// Maximise a film thickness, minimise a power, with a force of at most 200 N.
 OptimiseResult two_aims_and_a_limit() {
   OptimiseResult problem;
   problem.aims = {{.quantity = {.name = "h_min", .unit = "m", .shown = {}}, .maximise = true},
@@ -25,11 +25,11 @@ class Merits : public ::testing::Test {
 
   OptimiseResult problem_ = two_aims_and_a_limit();
   std::vector<OptimisePoint> points_{{.values = {}, .status = PointStatus::failed},
-                                     found(4e-6, 10.0, 100.0),  // 1: the worse film, the best power
-                                     found(8e-6, 40.0, 150.0),  // 2: the best film
-                                     found(6e-6, 20.0, 100.0),  // 3: between
-                                     found(5e-6, 25.0, 100.0),  // 4: beaten by 3
-                                     found(9e-6, 5.0, 220.0),   // 5: misses the limit by a tenth
+                                     found(4e-6, 10.0, 100.0),  // 1: worse film, best power
+                                     found(8e-6, 40.0, 150.0),  // 2: best film
+                                     found(6e-6, 20.0, 100.0),  // 3: in between
+                                     found(5e-6, 25.0, 100.0),  // 4: dominated by 3
+                                     found(9e-6, 5.0, 220.0),   // 5: violates the limit by a tenth
                                      found(9e-6, 5.0, 300.0)};  // 6: by a half
   PointMerits merits_{problem_};
 };
@@ -59,9 +59,9 @@ TEST_F(Merits, LeaveOfAFrontWhatNothingBeatsInBothAims) {
   EXPECT_DOUBLE_EQ(goals[1].other->bound, 20.0);
   const std::vector<std::size_t> front = merits_.front_of(points_, goals);
   EXPECT_EQ(front, (std::vector<std::size_t>{2, 3, 1}));
-  // Halves and thirds of the ranges: (0, 1), (1/2, 1/3), (1, 0).
+  // In halves and thirds of the ranges: (0, 1), (1/2, 1/3), (1, 0).
   EXPECT_EQ(middle_of_front(points_, front), 3U);
-  // A point that is worse in both, the best for some goal, is none of the front.
+  // A point that is worse in both aims is not on the front, even if it is the best for some goal.
   points_.push_back(found(3e-6, 9.0, 100.0));
   points_[1] = found(3e-6, 10.0, 100.0);
   EXPECT_EQ(merits_.front_of(points_, merits_.goals_between(points_[2], points_[7], 20)),

@@ -30,7 +30,7 @@ FormerSolution solve(const Case& input, const Eigen::Vector2d& position) {
 TEST(FormerModel, FollowsTheJournalAndTheSleeve) {
   Case input = rubbing_former_case(0.1);
   input.bump_foil.height_errors.assign(26, 0.0);
-  input.bump_foil.height_errors[20] = 60e-6;  // stands out far enough to be reached on the other side
+  input.bump_foil.height_errors[20] = 60e-6;  // high enough to be in contact on the opposite side
   const FormerModel model = make_former_model(input);
   const Eigen::Vector2d position(60e-6, 20e-6);
   const FormerSolution solution = FormerSolver(model).solve(position);
@@ -54,7 +54,7 @@ TEST(FormerModel, FollowsTheJournalAndTheSleeve) {
   EXPECT_LT(reached, 20);
 }
 
-/// Without friction: prescribed displacements eliminated from the dense matrix.
+/// Without friction: the dense matrix with prescribed displacements eliminated.
 TEST(FormerModel, IsLinearElasticWithoutFriction) {
   const FormerModel model = make_former_model(rubbing_former_case(0.0));
   const Eigen::Vector2d position(-50e-6, 30e-6);
@@ -80,7 +80,7 @@ TEST(FormerModel, IsLinearElasticWithoutFriction) {
   EXPECT_LT((journal_force(model.normals, p) - force).norm(), 1e-9 * force.norm());
 }
 
-/// Coulomb's law against the total displacement, tensions included, spelt out.
+/// Coulomb's law for the total displacement, including tension, written out.
 TEST(FormerModel, FrictionOpposesTheTotalDisplacement) {
   for (const double friction : {0.05, 0.1, 0.3}) {
     const FormerModel model = make_former_model(rubbing_former_case(friction));
@@ -109,7 +109,7 @@ TEST(FormerModel, FrictionOpposesTheTotalDisplacement) {
       if (s.normal_force[c] < -1e-6) ++tensions;
     }
     EXPECT_GT(slipping, 10);
-    EXPECT_GT(tensions, 0);  // the feet at the edge of the loaded bumps are held down
+    EXPECT_GT(tensions, 0);  // feet at the edge of the loaded bumps are in tension
     EXPECT_TRUE(solution.residuals.within());
   }
 }
@@ -118,7 +118,7 @@ TEST(FormerModel, ResidualsTellAWrongState) {
   const FormerModel model = make_former_model(rubbing_former_case(0.1));
   const FormerSolution good = FormerSolver(model).solve({60e-6, 0.0});
   ASSERT_TRUE(good.residuals.within());
-  // The same judge under twice the friction finds the slipping contacts inside their cone.
+  // With twice the friction coefficient, the same check finds the slipping contacts inside their cone.
   FormerModel rougher = model;
   for (ContactSite& site : rougher.problem.sites) site.friction_coefficient = 0.2;
   EXPECT_FALSE(former_residuals(rougher, {60e-6, 0.0}, good.state).within());
@@ -133,7 +133,7 @@ TEST(FormerModel, TangentIsTheSlopeOfTheForce) {
     const double step = 1e-10;
     const auto force = [&](double s) { return former_journal_force(model, solver.solve(s * n).state).dot(n); };
     const double slope = (force(60e-6 + step) - force(60e-6 - step)) / (2.0 * step);
-    // Force to 1e-9 N over 2e-10 m of 15 N/um; no contact changes its mode within the step.
+    // Force errors of 1e-9 N over 2e-10 m with 15 N/um; no contact changes its mode within the step.
     EXPECT_NEAR(solver.tangent_stiffness(solver.solve(60e-6 * n).state, n).value(), slope, 1e-5 * slope) << angle;
   }
 }
@@ -161,7 +161,7 @@ TEST(FormerModel, SolvesRandomPositionsWithScatterAndFriction) {
   }
 }
 
-/// A bearing with everything drawn at random, the same for the same number; not always a valid one.
+/// A random bearing, reproducible by its number; not always a valid one.
 Case random_former_case(std::uint64_t number) {
   std::mt19937_64 generator(number);
   const auto uniform = [&](double low, double high) {
@@ -193,7 +193,7 @@ Case random_former_case(std::uint64_t number) {
   return input;
 }
 
-/// With a penalty far above the stiffness of the foils one in a hundred of these had positions that were not solved.
+/// With a penalty far above the foil stiffness, one in a hundred of these bearings had unsolved positions.
 TEST(FormerModel, SolvesRandomBearingsOfAnyStiffnessAndStrongFriction) {
   int bearings = 0;
   for (std::uint64_t number = 0; number < 1500; ++number) {
@@ -211,7 +211,7 @@ TEST(FormerModel, SolvesRandomBearingsOfAnyStiffnessAndStrongFriction) {
   EXPECT_GT(bearings, 300);
 }
 
-/// A stiff row of small bumps under friction 0.99, whose friction bounds followed the normal forces to and fro.
+/// A stiff row of small bumps with friction 0.99, where friction bounds used to oscillate with the normal forces.
 TEST(FormerModel, SolvesAStiffRowUnderFrictionOfNearlyOne) {
   Case input = reference_case();
   input.bearing = {.radius = 7.902294237435568e-3,

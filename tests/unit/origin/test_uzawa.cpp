@@ -15,7 +15,7 @@ namespace {
 constexpr UzawaOptions options{.eps_alm = 1e8, .eps_f = 1e10, .eps_r = 1e12, .tau_f = 1e-10};
 constexpr double stiffness = 1e6;  // N/m
 
-/// Two springs that hold a point over a wall: u along it, v towards it, f = 0.3. Uncoupled, so that answers are plain.
+/// A point above a wall on two springs: u along the wall, v towards it, f = 0.3. Uncoupled, for simple results.
 ContactProblem point_over_wall() {
   ContactProblem problem;
   problem.K = BlockTridiagonal(1, 2);
@@ -41,10 +41,10 @@ Solved solve(const ContactProblem& problem, const ContactLoading& loading, const
   return solved;
 }
 
-/// What meets across the contact has 1e6 N/m; problems are made for 10 N unless they say otherwise.
+/// The stiffness across the contact is 1e6 N/m; the default force scale is 10 N.
 TEST(UzawaOptions, FollowFromStiffnessAndForces) {
   ContactProblem problem = point_over_wall();
-  problem.K.add(0, 0, 0, 0, 7e6);  // along the wall: of no account
+  problem.K.add(0, 0, 0, 0, 7e6);  // along the wall: no effect
   const UzawaOptions found = uzawa_options_for(problem);
   EXPECT_DOUBLE_EQ(found.eps_alm, 4.5e6);
   EXPECT_DOUBLE_EQ(found.eps_f, 4.5e8);
@@ -55,7 +55,7 @@ TEST(UzawaOptions, FollowFromStiffnessAndForces) {
   problem.force_scale = 40.0;
   EXPECT_DOUBLE_EQ(uzawa_options_for(problem).tau_f, 2.6e-10);
 
-  // A top foil in moments has no stiffness on the diagonal, and a journal's contact does not count.
+  // A top foil in moment form has no diagonal stiffness, and contacts of a journal are ignored.
   ContactProblem stacked;
   stacked.K = BlockTridiagonal(1, 3);
   stacked.K.add(0, 1, 0, 1, stiffness);
@@ -75,7 +75,7 @@ TEST(Uzawa, HoldsAPointInsideTheCone) {
   const auto [state, report] = solve(problem, pushed(2.0, 10.0), ContactState::unstressed(problem));
   ASSERT_TRUE(report.converged());
   EXPECT_EQ(state.mode[0], ContactMode::stick);
-  // The spring of a sticking contact gives way by 2 N / eps_f, and takes that much less.
+  // The spring of a sticking contact deflects by 2 N / eps_f, and its force is reduced accordingly.
   EXPECT_NEAR(state.x[0], 2.0 / (options.eps_f + stiffness), 1e-15);
   EXPECT_NEAR(state.friction_force[0], -2.0, 1e-3);
   EXPECT_NEAR(state.normal_force[0], 10.0, 1e-5);  // multiplier_tolerance * 10 N
@@ -87,7 +87,7 @@ TEST(Uzawa, FrictionOpposesTheSlipBothWays) {
     const auto [state, report] = solve(problem, pushed(sign * 5.0, 10.0), ContactState::unstressed(problem));
     ASSERT_TRUE(report.converged());
     EXPECT_EQ(state.mode[0], sign > 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward);
-    // 5 N against 0.3 * 10 N leave 2 N on the spring; the arctangent lacks (2/pi) 1e-10/2e-6 of 3 N.
+    // 5 N against 0.3 * 10 N leave 2 N for the spring; the arctangent is short by (2/pi) 1e-10/2e-6 of 3 N.
     EXPECT_NEAR(state.friction_force[0], -sign * 3.0, 1e-4);
     EXPECT_NEAR(state.x[0], sign * 2.0 / stiffness, 1e-10);
   }
@@ -101,7 +101,7 @@ TEST(Uzawa, RegularisedSlipFollowsTheArctangent) {
   ASSERT_TRUE(report.converged());
   const double expected = -0.3 * 10.0 * 2.0 / std::numbers::pi * std::atan(state.x[0] / 1e-6);
   EXPECT_NEAR(state.friction_force[0], expected, 1e-5);  // multiplier_tolerance * 10 N
-  EXPECT_GT(state.x[0], 2.1e-6);                         // visibly more than the 2 um of Coulomb's law
+  EXPECT_GT(state.x[0], 2.1e-6);                         // clearly more than the 2 um of Coulomb's law
 }
 
 TEST(Uzawa, AStuckContactDoesNotCreep) {
@@ -114,7 +114,7 @@ TEST(Uzawa, AStuckContactDoesNotCreep) {
     EXPECT_EQ(next.state.mode[0], ContactMode::stick);
     state = next.state;
   }
-  // A spring started anew each time would have gone 100 * 2 N / eps_f = 2e-8 m; the load is balanced to 1e-8 of 10 N.
+  // A spring restarted each time would move by 100 * 2 N / eps_f = 2e-8 m; the load is balanced to 1e-8 of 10 N.
   EXPECT_NEAR(state.x[0], first, 1e-16);
 }
 
@@ -124,7 +124,7 @@ TEST(Uzawa, ASlidingContactComesToRestAndKeepsItsForce) {
   const double first = state.x[0];
   for (int increment = 0; increment < 100; ++increment) state = solve(problem, pushed(5.0, 10.0), state).state;
   EXPECT_EQ(state.mode[0], ContactMode::stick);
-  // Held, it is stuck with all of its friction.
+  // At rest it sticks with its full friction force.
   EXPECT_NEAR(state.x[0], first, 1e-14);
   EXPECT_NEAR(state.friction_force[0], -3.0, 1e-4);
 }
@@ -148,7 +148,7 @@ TEST(Uzawa, OpensAndClosesByTheGap) {
   EXPECT_NEAR(touching.state.normal_force[0], 10.0, 1e-5);
 }
 
-/// 4 N bring the point 4 um down, a hundredth of a nanometre into the wall.
+/// 4 N move the point 4 um down, a hundredth of a nanometre into the wall.
 TEST(Uzawa, LeavesOpenWhatOverlapsByLessThanItsTolerance) {
   const ContactProblem problem = point_over_wall();
   const ContactLoading loading = pushed(0.0, 4.0, 4e-6 - 1e-11);
@@ -158,7 +158,7 @@ TEST(Uzawa, LeavesOpenWhatOverlapsByLessThanItsTolerance) {
   EXPECT_EQ(solve(problem, loading, start, tolerant).state.mode[0], ContactMode::open);
   tolerant.gap_tolerance = 1e-12;
   EXPECT_NE(solve(problem, loading, start, tolerant).state.mode[0], ContactMode::open);
-  // Without one, what is left to a closed contact: 1e-6 * 1 N / eps_alm
+  // Without a gap tolerance, only the overlap that remains in closed contacts is accepted: 1e-6 * 1 N / eps_alm
   EXPECT_NE(solve(problem, loading, start).state.mode[0], ContactMode::open);
 }
 
@@ -193,7 +193,7 @@ TEST(Uzawa, ForcesReportedAreInBalance) {
 TEST(Uzawa, SaysSoWhereItGivesUp) {
   const ContactProblem problem = point_over_wall();
   UzawaOptions impatient = options;
-  impatient.eps_alm = 1e5;  // a tenth of the stiffness: multipliers need some hundred updates
+  impatient.eps_alm = 1e5;  // a tenth of the stiffness: multipliers need about a hundred updates
   impatient.max_multiplier_updates = 10;
   const Solved gave_up = solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient);
   EXPECT_FALSE(gave_up.report.converged());
@@ -204,19 +204,19 @@ TEST(Uzawa, SaysSoWhereItGivesUp) {
   EXPECT_GT(patient.report.cost.outer_iterations, 100);
 
   impatient = options;
-  impatient.max_friction_updates = 1;  // finds that the point slips, but does not look again
+  impatient.max_friction_updates = 1;  // finds that the point slips, without a second check
   EXPECT_FALSE(solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient).report.converged());
 
   impatient = options;
-  impatient.max_newton_steps = 1;  // the arctangent takes several
+  impatient.max_newton_steps = 1;  // the arctangent needs several
   EXPECT_FALSE(solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient).report.converged());
 
   impatient = options;
-  impatient.max_contact_updates = 1;  // finds that the point is lifted, but does not look again
+  impatient.max_contact_updates = 1;  // finds that the point is lifted, without a second check
   EXPECT_FALSE(solve(problem, pushed(0.0, -1.0), ContactState::unstressed(problem), impatient).report.converged());
 }
 
-/// Contacts that are wrong together change together, while that ends.
+/// Violated contacts change together as long as this converges.
 TEST(Uzawa, OpensManyContactsAtOnce) {
   ContactProblem problem = point_over_wall();
   problem.K = BlockTridiagonal(10, 2);
@@ -229,14 +229,11 @@ TEST(Uzawa, OpensManyContactsAtOnce) {
   for (Eigen::Index i = 1; i < lifted.load.size(); i += 2) lifted.load[i] = -1.0;
   const Solved solved = solve(problem, lifted, ContactState::unstressed(problem));
   ASSERT_TRUE(solved.report.converged());
-  EXPECT_LE(solved.report.cost.outer_iterations, 5);  // one at a time it would take a round for each
+  EXPECT_LE(solved.report.cost.outer_iterations, 5);  // one at a time would need a round each
 }
 
-/// Three springs coupled so that contacts that change all at once go round for ever: all closed, the first alone, the
-/// second alone, all closed. After twelve such changes they are all closed again, and change one at a time: the third
-/// opens, which pulls hardest, and the other two hold. Thus the fourteenth round finds nothing to change.
-/// `blocks` of three springs coupled so that contacts that change all at once go round for ever: all closed, the first
-/// alone, the second alone, all closed. The fourth unknown slides freely.
+/// `blocks` of three springs coupled so that changing all contacts at once cycles forever: all closed, only the first,
+/// only the second, all closed. The fourth unknown slides freely.
 ContactProblem going_round(int blocks) {
   ContactProblem problem;
   problem.K = BlockTridiagonal(blocks, 4);
@@ -256,8 +253,8 @@ ContactLoading loading_that_goes_round(const ContactProblem& problem) {
   return loading;
 }
 
-/// After twelve changes of all at once they are all closed again, and change one at a time: the third opens, which
-/// pulls hardest, and the other two hold. Thus the fourteenth round finds nothing to change.
+/// After twelve changes of all contacts at once they are all closed again, and then change one at a time: the third one
+/// opens, which has the largest tension, and the other two stay closed. The fourteenth round finds no change.
 TEST(Uzawa, ChangesOneContactAtATimeWhereTheyGoRoundTogether) {
   const ContactProblem problem = going_round(1);
   const ContactLoading loading = loading_that_goes_round(problem);
@@ -270,7 +267,7 @@ TEST(Uzawa, ChangesOneContactAtATimeWhereTheyGoRoundTogether) {
   EXPECT_FALSE(solve(problem, loading, start, limited).report.converged());
 }
 
-/// Sixty such blocks need 12 + 60 + 1 rounds; a number that does not grow with the contacts would not do.
+/// Sixty such blocks need 12 + 60 + 1 rounds; a limit independent of the number of contacts would fail.
 TEST(Uzawa, HasRoundsEnoughForOneContactAtATime) {
   const ContactProblem problem = going_round(60);
   const Solved solved =

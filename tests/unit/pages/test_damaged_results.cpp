@@ -1,4 +1,4 @@
-// Results that are damaged, mixed or made to do harm: told with file and variable, never read beyond what is there.
+// Damaged, inconsistent or malicious results: reported with file and variable, never read beyond the data.
 
 #include <gtest/gtest.h>
 #include <netcdf.h>
@@ -27,7 +27,7 @@ namespace {
 using nlohmann::json;
 using test_support::TemporaryFolder;
 
-/// A variable as a file is to declare it.
+/// A variable to be declared in a file.
 struct Declared {
   int type{NC_DOUBLE};
   std::vector<std::string> dims{};
@@ -37,7 +37,7 @@ struct Declared {
   std::vector<double> fill{};
 };
 
-/// A small file that the reader takes for a result, to be spoilt.
+/// A small file that the reader accepts as a result, to be damaged.
 struct SmallFile {
   std::map<std::string, std::size_t> dims{{"direction", 2}, {"increment", 5}, {"bump", 3}, {"foot", 3}};
   std::map<std::string, Declared> variables{
@@ -69,7 +69,7 @@ struct SmallFile {
         ASSERT_EQ(nc_def_var_chunking(file, id, NC_CHUNKED, declared.chunk.data()), NC_NOERR);
       }
       if (!declared.fill.empty()) {
-        // Renamed, because the library would not write it so.
+        // Renamed, because the library refuses to write it.
         ASSERT_EQ(nc_put_att_double(file, id, "other", declared.fill_type, declared.fill.size(), declared.fill.data()),
                   NC_NOERR);
         ASSERT_EQ(nc_rename_att(file, id, "other", "_FillValue"), NC_NOERR);
@@ -98,19 +98,19 @@ json small_summary() {
           {"cycles", {cycle(0.0), cycle(90.0)}}};
 }
 
-/// A folder with such a file and a summary.
+/// A folder with this file and a summary.
 class SmallResult {
  public:
   void write(const SmallFile& file) const { file.write(folder_.path() / "result.nc"); }
 
-  /// Writes the summary with the checksum that the file has.
+  /// Writes the summary with the checksum of the file.
   void write(json summary) const {
     const std::string bytes = folder_.read("result.nc");
     summary["files"] = {{"result.nc", {{"bytes", bytes.size()}, {"xxh3_128", xxh3_128(bytes)}}}};
     write_as_it_is(summary);
   }
 
-  /// Writes the summary with what it lists, and with its own checksum.
+  /// Writes the summary with its list of files unchanged, and its own checksum.
   void write_as_it_is(json summary) const {
     summary["xxh3_128"] = blank_checksum;
     folder_.write("summary.json", sealed(summary.dump()));
@@ -118,7 +118,7 @@ class SmallResult {
 
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
-  /// What is wrong with it; empty if nothing is.
+  /// The reported error; empty if there is none.
   [[nodiscard]] std::string fault(bool checked = true) const {
     try {
       report_json({folder_.path()}, {.checked = checked});
@@ -136,7 +136,7 @@ class SmallResult {
   TemporaryFolder folder_;
 };
 
-/// The fault of a file, the same whether checksums are compared or not.
+/// The error of a file, the same with and without the comparison of checksums.
 std::string fault_of(const std::function<void(SmallFile&)>& spoil) {
   SmallFile file;
   spoil(file);
@@ -241,7 +241,7 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
                   {"force_direct", {.dims = {"direction", "increment"}, .values = std::vector<double>(4002)}},
                   {"crest_v", {.dims = {"direction", "increment", "bump"}, .values = {}, .chunk = {1, 2'001, 2'000}}}};
             }).find("/result.nc: crest_v: is declared "),
-            std::string::npos);  // 32 MB in a file of 40 kB: deflate could have done it
+            std::string::npos);  // 32 MB in a file of 40 kB: possible with deflate
   EXPECT_EQ(fault_of([](SmallFile& file) {
               file.dims["increment"] = 2'001;
               file.dims["bump"] = 9'000;
@@ -256,7 +256,7 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
             0U);
   rusage after{};
   getrusage(RUSAGE_SELF, &after);
-  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 300'000);  // kB; what is declared takes many GB
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 300'000);  // kB; the declared size is many GB
 }
 
 TEST(DamagedResult, FillValuesThatAreNotOne) {

@@ -61,7 +61,7 @@ TEST(DesignerAnswer, DescribesEveryKeyOfTheCaseFile) {
   EXPECT_EQ(key("bearing.radius")["presence"], "required");
   EXPECT_EQ(key("bump_foil.truss")["kind"], "");
   EXPECT_EQ(key("top_foil.youngs_modulus")["otherwise"], "bump_foil.youngs_modulus");
-  // All keys that a case file may have are on the page's list: those of its reference page.
+  // The page lists all keys of case files: those of the reference page.
   const std::string reference = case_reference();
   for (const json& one : answer["keys"]) {
     const auto path = one["path"].get<std::string>();
@@ -78,7 +78,7 @@ TEST(DesignerAnswer, OffersUnitsWithTheirSizes) {
   EXPECT_EQ(units["N/m"]["N/um"], 1e6);
   EXPECT_DOUBLE_EQ(units["rad"]["deg"].get<double>(), 0.017453292519943295);
   EXPECT_EQ(units["rad"]["mrad"], 1e-3);
-  // Turns are counted: 60 rpm are one turn each second.
+  // Revolutions are counted: 60 rpm are one revolution per second.
   EXPECT_DOUBLE_EQ(60.0 * units["rad/s"]["rpm"].get<double>(), 6.283185307179586);
   for (const auto& [si, sizes] : units.items()) EXPECT_EQ(sizes[si], 1.0) << si;
 }
@@ -106,7 +106,7 @@ TEST(DesignerAnswer, CyclesAreThoseOfAReport) {
     const json& stored = expected["cycles"][i];
     for (const char* part : {"at", "increments", "fields"}) EXPECT_EQ(cycle[part], stored[part]) << i << ' ' << part;
     for (const auto& [name, values] : stored["series"].items()) {
-      // A truss has no stresses of the bump foil; the file says so number by number.
+      // A truss has no stresses of the bump foil; the file has fill values.
       if (name.find("stress_bump_foil") == 0) {
         EXPECT_FALSE(cycle["series"].contains(name));
       } else {
@@ -133,7 +133,7 @@ TEST(DesignerAnswer, ComputesTheCaseItIsGiven) {
   EXPECT_EQ(properties, json::parse(properties_json(input, compute_properties(input))));
 }
 
-/// Without what differs from run to run.
+/// Without data that differs between runs.
 json cycles_of(const json& request) {
   json run = ask(request)["run"];
   for (json& cycle : run["summary"]["cycles"]) cycle.erase("wall_time_s");
@@ -177,11 +177,11 @@ TEST(DesignerAnswer, VibratesAboutALoad) {
     EXPECT_EQ(answer["directions"][0]["loss_factor"][k], foils[k].loss_factor.x());
     EXPECT_GT(answer["directions"][1]["dissipation"][k], 0.0);
   }
-  // Larger motions slip more, and are held less stiffly.
+  // Larger amplitudes cause more slip and a lower stiffness.
   EXPECT_LT(answer["directions"][1]["stiffness"][1], answer["directions"][1]["stiffness"][0]);
 }
 
-/// A bearing that runs, on a coarse mesh.
+/// A running bearing on a coarse mesh.
 std::string running_text() {
   Case input = reference_case();
   input.film.columns_per_pitch = 4;
@@ -192,7 +192,7 @@ std::string running_text() {
 
 TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
   Case input = parse_case(running_text(), "case");
-  input.equilibrium->loads = {{20.0, 0.0}, {5000.0, 0.0}};  // of which the second is too much
+  input.equilibrium->loads = {{20.0, 0.0}, {5000.0, 0.0}};  // the second one is too large
   const EquilibriumResult result = run_equilibrium(input);
   ASSERT_EQ(status_of(result), RunStatus::failed);
   const test_support::TemporaryFolder folder;
@@ -210,7 +210,7 @@ TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
   for (const char* part : {"case", "status"}) EXPECT_EQ(run["summary"][part], expected["summary"][part]) << part;
 }
 
-/// Without what differs from run to run.
+/// Without data that differs between runs.
 json states_of(const json& request) {
   json states = ask(request)["states"];
   for (json& state : states) state.erase("wall_time_s");
@@ -239,13 +239,13 @@ TEST(DesignerAnswer, RunsTheBearingAtPoints) {
   EXPECT_EQ(loaded, states_of(input));
   ASSERT_EQ(loaded.size(), 4U);
   EXPECT_EQ(loaded[0]["status"], "converged");
-  // Its own mesh has 4 columns and 4 rows, and a quick answer is of one path.
+  // The mesh of the case has 4 columns and 4 rows, and a quick answer follows one path.
   request["mesh"] = {4, 3};
   input.film.rows = 3;
   input.equilibrium->paths = ComparedPaths::one;
   EXPECT_EQ(states_of(request), states_of(input));
   EXPECT_NE(states_of(request)[0], loaded[0]);
-  // Of all that the case says of paths, a ramp of loads leads to no position.
+  // The only path of a case that does not lead to positions is a load ramp.
   input.equilibrium->loads.clear();
   input.equilibrium->positions = {{10e-6, 5e-6}};
   input.equilibrium->path = FilmPath::position_ray;
@@ -302,7 +302,7 @@ TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
   EXPECT_EQ(fault(case_to_toml(events), 3000.0)["key"], "solver.name");
 }
 
-/// A rotor of 2 kg whose whirl begins between these speeds, rad/s.
+/// A rotor of 2 kg whose whirl starts between these speeds, rad/s.
 const std::vector<double> rotor_speeds{1250.0, 1450.0};
 std::string rotor_text() {
   Case input = parse_case(running_text(), "case");
@@ -318,7 +318,7 @@ std::string rotor_text() {
 
 TEST(DesignerAnswer, RotorsAreThoseOfAReport) {
   Case input = parse_case(rotor_text(), "case");
-  // The last of them in a part of a turn per second, where the film carries nothing.
+  // The last speed is a fraction of a turn per second, where the film carries no load.
   input.settings.set(StabilitySettings{.speeds = {1450.0, 1250.0, 1.0}});
   const StabilityResult result = run_stability(input);
   const test_support::TemporaryFolder folder;
@@ -347,7 +347,7 @@ TEST(DesignerAnswer, FollowsTheRotorOverSpeedsOnAMeshThatIsCoarseEnough) {
     input.settings.set(StabilitySettings{.speeds = rotor_speeds});
     return run_stability(input).map.onsets.front().onset.speed;
   };
-  // Its own mesh has 4 columns and 4 rows.
+  // The mesh of the case has 4 columns and 4 rows.
   const double own = expected();
   EXPECT_EQ(onset_of(nullptr), own);
   EXPECT_EQ(onset_of({6, 8}), own);
@@ -422,7 +422,7 @@ TEST(DesignerAnswer, TellsEveryFaultWithItsKey) {
   EXPECT_EQ(fault("bump_foil")["what"], "this table is missing");
   EXPECT_EQ(fault("bearing.raduis")["message"].get<std::string>().find("bearing.raduis = 1: unknown key"), 0U);
   EXPECT_EQ(ask({{"what", "parsnips"}})["faults"][0]["what"], "is not a request");
-  // Files cannot be read in a browser; texts that are no UTF-8 are mended.
+  // Files cannot be read in a browser; invalid UTF-8 is repaired.
   EXPECT_EQ(ask({{"what", "cycles"}, {"text", "x = ["}})["faults"][0]["line"], 1);
 }
 

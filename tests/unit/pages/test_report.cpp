@@ -37,7 +37,7 @@ Case short_case() {
   return input;
 }
 
-/// The folder of a run.
+/// The results folder of a run.
 class Results {
  public:
   explicit Results(const CycleResult& result, const Case& input = short_case(),
@@ -107,7 +107,7 @@ TEST(Report, HoldsEveryIncrementRoundedToBinary32) {
   EXPECT_EQ(run.at("nodes"), (json{{"bump", 26}, {"foot", 26}}));
   EXPECT_EQ(run.at("geometry").at("bearing_radius"), 19.05e-3);
   EXPECT_EQ(run.at("geometry").at("height_error").at(2), 10e-6);
-  // The page gets its words from here.
+  // The page takes its labels from here.
   const json& quantity = run.at("quantities").at(0);
   EXPECT_EQ(quantity.at("key"), "steps");
   EXPECT_EQ(quantity.at("label"), "increments per branch");
@@ -149,7 +149,7 @@ TEST(Report, EndsWhereAPartialRunEnded) {
   EXPECT_EQ(text.find("nan"), std::string::npos);
   const json run = json::parse(text).at("runs").at(0);
   EXPECT_EQ(run.at("attributes").at("status"), "partial");
-  EXPECT_EQ(run.at("cycles").at(0).at("increments"), (json{0, 1, 2}));  // nothing is known of the one that failed
+  EXPECT_EQ(run.at("cycles").at(0).at("increments"), (json{0, 1, 2}));  // there is no data of the failed one
   EXPECT_EQ(numbers_of(run.at("cycles").at(0).at("series").at("work")).size(), 3U);
   EXPECT_EQ(run.at("cycles").at(1).at("increments"), json::array());
   EXPECT_EQ(run.at("cycles").at(1).at("series").at("work"), "");
@@ -158,7 +158,7 @@ TEST(Report, EndsWhereAPartialRunEnded) {
 TEST(Report, ThinsWhatIsTooMuchButKeepsTheTurningPoint) {
   const Results results(run_cycles(short_case()));
   const json whole = json::parse(report_json({results.path()}));
-  // 2 directions, 11 increments, 26 bumps, 13 fields are 7436 numbers: every third increment fits.
+  // 2 directions, 11 increments, 26 bumps and 13 fields are 7436 numbers: every third increment fits.
   const json thinned = json::parse(report_json({results.path()}, {.most_values = 7436 / 3 + 1}));
   const json& direction = thinned.at("runs").at(0).at("cycles").at(1);
   EXPECT_EQ(direction.at("increments"), (json{0, 3, 5, 8, 10}));
@@ -284,7 +284,7 @@ TEST(Report, LeavesThePathsOfTheMachineOut) {
   EXPECT_EQ(text.find(folder.path().parent_path().string() + "/"), std::string::npos);
   const json attributes = json::parse(text).at("runs").at(0).at("attributes");
   EXPECT_EQ(attributes.at("command_line"), "bumpfoil cycle 'case.toml' -o b --set 'f=\"h.csv\"' -q 1/2 ../x");
-  EXPECT_FALSE(attributes.contains("history"));  // which has the command line, too
+  EXPECT_FALSE(attributes.contains("history"));  // it contains the command line, too
 }
 
 TEST(Report, CarriesTheMeaningsThatTheResultHas) {
@@ -306,7 +306,7 @@ TEST(Report, CarriesTheMeaningsThatTheResultHas) {
   EXPECT_EQ(found, 1U);
 }
 
-/// What a list of numbers at equal angles has at an angle, straight between them.
+/// Linear interpolation of values at equal angles.
 double at_angle(const std::vector<float>& numbers, double phi) {
   const double turns = phi / (2.0 * std::numbers::pi);
   const double place = (turns - std::floor(turns)) * static_cast<double>(numbers.size() - 1);
@@ -317,7 +317,7 @@ double at_angle(const std::vector<float>& numbers, double phi) {
 TEST(Report, TellsHowSleeveAndJournalDifferFromCircles) {
   Case input = reference_case();
   input.cycle.directions = {0.0};
-  input.cycle.amplitude.value = 5e-6;  // the journal stays away from the foils
+  input.cycle.amplitude.value = 5e-6;  // the journal does not touch the foils
   input.cycle.steps = 1;
   input.bearing.sleeve.waves = {{.harmonic = 3, .amplitude = 2e-6, .phase = 0.4}};
   input.bearing.sleeve.deviations = {1e-6, -2e-6, 3e-6, 0.0};
@@ -328,18 +328,18 @@ TEST(Report, TellsHowSleeveAndJournalDifferFromCircles) {
   const json deviations = json::parse(report_json({results.path()})).at("runs").at(0).at("deviations");
   const auto [sleeve, journal, taper] = std::tuple(
       numbers_of(deviations.at("sleeve")), numbers_of(deviations.at("journal")), numbers_of(deviations.at("taper")));
-  // The gaps say the same: over the crests they are C_r + w_s - w_j, less what the journal has moved towards the top
+  // The gaps agree: over the crests they are C_r + w_s - w_j, minus the displacement of the journal towards the top
   // foil.
   const Vector phi = polar_angles(input.bearing, crest_angles(input));
   const Cycle& cycle = result.cycles.front();
   for (Eigen::Index bump = 0; bump < phi.size(); ++bump) {
     const double moved = cycle.increments[1].x * std::cos(phi[bump]) - cycle.fields.top_displacement(1, bump);
     const double deviation = cycle.fields.journal_top.gap(1, bump) - input.bearing.radial_clearance + moved;
-    // Straight over half degrees, waves are wrong by a k^2 (pi / 720)^2 / 2.
+    // Linear interpolation over half degrees has errors of a k^2 (pi / 720)^2 / 2 for waves.
     EXPECT_NEAR(at_angle(sleeve, phi[bump]) - at_angle(journal, phi[bump]), deviation, 1e-9) << bump;
     EXPECT_NEAR(at_angle(taper, phi[bump]), 10e-6 * (static_cast<double>(bump) + 0.5) / 26.0, 1e-11);
   }
-  // Between free end and weld, at 180 degrees, there are no foils.
+  // There are no foils between free end and weld, at 180 degrees.
   EXPECT_TRUE(std::isnan(sleeve[361]) && std::isnan(taper[361]) && !std::isnan(journal[361]));
 
   input.bearing = reference_case().bearing;
@@ -447,7 +447,7 @@ TEST(Report, KeepsHostileTextsInsideTheirScriptElement) {
   EXPECT_EQ(page.find('<', 1), page.find("</script><p>after</p>"));
   const std::string between = page.substr(8, page.find("</script>") - 8);
   const json title = json::parse(between).at("runs").at(0).at("attributes").at("title");
-  // What is no UTF-8 is mended, all else is kept.
+  // Invalid UTF-8 is repaired, all else is unchanged.
   EXPECT_EQ(title, "</script><img src=x onerror=alert(1)> <!-- \xe2\x80\xa8 \" \\ \xef\xbf\xbd");
 }
 

@@ -46,7 +46,7 @@ TEST_F(ReportOfEnsembles, AReportShowsDistributionsAndTheFirstBearings) {
       EXPECT_EQ(force.at("first").at(direction).at(i), forces[i]);
       least = std::min(least, forces[i]);
       most = std::max(most, forces[i]);
-      // Run again, each is the bearing that it was.
+      // Each bearing is reproduced in a new run.
       const json& sample = run.at("samples").at(i);
       EXPECT_EQ(sample.at("name"), fmt::format("Sample {}", i));
       EXPECT_EQ(sample.at("sample"), i);

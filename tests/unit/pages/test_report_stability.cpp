@@ -1,4 +1,4 @@
-// Reports of rotors: what the page needs beside the variables is there, and onsets that are none are refused.
+// Reports of rotors: all data for the page besides the variables is present, and invalid onsets are rejected.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using test_support::json;
 
-/// The folder of a rotor of 2 kg at two speeds, between which it begins to whirl.
+/// The results folder of a rotor of 2 kg at two speeds, with an onset of whirl between them.
 class ReportOfRotors : public test_support::ReportedRun {
  protected:
   void SetUp() override {
@@ -40,7 +40,7 @@ TEST_F(ReportOfRotors, HasMotionsOnsetsAndTheWordsForThem) {
   EXPECT_EQ(onsets, stored_summary().at("onsets"));
   ASSERT_FALSE(onsets.empty());
   EXPECT_EQ(onsets[0].at("begins"), true);
-  // Of the whole run, of a speed and of a motion, each with words; which motion it is, is none of them.
+  // Quantities of the whole run, of a speed and of a motion have labels; the number of the motion has none.
   EXPECT_EQ(label_of(run, "onset_speed"), "onset of whirl");
   EXPECT_EQ(label_of(run, "h_min"), "minimum film thickness");
   EXPECT_EQ(label_of(run, "speed_status"), "status");

@@ -1,5 +1,5 @@
-// Reports of runs in time: of many steps those that the page draws are there, with words for what they are, and lists
-// that are none are refused.
+// Reports of transient runs: of many steps, those drawn by the page are present with labels, and invalid lists are
+// rejected.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using test_support::json;
 
-/// The folder of a rotor that turns a little more than 12 times, 20 steps each.
+/// The results folder of a rotor that turns a little more than 12 times, with 20 steps per revolution.
 class ReportOfRunsInTime : public test_support::ReportedRun {
  protected:
   static void SetUpTestSuite() {
@@ -42,7 +42,7 @@ TEST_F(ReportOfRunsInTime, HasAllOfAShortRunAndTheWordsForIt) {
   EXPECT_EQ(run.at("dimensions").at("revolution"), 12);
   EXPECT_EQ(run.at("dimensions").at("spectrum"), 6);
   EXPECT_EQ(run.at("dimensions").at("step"), 251);
-  // Revolutions share the step between them; the last one is not whole.
+  // Consecutive revolutions share the step between them; the last one is incomplete.
   const json& orbits = run.at("orbits");
   ASSERT_EQ(orbits.size(), 13U);
   EXPECT_EQ(orbits[0], (json{{"revolution", 1}, {"first", 0}, {"steps", 21}}));
@@ -50,7 +50,7 @@ TEST_F(ReportOfRunsInTime, HasAllOfAShortRunAndTheWordsForIt) {
   EXPECT_EQ(orbits[12], (json{{"revolution", 13}, {"first", 240}, {"steps", 11}}));
   EXPECT_EQ(run.at("variables").at("x").at("dims"), (json{"step", "station"}));
   EXPECT_EQ(run.at("variables").at("spectrum_amplitude").at("dims"), (json{"spectrum", "station", "axis", "order"}));
-  // Energies are those of revolutions.
+  // Energies are per revolution.
   EXPECT_FALSE(run.at("variables").contains("entrained_work"));
   const json& summary = run.at("summary");
   const json stored = stored_summary();
@@ -63,22 +63,22 @@ TEST_F(ReportOfRunsInTime, HasAllOfAShortRunAndTheWordsForIt) {
   expect_words_for_all(run);
 }
 
-/// An eighth of the numbers are for each of revolutions, spectra and steps.
+/// Revolutions, spectra and steps each get an eighth of the numbers.
 TEST_F(ReportOfRunsInTime, HasAPartOfALongRun) {
   const json whole = shown();
   const json run = shown(1600);
   EXPECT_EQ(run.at("stored"), whole.at("stored"));
-  // 28 numbers of a revolution, 37 of a spectrum: every second one and the last.
+  // 28 numbers per revolution, 37 per spectrum: every second one and the last.
   EXPECT_EQ(run.at("dimensions").at("revolution"), 7);
   EXPECT_EQ(run.at("dimensions").at("spectrum"), 4);
-  // Orbits that follow each other, up to the last one.
+  // Consecutive orbits, up to the last one.
   const json& orbits = run.at("orbits");
   EXPECT_LT(orbits.size(), whole.at("orbits").size());
   EXPECT_EQ(orbits.back().at("revolution"), 13);
   EXPECT_EQ(orbits.at(orbits.size() - 2).at("revolution"), 12);
   EXPECT_EQ(orbits.back().at("first").get<int>() + orbits.back().at("steps").get<int>(),
             run.at("dimensions").at("step"));
-  // Of what is read, nothing is longer than what it says; all of it is of the rows that were chosen.
+  // All lists have the stated length and belong to the selected rows.
   const auto bytes_of = [](const json& of, const char* name) {
     return of.at("variables").at(name).at("values").get<std::string>();
   };

@@ -1,5 +1,5 @@
-// Reports of rotors with unbalance: what the page needs beside the variables is there, and peaks that are none are
-// refused.
+// Reports of rotors with unbalance: all data for the page besides the variables is present, and invalid peaks are
+// rejected.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using test_support::json;
 
-/// The folder of a rotor at four speeds, among which its orbit is largest, with periodic orbits.
+/// The results folder of a rotor at four speeds with an amplitude peak between them, with periodic orbits.
 class ReportOfUnbalance : public test_support::ReportedRun {
  protected:
   void SetUp() override {

@@ -42,11 +42,11 @@ TEST_F(SampledCase, AStoredSampleIsRunByTheSolverOfItsEnsemble) {
   };
   EXPECT_EQ(solver({}, EnsembleCommand::cycle), SolverName::events);
   EXPECT_EQ(solver(SolverName::newton, EnsembleCommand::cycle), SolverName::newton);
-  EXPECT_EQ(solver({}, EnsembleCommand::equilibrium), SolverName::newton);  // events is nothing for films
+  EXPECT_EQ(solver({}, EnsembleCommand::equilibrium), SolverName::newton);  // events cannot solve films
 }
 
 TEST_F(SampledCase, ASampleOfADamagedFileIsRefused) {
-  // One bit of what was drawn: HDF5 reads it without a complaint.
+  // A flipped bit in sampled values: HDF5 reads it without an error.
   std::fstream file(netcdf_, std::ios::binary | std::ios::in | std::ios::out);
   std::string bytes((std::istreambuf_iterator<char>(file)), {});
   const double deviation = draw_sample(input_, 2).height_deviations.front();

@@ -61,13 +61,13 @@ TEST(VtkExport, PutsFoilsWhereTheResultHasThem) {
     const double polar = pad.weld + pad.sense * point.along;
     force += point.force_outward * std::cos(polar);
     if (point.force_outward > 0.0) touched = std::max(touched, point.radius);
-    // Within the journal, R - C + x cos(phi), the foil cannot be.
+    // The foil cannot penetrate the journal, R - C + x cos(phi).
     EXPECT_GE(point.radius, 19.05e-3 - 31.8e-6 + 79.5e-6 * std::cos(polar) - 1e-15);
     EXPECT_NEAR(point.radius, 19.05e-3 + point.outward, 1e-12);
   }
   EXPECT_NEAR(force, shapes.numbers_of(turned).at("force_x"), 1e-6 * force);
   EXPECT_GT(touched, 19.05e-3 + 20e-6);
-  // Crests stay under the top foil, which they lift where nothing presses on it, feet on the sleeve.
+  // Crests stay below the top foil and lift it where no load presses on it; feet stay on the sleeve.
   const auto by_radius = [](const ShapedPoint& a, const ShapedPoint& b) { return a.radius < b.radius; };
   const double innermost = std::min_element(top.points.begin(), top.points.end(), by_radius)->radius;
   double highest = 1.0;
@@ -97,8 +97,8 @@ TEST(VtkExport, DrawsDryFoilsAsTheyAreTilted) {
     EXPECT_NEAR(outward(0) + outward(8), 2.0 * outward(4), 1e-15);  // linear over the width
     steepest = std::max(steepest, outward(8) - outward(0));
   }
-  EXPECT_GT(steepest, 1e-6);                    // towards the side where the journal stands farther out
-  EXPECT_LT(steepest, 1e-4 * 38.1e-3 + 1e-12);  // by what it is tilted
+  EXPECT_GT(steepest, 1e-6);                    // towards the side where the journal is farther out
+  EXPECT_LT(steepest, 1e-4 * 38.1e-3 + 1e-12);  // limited by the tilt
 }
 
 TEST(VtkExport, WritesAllStatesAndReplacesNoneUnasked) {

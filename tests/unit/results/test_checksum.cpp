@@ -5,8 +5,8 @@
 namespace bumpfoil {
 namespace {
 
-// Expected: printed by `xxhsum -H2` 0.8.1 for the same bytes. The algorithm takes another way for each of these
-// lengths.
+// Expected values: printed by `xxhsum -H2` 0.8.1 for the same bytes. The algorithm uses a different branch for each of
+// these lengths.
 TEST(Checksum, IsThatOfTheProgramXxhsum) {
   EXPECT_EQ(xxh3_128(""), "99aa06d3014798d86001c324468d497f");
   EXPECT_EQ(xxh3_128("bumpfoil"), "16966a90cb6bc6f4b6d197e1212206d1");

@@ -27,7 +27,7 @@ TEST(QuantityLimit, HasAUnitOrNone) {
   EXPECT_DOUBLE_EQ(bound_of("h_min > 5e-6 m"), 5e-6);
   EXPECT_DOUBLE_EQ(bound_of("h_min > 5e-6"), 5e-6);
   EXPECT_DOUBLE_EQ(bound_of("torque < 7 N mm"), 7e-3);
-  // No case has a power: it is read in the unit of the result alone.
+  // No case key is a power: only the unit of the result is accepted.
   EXPECT_DOUBLE_EQ(bound_of("power < 37 W"), 37.0);
   EXPECT_DOUBLE_EQ(bound_of("power < 37"), 37.0);
   EXPECT_NE(refusal_of("power < 37 kW").find("write a number in W"), std::string::npos);

@@ -58,8 +58,8 @@ TEST_F(StagedResultFiles, HoldRowsThatAreReadInPieces) {
   EXPECT_EQ(summary.at("files").at("numbers.nc").at("xxh3_128"), xxh3_128(bytes));
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
-/// A column of a million rows is not in memory as a whole, and no more of it than half a megabyte once it is written.
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer keeps freed memory
+/// A column of a million rows is never in memory as a whole, and written rows take at most half a megabyte.
 TEST_F(StagedResultFiles, TakeNoMemoryForRows) {
   constexpr std::size_t rows = 1'000'000;
   constexpr std::size_t columns = 6;
@@ -79,11 +79,11 @@ TEST_F(StagedResultFiles, TakeNoMemoryForRows) {
   };
   const auto before = most_memory();
   stage(dataset);
-  EXPECT_LT(most_memory() - before, 20'000);  // all of them are 48 MB
+  EXPECT_LT(most_memory() - before, 20'000);  // all columns take 48 MB
 }
 #endif
 
-/// With and without times: nothing else is lost.
+/// With and without times: the rest is the same.
 TEST(ResultFiles, LeaveOutTimes) {
   const Case input;
   const auto make = [&input](bool times) {
@@ -146,7 +146,7 @@ TEST_F(StagedResultFiles, AreRefusedWhereTheDiskHasNoRoom) {
   }
 }
 
-/// Rows of a march, a few of them in memory at a time.
+/// Rows of a march, only a few of them in memory at a time.
 TEST_F(StagedResultFiles, AreWrittenAsTheyCome) {
   std::vector<double> loads, torques;
   Dataset dataset;

@@ -45,11 +45,11 @@ TEST(ResultFolder, PublishesEverythingAtOnce) {
   }
   EXPECT_EQ(outer.read("a/b/summary.json"), "{}\n");
   EXPECT_EQ(outer.read("a/b/cycle.csv"), "x\n");
-  // Nothing but these is left.
+  // No other files are left.
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path), {}), 2);
 }
 
-/// A run that has nothing to write to one of its files leaves none of an earlier run there; other files stay.
+/// If a run does not write one of its files, that of an earlier run is removed; other files stay.
 TEST(ResultFolder, LeavesNothingOfAnEarlierRun) {
   const TemporaryFolder outer;
   for (const char* name : {"summary.json", "fit.csv", "case.toml", "transient.csv", "notes.txt", "-notes"}) {
@@ -60,7 +60,7 @@ TEST(ResultFolder, LeavesNothingOfAnEarlierRun) {
     folder.stage("summary.json", "new");
     folder.publish();
   };
-  // case.toml is of the user where the command has no such file.
+  // case.toml belongs to the user if the command writes no such file.
   publish({"cycle.csv", "summary.json"});
   EXPECT_EQ(outer.listing(), "-notes case.toml notes.txt summary.json ");
   publish({"case.toml", "fit.csv", "summary.json"});
@@ -99,7 +99,7 @@ TEST(ResultFolder, RefusesToReplaceAnyOfItsFiles) {
     const ResultFolder results(folder.path(), Existing::refuse, {"study.json", "loads.csv"});
   });
   EXPECT_NE(message.find("already contains results (loads.csv)"), std::string::npos);
-  // Files that come later than the start are not replaced either.
+  // Files created after the start are not replaced either.
   ResultFolder results(folder.path(), Existing::refuse, names);
   results.stage("summary.json", "new");
   folder.write("summary.json", "mine");
@@ -125,7 +125,7 @@ TEST(ResultFolder, ReplacesAllResultsOfTheEarlierRun) {
   outer.write("case.toml", "mine");
   {
     ResultFolder folder(outer.path(), Existing::replace, names);
-    EXPECT_EQ(outer.read("summary.json"), "old");  // until the new ones are there
+    EXPECT_EQ(outer.read("summary.json"), "old");  // until the new files are complete
     folder.stage("summary.json", "new");
     folder.publish();
   }
@@ -139,7 +139,7 @@ TEST(ResultFolder, SaysWhyItCannotBeWritten) {
   EXPECT_NE(refusal(file, Existing::replace).find("cannot be written"), std::string::npos);
   EXPECT_NE(refusal(file + "/below", Existing::refuse).find("cannot be written"), std::string::npos);
   EXPECT_NE(refusal("", Existing::refuse).find("cannot be written"), std::string::npos);
-  if (::geteuid() != 0) {  // root writes everywhere
+  if (::geteuid() != 0) {  // root can write everywhere
     std::filesystem::permissions(folder.path(),
                                  std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
     EXPECT_NE(refusal(folder.path(), Existing::refuse).find("cannot be written"), std::string::npos);
@@ -180,7 +180,7 @@ TEST(ResultFolder, AClaimThatWasLostIsNoticedBeforeAnythingChanges) {
   outer.write("summary.json", "old");
   ResultFolder folder(outer.path(), Existing::replace, names);
   folder.stage("summary.json", "new");
-  // As where the file system has no locks: another one writes its name into the claim.
+  // As on a file system without locks: another run writes its name into the claim.
   outer.write(".bumpfoil/claim", "process 1 on another");
   EXPECT_NE(message_of([&] { folder.publish(); }).find("another run has meanwhile taken over this folder"),
             std::string::npos);
@@ -194,7 +194,7 @@ TEST(ResultFolder, AFolderInThePlaceOfAFileIsRefusedBeforeAnythingChanges) {
   EXPECT_EQ(outer.read("result.nc/mine"), "text");
 }
 
-/// A folder with the results of an earlier run: of `cycle`, and a report that goes with them.
+/// A folder with the results of an earlier `cycle` run, and their report.
 class Publication : public ::testing::Test {
  protected:
   Publication() {
@@ -212,12 +212,12 @@ class Publication : public ::testing::Test {
     return outer_.read(path.lexically_relative(outer_.path()).string());
   }
 
-  /// "old" or "new", which all files of the set are.
+  /// "old" or "new", the same for all files of the set.
   [[nodiscard]] std::string set_as_readers_see_it() const {
     const std::string set = as_readers_see("summary.json");
     for (const std::string& name : names) {
       EXPECT_EQ(as_readers_see(name), set) << name;
-      // Others see whole files.
+      // Readers that bypass the list also see complete files.
       EXPECT_TRUE(outer_.read(name) == "old" || outer_.read(name) == "new") << name << outer_.read(name);
     }
     return set;
@@ -226,7 +226,7 @@ class Publication : public ::testing::Test {
   TemporaryFolder outer_;
 };
 
-/// Runs it in another process. @return whether it came to its end
+/// Runs the action in another process. @return whether it completed
 bool survives(const std::function<void()>& action) {
   const pid_t process = ::fork();
   if (process == 0) {
@@ -254,14 +254,15 @@ TEST_F(Publication, KilledBeforeAnyStepIsTheOldSetOrTheNewOne) {
     const std::string set = set_as_readers_see_it();
     ASSERT_TRUE(set == "old" || set == "new") << set;
     ++(set == "old" ? old_sets : new_sets);
-    // The next one who opens the folder leaves nothing but the set.
+    // The next run that opens the folder leaves only the set.
     { const ResultFolder next(outer_.path(), Existing::replace, names); }
     EXPECT_EQ(set_as_readers_see_it(), set);
     EXPECT_EQ(outer_.read("summary.json"), set);
     EXPECT_EQ(outer_.listing(),
               set == "old" ? "cycle.csv report.html result.nc summary.json " : "cycle.csv result.nc summary.json ");
   }
-  // Before the list is written, and before the set counts as published; then every file that is removed or moved.
+  // Old sets: killed before the list is written or before the set is published. New sets: killed before a file is
+  // removed or moved.
   EXPECT_EQ(old_sets, 2);
   EXPECT_GT(new_sets, 8);
 }
@@ -281,7 +282,7 @@ TEST_F(Publication, FailedBeforeAnyStepIsTheOldSetOrTheNewOne) {
     }
     const std::string set = set_as_readers_see_it();
     ASSERT_EQ(set, last <= 2 ? "old" : "new");
-    // Readers complete it, too.
+    // Readers complete the publication, too.
     complete_publication_quietly(outer_.path());
     EXPECT_EQ(outer_.read("result.nc"), set);
     EXPECT_EQ(outer_.listing(),
@@ -300,7 +301,7 @@ TEST_F(Publication, WhatComesInTheWayInTheMiddleLeavesTheNewSetToBeCompleted) {
   });
   EXPECT_EQ(message.find((outer_.path() / "result.nc: ").string()), 0U) << message;
   for (const std::string& name : names) EXPECT_EQ(as_readers_see(name), "new") << name;
-  // As long as it is there nobody gets past it.
+  // While it is in the way, no run can replace the results.
   EXPECT_NE(refusal(outer_.path(), Existing::replace).find("result.nc"), std::string::npos);
   complete_publication_quietly(outer_.path());
   for (const std::string& name : names) EXPECT_EQ(as_readers_see(name), "new") << name;
@@ -317,7 +318,7 @@ TEST_F(Publication, KilledBeforeItIsUndoneByTheNext) {
   }));
   EXPECT_EQ(set_as_readers_see_it(), "old");
   EXPECT_NE(outer_.listing().find(".bumpfoil"), std::string::npos);
-  refusal(outer_.path(), Existing::refuse);  // tidies up on its way
+  refusal(outer_.path(), Existing::refuse);  // tidies up
   EXPECT_EQ(outer_.listing(), "cycle.csv report.html result.nc summary.json ");
 }
 

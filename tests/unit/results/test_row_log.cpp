@@ -51,7 +51,7 @@ TEST_F(RowLogs, AreCutBackToWholeBlocks) {
 TEST_F(RowLogs, TornAnywhereHoldWhatIsWhole) {
   write_two_blocks();
   const std::string whole = folder_.read("log");
-  constexpr std::size_t record = 40;  // what stands in front of the bytes of each
+  constexpr std::size_t record = 40;  // bytes before the data of each row
   const std::size_t second = whole.size() - record - 2 * sizeof(double);
   const std::size_t first = second - record - 6 * sizeof(double);
   for (std::size_t size = 0; size < whole.size(); ++size) {

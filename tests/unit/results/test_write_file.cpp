@@ -37,7 +37,7 @@ TEST(WriteFile, RemovesWhatKilledProcessesLeftAndNothingElse) {
   folder.write(".case.toml.0123abcd.tmp", "left");
   folder.write(".case.toml.mine", "text");
   folder.write(".other.toml.0123abcd.tmp", "left");
-  // One that is still being written is locked.
+  // A file that is still being written is locked.
   const std::string living = folder.write(".case.toml.4567abcd.tmp", "half");
   const int file = ::open(living.c_str(), O_RDWR | O_CLOEXEC);
   ASSERT_EQ(::flock(file, LOCK_EX), 0);

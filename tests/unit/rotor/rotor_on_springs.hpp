@@ -11,11 +11,11 @@
 
 namespace bumpfoil {
 
-/// Imaginary parts of all eigenvalues of M y'' + Omega G y' + K y = 0, rad/s, those above zero, rising.
+/// Positive imaginary parts of all eigenvalues of M y'' + Omega G y' + K y = 0, ascending, rad/s.
 inline std::vector<double> whirl_frequencies(const Rotor& rotor, double speed) {
   const Eigen::Index n = rotor.size();
   const auto mass = rotor.mass.partialPivLu();
-  // In units of the highest frequency: both halves of the matrix are then of the same size.
+  // In units of the highest frequency: both halves of the matrix then have the same magnitude.
   const Eigen::MatrixXd squares = mass.solve(rotor.stiffness);
   const double unit = std::sqrt(squares.norm());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
@@ -40,7 +40,7 @@ inline Rotor on_springs(Rotor rotor, double along_x, double along_y) {
   return rotor;
 }
 
-/// The rotor whose unknowns with these numbers are held at zero.
+/// The rotor with the unknowns of these indices fixed at zero.
 inline Rotor held_at_unknowns(const Rotor& rotor, const std::vector<Eigen::Index>& held) {
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < rotor.size(); ++i) {

@@ -27,7 +27,7 @@ const ShaftDesign shaft{.sections = {{0.08, 0.038, 0.02, 210e9, 0.3, 7800.0}, {0
                         .planes = {},
                         .longest_element = 0.02};
 
-/// The unknown that is the displacement of a station along an axis.
+/// The index of the unknown that is the displacement of a station along an axis.
 int unknown_of(const RotorStation& station, int axis) {
   Eigen::Index number = 0;
   station.motion.row(axis).maxCoeff(&number);
@@ -60,13 +60,13 @@ std::vector<std::string> faulty_after(const std::function<void(RotorMatrices&, s
 
 using Keys = std::vector<std::string>;
 
-/// Rigid motions, weights and natural frequencies of a shaft whose unknowns are known by their matrices alone.
+/// Rigid motions, weights and natural frequencies of a shaft given by its matrices only.
 TEST(MakeRotor, OfTheMatricesOfAShaftIsThatShaft) {
   const Rotor expected = make_flexible_rotor(shaft);
   const RotorMatrices matrices = matrices_of(expected);
   ASSERT_TRUE(find_matrix_faults(matrices).empty());
   const Rotor rotor = make_rotor(matrices);
-  // Places under a tilt follow from a system whose condition is 1e6.
+  // Displacements under tilt come from a system with a condition number of 1e6.
   EXPECT_LT((rotor.rigid - expected.rigid).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_NEAR(rotor.total_mass(), expected.total_mass(), 1e-9 * expected.total_mass());
   const auto loads = weights_on_bearings(rotor, {1.0, -9.81});
@@ -80,7 +80,7 @@ TEST(MakeRotor, OfTheMatricesOfAShaftIsThatShaft) {
   EXPECT_LT(reduced.frequency_error, 1e-3);
 }
 
-/// Unknowns of any kind in any order: here displacements at both bearings instead of place and tilt.
+/// Unknowns of any kind in any order: here displacements at both bearings instead of position and tilt.
 TEST(MakeRotor, TakesARigidRotor) {
   const Rotor rigid =
       make_rigid_rotor({.mass = 2.0, .transverse_inertia = 4e-3, .polar_inertia = 5e-4, .bearings = {-0.06, 0.07}});
@@ -118,12 +118,12 @@ TEST(FindMatrixFaults, NamesWhatIsWrong) {
             (Keys{"G[2][2]", "K[5][1]"}));
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.mass[0] = 0.0; }), Keys{"M"});
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stiffness[0] *= 0.5; }), Keys{"K"});
-  // Springs to the ground of the size of a soft bearing.
+  // Springs to ground as stiff as a soft bearing.
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t n) {
               for (std::size_t i = 0; i < n; ++i) m.stiffness[i * n + i] += 1e5;
             }),
             Keys{"K"});
-  // Of a rotor that turns from Y to X.
+  // That of a rotor turning from Y to X.
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) {
               for (double& one : m.gyroscopic) one = -one;
             }),
@@ -141,11 +141,11 @@ TEST(FindMatrixFaults, JudgesPlaces) {
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stations[1].name = "begin"; }), Keys{"station[2].name"});
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.bearings[1].z = m.bearings[0].z; }),
             Keys{"bearing[2].z"});
-  // Places that are not where their unknowns are.
+  // Positions that do not match their unknowns.
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stations[1].z += 1e-3; }),
             (Keys{"station[2].x", "station[2].y"}));
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stations[1].x += 4; }), Keys{"station[2].x"});
-  // A rotation in place of a displacement holds the rotor as nothing does.
+  // Restraining a rotation instead of a displacement is not a bearing.
   EXPECT_FALSE(faulty_after([](RotorMatrices& m, std::size_t) { m.bearings[1].x += 2; }).empty());
 }
 

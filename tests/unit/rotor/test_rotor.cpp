@@ -25,8 +25,8 @@ ShaftDesign shaft_design() {
           .longest_element = 0.01};
 }
 
-/// Torque on a body is the rate of I_p Omega a + I_t a x a', where a is its axis: the equations of the small angles
-/// follow from it without G being known. A force at z along X turns about Y, one along Y about -X.
+/// The torque on a body is the rate of I_p Omega a + I_t a x a', where a is its axis: this gives the equations for
+/// small angles independently of G. A force at z along X turns about Y, one along Y about -X.
 TEST(RigidRotor, TurnsAsItsAngularMomentumSays) {
   const RigidRotorDesign design = rigid_design();
   const Rotor rotor = make_rigid_rotor(design);
@@ -51,7 +51,7 @@ TEST(RigidRotor, TurnsAsItsAngularMomentumSays) {
     rate.tail<2>() = (angles(t + h) - angles(t - h)) / (2.0 * h);
     acceleration.tail<2>() = (angles(t + h) - 2.0 * angles(t) + angles(t - h)) / (h * h);
     const Eigen::Vector4d force = rotor.mass * acceleration + speed * rotor.gyroscopic * rate;
-    // Differences err by (300 h)^2 / 3, angles by their squares.
+    // Differences have errors of (300 h)^2 / 3, angles of their squares.
     EXPECT_NEAR(force[2], torque.y(), 1e-5 * torque.norm());
     EXPECT_NEAR(force[3], -torque.x(), 1e-5 * torque.norm());
   }
@@ -63,7 +63,7 @@ TEST(Rotor, IsAValueWhoseMatricesHaveTheirSymmetry) {
     EXPECT_LT((rotor.mass - rotor.mass.transpose()).norm(), 1e-15 * rotor.mass.norm());
     EXPECT_LT((rotor.stiffness - rotor.stiffness.transpose()).norm(), 1e-15 * rotor.stiffness.norm() + 1e-300);
     EXPECT_LT((rotor.gyroscopic + rotor.gyroscopic.transpose()).norm(), 1e-15 * rotor.gyroscopic.norm() + 1e-300);
-    // A rigid motion strains nothing, and all places follow it. Round-off of stiffness times shaft length.
+    // A rigid motion causes no strain, and all stations follow it. Round-off of stiffness times shaft length.
     EXPECT_LT((rotor.stiffness * rotor.rigid).norm(), 1e-12 * rotor.stiffness.norm() + 1e-300);
     for (const RotorStation& bearing : rotor.bearings) {
       const Eigen::MatrixXd moved = bearing.motion * rotor.rigid;
@@ -75,7 +75,7 @@ TEST(Rotor, IsAValueWhoseMatricesHaveTheirSymmetry) {
   }
 }
 
-/// The lever rule, for a rigid rotor and for a flexible one alike; a point mass is what one bearing carries.
+/// The lever rule, for rigid and flexible rotors; a point mass is the load of one bearing.
 TEST(Rotor, WeighsOnItsBearings) {
   const Eigen::Vector2d gravity(0.0, -9.81);
   const auto half = weights_on_bearings(make_point_mass(1.5), gravity);
@@ -95,14 +95,13 @@ TEST(Rotor, WeighsOnItsBearings) {
   EXPECT_NEAR(shaft.total_mass(), of_shaft + of_disc, 1e-12);
   const auto loads = weights_on_bearings(shaft, gravity);
   const double moment = of_shaft * (0.15 - 0.03) + of_disc * (0.18 - 0.03);
-  // Round-off of a solution whose matrix has the condition of the shaft's length.
+  // Round-off of a solution whose condition number follows from the shaft length.
   EXPECT_NEAR(loads[1].y(), -9.81 * moment / 0.24, 1e-11);
   EXPECT_NEAR(loads[0].y() + loads[1].y(), -9.81 * (of_shaft + of_disc), 1e-11);
 }
 
-/// Whirl speeds on springs that turn in the range of interest, with what the gyroscopic terms make of them, are those
-/// of all unknowns but for a few times the error that the reduction states, which leaves out gyroscopic terms; the more
-/// modes are kept, the smaller it is.
+/// Whirl speeds on springs within the range of interest, with gyroscopic effects, agree with those of the full model
+/// within a few times the error estimate of the reduction, which ignores gyroscopic terms. More modes reduce the error.
 TEST(ReducedRotor, WhirlsAsTheWholeOneDoes) {
   const Rotor whole = make_flexible_rotor(shaft_design());
   const double range = 12000.0;
@@ -127,8 +126,7 @@ TEST(ReducedRotor, WhirlsAsTheWholeOneDoes) {
   EXPECT_LT(reduce_rotor(whole, range).frequency_error, 1e-3);
 }
 
-/// Stations move with the bearings as those of the whole rotor do: under loads at its bearings there is nothing inside
-/// that the modes would have to add.
+/// Under static loads at the bearings, stations move as those of the full model: no interior forces excite the modes.
 TEST(ReducedRotor, BendsUnderStaticLoadsAsTheWholeOneDoes) {
   ShaftDesign design = shaft_design();
   design.bearings = {0.03, 0.15, 0.27};
@@ -141,9 +139,9 @@ TEST(ReducedRotor, BendsUnderStaticLoadsAsTheWholeOneDoes) {
   EXPECT_LT((bent(reduced) - bent(whole)).norm(), 1e-9 * bent(whole).norm());
 }
 
-/// A thin shaft whose ends are held in bearings stiff against displacement and inclination bends as a beam that is
-/// clamped at both ends, omega = 4.730041^2 sqrt(E I / (rho A l^4)); on bearings that resist displacement alone as one
-/// that is pinned, omega = pi^2 sqrt(...). So does what it is reduced to.
+/// A thin shaft in end bearings that are stiff against displacement and inclination vibrates as a beam clamped at both
+/// ends, omega = 4.730041^2 sqrt(E I / (rho A l^4)); with bearings stiff against displacement only, as a pinned beam,
+/// omega = pi^2 sqrt(...). The same holds for its reduced model.
 TEST(ReducedRotor, IsClampedWhereBearingsResistInclination) {
   const ShaftSection thin{0.5, 0.005, 0.0, 210e9, 0.3, 7800.0};
   const double unit = std::sqrt(thin.youngs_modulus * 0.005 * 0.005 / 16.0 / thin.density) / (0.5 * 0.5);
@@ -157,7 +155,7 @@ TEST(ReducedRotor, IsClampedWhereBearingsResistInclination) {
         rotor.stiffness += 1e9 * B.transpose() * B;
       }
       const double root = half_width > 0.0 ? 4.730041 : std::numbers::pi;
-      // Shear and rotary inertia take 1e-4 of a shaft this thin.
+      // Shear and rotary inertia reduce it by 1e-4 for a shaft this thin.
       EXPECT_NEAR(free_frequencies(rotor)[0], root * root * unit, 1e-3 * root * root * unit) << half_width;
     }
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Short and thick, so that shear and rotary inertia count.
+/// Short and thick, so that shear and rotary inertia matter.
 constexpr ShaftSection thick{0.4, 0.08, 0.03, 210e9, 0.3, 7800.0};
 
 struct Constants {
@@ -26,15 +26,15 @@ struct Constants {
   double area, second_moment, bending, shear;
 };
 
-/// That of a shaft on pins at both ends, in so many elements.
+/// A shaft pinned at both ends, with this number of elements.
 Rotor pinned(int elements) {
   const Rotor rotor = make_flexible_rotor({.sections = {thick}, .longest_element = thick.length / elements});
   return held_at_unknowns(rotor, {0, 1, rotor.size() - 4, rotor.size() - 3});
 }
 
-/// A spinning shaft on pins whirls in sines: x + i y = W sin(k z) e^{i w t}, k = m pi / L, with
+/// A spinning pinned shaft whirls in sine modes: x + i y = W sin(k z) e^{i w t}, k = m pi / L, with
 ///     (kappa G A k^2 - rho A w^2) (E I k^2 + kappa G A - rho I (w^2 - 2 Omega w)) = (kappa G A k)^2.
-/// w > 0 turns as the shaft. The defect over its derivative is the error of w.
+/// w > 0 is forward whirl. The residual over its derivative is the error of w.
 double closed_form_error(double w, double speed, int m) {
   const Constants of(thick);
   const double k = m * pi / thick.length;
@@ -55,7 +55,7 @@ TEST(Shaft, WhirlsOnPinsAsInClosedForm) {
     const std::vector<double> found = whirl_frequencies(pinned(elements), speed);
     std::vector<double> errors;
     for (int m = 1; m <= 3; ++m) {
-      // The slower of each pair turns against the shaft.
+      // The slower one of each pair is backward whirl.
       const double backward = found[static_cast<std::size_t>(2 * m - 2)];
       const double forward = found[static_cast<std::size_t>(2 * m - 1)];
       EXPECT_GT(forward, 1.001 * backward);
@@ -63,7 +63,7 @@ TEST(Shaft, WhirlsOnPinsAsInClosedForm) {
       errors.push_back(std::abs(closed_form_error(forward, speed, m)) / forward);
     }
     for (std::size_t i = 0; i < before.size(); ++i) {
-      // The shear strain is constant in an element: errors fall like its square.
+      // The shear strain is constant in an element: second-order errors.
       EXPECT_NEAR(before[i] / errors[i], 4.0, 0.4) << elements << ' ' << i;
     }
     before = errors;
@@ -71,7 +71,7 @@ TEST(Shaft, WhirlsOnPinsAsInClosedForm) {
   for (const double error : before) EXPECT_LT(error, 2e-3);
 }
 
-/// A disc at the end of a clamped shaft without mass. The compliance of its end is that of a cantilever with shear:
+/// A disc at the end of a massless clamped shaft. The end compliance is that of a cantilever with shear:
 ///     (k11 - m w^2) (k22 - I_t w^2 + I_p Omega w) = k12^2.
 TEST(Shaft, CarriesAnOverhungDisc) {
   ShaftSection section = thick;
@@ -98,7 +98,8 @@ TEST(Shaft, CarriesAnOverhungDisc) {
         const double h = 1e-5 * w;
         return std::abs(defect(w) * 2.0 * h / (defect(w + h) - defect(w - h)) / w);
       };
-      // Forward or backward: one of the two. Without a speed the root is double, so that only half the digits count.
+      // One of the two, forward or backward. At zero speed the root is double, so that only half the digits are
+      // significant.
       EXPECT_LT(std::min(error(frequency), error(-frequency)), 1e-9);
     }
   }

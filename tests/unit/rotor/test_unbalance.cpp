@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A heavy place that turns with the rotor, in either sense, at a plane out of the middle.
+/// An unbalance that turns with the rotor, in either sense, in a plane away from the middle.
 TEST(UnbalanceForce, TurnsWithTheRotor) {
   const Rotor rotor = make_rigid_rotor(
       {.mass = 2.2, .transverse_inertia = 9e-3, .polar_inertia = 1.1e-3, .bearings = {-0.07, 0.09}, .planes = {0.05}});
@@ -25,7 +25,7 @@ TEST(UnbalanceForce, TurnsWithTheRotor) {
   }
 }
 
-/// The force of a heavy place is its inertia: -U d^2/dt^2 (cos a, sin a), by differences of angles a(t).
+/// The unbalance force is an inertia force: -U d^2/dt^2 (cos a, sin a), by differences of angles a(t).
 TEST(UnbalanceForce, IsTheInertiaOfAPlaceOnARotorThatAccelerates) {
   const Rotor rotor = make_rigid_rotor(
       {.mass = 2.2, .transverse_inertia = 9e-3, .polar_inertia = 1.1e-3, .bearings = {-0.07, 0.09}, .planes = {0.05}});
@@ -42,7 +42,7 @@ TEST(UnbalanceForce, IsTheInertiaOfAPlaceOnARotorThatAccelerates) {
   const Eigen::Vector2d second = (outward(h) - 2.0 * outward(0.0) + outward(-h)) / (h * h);
   const Eigen::VectorXd force = unbalance_force(plane, unbalance, angle(0.0), speed, acceleration);
   const Eigen::Vector4d expected = -unbalance.amount * (plane.motion.transpose() * second);
-  EXPECT_LT((force - expected).norm(), 1e-5 * expected.norm());  // h^2 and round-off over h^2
+  EXPECT_LT((force - expected).norm(), 1e-5 * expected.norm());  // truncation h^2, and round-off over h^2
   const Eigen::VectorXd even = unbalance_force(plane, unbalance, angle(0.0), speed, 0.0);
   const Eigen::VectorXcd linear = unbalance_force(plane, unbalance, speed);
   EXPECT_LT((even - (linear * std::polar(1.0, -angle(0.0))).real()).norm(), 1e-13 * even.norm());

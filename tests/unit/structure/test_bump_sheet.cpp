@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Nine bumps of the frame.
+/// Nine bumps in the frame model.
 FoilDesign nine_bumps() {
   Case input = reference_case();
   input.bump_foil.model = BumpFoilModel::frame;
@@ -20,12 +20,12 @@ FoilDesign nine_bumps() {
   return make_bearing_design(PadDesign(input));
 }
 
-/// v_2 of crests, m, under P_2 N/mm on some of them; feet slide.
+/// v_2 of crests, m, under P_2 N/mm on some of them; feet free to slide.
 Vector loaded_crests(const FoilDesign& foils, const std::vector<int>& loaded) {
   const FoilStructure structure = make_foil_structure(foils);
   const BumpDofs& dofs = structure.dofs;
   const BlockTridiagonal sheet = bump_sheet_stiffness(foils, {2});
-  constexpr double square = 1.0 / 5.0;  // of P_2 over the width
+  constexpr double square = 1.0 / 5.0;  // mean square of P_2 over the width
   Matrix K = sheet.dense();
   const Matrix slices = square * structure.K.dense();
   std::vector<Eigen::Index> free, crests, of_slices;
@@ -57,7 +57,7 @@ void expect_um(const Vector& found, const std::vector<double>& reference) {
   }
 }
 
-/// Of an independent program.
+/// Reference values of an independent program.
 TEST(BumpSheet, GivesWayUnderAParabolaAsTheIndependentProgramSays) {
   const FoilDesign foils = nine_bumps();
   expect_um(loaded_crests(foils, all),

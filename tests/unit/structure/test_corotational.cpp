@@ -16,14 +16,14 @@ namespace {
 
 const Section foil_section = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
 
-/// Half a bump, one that bulges, and a flat.
+/// Half a bump, an element that bulges, and a flat.
 const std::vector<FrameElement> elements{{{1.778e-3, -0.508e-3}, 0.5566}, {{0.4e-3, 0.9e-3}, 2.5}, flat_element(1e-3)};
 
 CorotationalElement carried(const FrameElement& element, const Section& section = foil_section) {
   return make_corotational_element(element.chord, frame_element_stiffness(section, element));
 }
 
-/// Displacements of an element of some millimetres that is carried and turned far and bent a little.
+/// Displacements of an element a few millimetres long: large translation and rotation, little bending.
 ElementVector some_displacements(int number) {
   ElementVector q;
   for (int i = 0; i < 6; ++i) q[i] = std::sin(2.7 * number + 1.9 * i);
@@ -31,7 +31,7 @@ ElementVector some_displacements(int number) {
   return ElementVector{{1e-3 * q[0], 1e-3 * q[1], turn + 0.05 * q[2], 1e-3 * q[3], 1e-3 * q[4], turn + 0.05 * q[5]}};
 }
 
-/// Size of an entry in units that make displacements (m) and rotations comparable.
+/// Scales that make displacements (m) and rotations comparable.
 const ElementVector unit_scales{{1e-3, 1e-3, 1.0, 1e-3, 1e-3, 1.0}};
 
 TEST(Corotational, ForcesAreTheGradientOfTheEnergy) {
@@ -52,7 +52,7 @@ TEST(Corotational, ForcesAreTheGradientOfTheEnergy) {
           if (coarsest == 0.0) coarsest = error;
           best = std::min(best, error);
         }
-        // Central differences: the error falls with the square of the step until rounding takes over.
+        // Central differences: the error falls with the square of the step down to round-off.
         EXPECT_LT(best, 1e-8) << "element turning " << element.turning << ", unknown " << i;
         EXPECT_LT(best, 1e-2 * coarsest + 1e-11);
       }
@@ -90,9 +90,9 @@ TEST(Corotational, StableTangentNeverPullsAndLacksNothingUnderTension) {
       const CorotationalResponse response = corotational_response(carried(element), some_displacements(number));
       const ElementMatrix scaled = unit_scales.asDiagonal() * response.stable_tangent * unit_scales.asDiagonal();
       const ElementVector values = Eigen::SelfAdjointEigenSolver<ElementMatrix>(scaled).eigenvalues();
-      EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());  // zero for the rigid motions
+      EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());  // zero for rigid motions
     }
-    // Stretched along its chord by a thousandth, with both rotations held: equal and opposite end moments.
+    // Stretched by a thousandth along its chord, with both rotations fixed: equal and opposite end moments.
     const Eigen::Vector2d stretch = 1e-3 * element.chord;
     const ElementVector q{{0.0, 0.0, 0.0, stretch.x(), stretch.y(), 0.0}};
     const CorotationalResponse stretched = corotational_response(carried(element), q);
@@ -110,7 +110,7 @@ TEST(Corotational, RigidMotionStrainsNothing) {
       const CorotationalResponse response = corotational_response(carried(element), q);
       const CorotationalResponse bent =
           corotational_response(carried(element), q + 1e-3 * unit_scales.cwiseProduct(ElementVector::Unit(3)));
-      // Rounding of displacements of millimetres against a micrometre that strains.
+      // Round-off of displacements of millimetres compared with a strain of a micrometre.
       EXPECT_LT(response.forces.norm(), 1e-10 * bent.forces.norm());
       EXPECT_LT(response.energy, 1e-20 * bent.energy + 1e-24);
       EXPECT_LT(chord_deformations(element.chord, q).norm(), 1e-15);
@@ -125,7 +125,7 @@ TEST(Corotational, AtRestIsTheLinearElement) {
     EXPECT_EQ(at_rest.forces.norm(), 0.0);
     EXPECT_LT((unit_scales.asDiagonal() * (at_rest.tangent - linear) * unit_scales.asDiagonal()).norm(),
               1e-13 * (unit_scales.asDiagonal() * linear * unit_scales.asDiagonal()).norm());
-    // Small displacements: the forces differ by the square of the displacements.
+    // Small displacements: forces differ by second-order terms.
     const ElementVector q = 1e-3 * ElementVector{{2e-6, -1e-6, 3e-3, 1e-6, 4e-6, -2e-3}};
     for (const double factor : {1.0, 0.1}) {
       const ElementVector forces = corotational_response(carried(element), factor * q).forces;
@@ -134,7 +134,7 @@ TEST(Corotational, AtRestIsTheLinearElement) {
   }
 }
 
-/// A cantilever of `count` equal elements in blocks of one node, straight for a turning of 0.
+/// A cantilever of `count` equal elements in blocks of one node, straight if turning is 0.
 ElementChain cantilever(int count, double length, double turning, const Section& section) {
   ElementChain chain{.rotation_scale = 1.0, .elements = {}};
   const double each = turning / count;
@@ -148,7 +148,7 @@ ElementChain cantilever(int count, double length, double turning, const Section&
   return chain;
 }
 
-/// Displacements under a load on the last node that grows in steps, by Newton's method.
+/// Displacements under a load on the last node, applied in steps, by Newton's method.
 Vector equilibrium(const ElementChain& chain, const Eigen::Vector3d& end_load) {
   const auto nodes = static_cast<int>(chain.elements.size());
   Vector x = Vector::Zero(3 * Eigen::Index{nodes});
@@ -182,7 +182,7 @@ Vector equilibrium(const ElementChain& chain, const Eigen::Vector3d& end_load) {
 const Section inextensible_beam{.bending_stiffness = 1.0, .axial_stiffness = 1e8, .modulus = 1.0};
 
 TEST(Corotational, CantileverUnderAnEndForceMeetsTheElastica) {
-  // Elliptic integrals [Mattiasson1981, Table I]: drop and approach of the end over the length, and its slope.
+  // Elliptic integrals [Mattiasson1981, Table I]: drop and shortening at the end relative to the length, and its slope.
   struct Row {
     double load, drop, approach, slope;  ///< P L^2 / EI
   };
@@ -196,7 +196,7 @@ TEST(Corotational, CantileverUnderAnEndForceMeetsTheElastica) {
       const Vector x = equilibrium(cantilever(count, 1.0, 0.0, inextensible_beam), {0.0, row.load, 0.0});
       const Eigen::Vector3d end = x.tail<3>();
       const double error = (end - Eigen::Vector3d(-row.approach, row.drop, row.slope)).cwiseAbs().maxCoeff();
-      // Second order in the element: 20 of them stay within 0.2 %, and four times as many are sixteen times closer,
+      // Second order in the element length: 20 elements have errors below 0.2 %, four times as many sixteen times less,
       // down to the last digit of the table.
       EXPECT_LT(error, count == 20 ? 2e-3 : coarse_error / 12.0 + 1e-5) << "load " << row.load;
       coarse_error = error;
@@ -205,23 +205,23 @@ TEST(Corotational, CantileverUnderAnEndForceMeetsTheElastica) {
 }
 
 TEST(Corotational, CantileverUnderAnEndMomentBendsToAPolygonOnACircle) {
-  // Constant moment: the slope of the end is M L / EI, exactly for any number of elements, and every element keeps its
-  // chord, turned half-way between its ends.
+  // Constant moment: the slope of the end is M L / EI, exact for any number of elements; every element keeps its chord
+  // length, and turns by the mean of its end rotations.
   const double slope = 0.95 * std::numbers::pi;
   constexpr int count = 8;
   const Vector x = equilibrium(cantilever(count, 1.0, 0.0, inextensible_beam), {0.0, 0.0, slope});
   Eigen::Vector2d end(0.0, 0.0);
   for (int i = 0; i < count; ++i)
     end += Eigen::Vector2d(std::cos(slope * (i + 0.5) / count), std::sin(slope * (i + 0.5) / count)) / count;
-  EXPECT_NEAR(x[3 * count - 1], slope, 1e-9);  // Newton's bound on the load
+  EXPECT_NEAR(x[3 * count - 1], slope, 1e-9);  // Newton tolerance on the load
   EXPECT_NEAR(x[3 * count - 3], end.x() - 1.0, 1e-9);
   EXPECT_NEAR(x[3 * count - 2], end.y(), 1e-9);
 }
 
 TEST(Corotational, CurvedBeamStraightensUnderItsMoment) {
-  // A quarter circle under the moment EI * curvature, which takes the curvature away: the end comes to rest in the
-  // direction of the weld at the distance of the length. Arcs are curved inside each element, which small deformations
-  // follow the better the smaller the angle that one takes.
+  // A quarter circle under the moment EI * curvature, which straightens it: the end lies in the direction of the weld,
+  // at a distance equal to the length. Elements are curved and assume small deformations: errors fall with their
+  // subtended angle.
   const double quarter = 0.5 * std::numbers::pi;
   double coarse_error = 0.0;
   for (const int count : {4, 16}) {

@@ -42,7 +42,7 @@ TEST(FoilStructure, SolvesTheTopFoilLikeItsCompliance) {
     right(every(structure, structure.dofs.top_u)) = load;
     const Vector x = structure.K.dense().partialPivLu().solve(right);
     const Vector expected = top_foil_compliance(make_top_foil_beam(make_bearing_design(input))) * load;
-    // cond of the foil, 4e6 at 60 bumps, times the rounding unit.
+    // Condition number of the foil, 4e6 at 60 bumps, times machine precision.
     EXPECT_LT((x(every(structure, structure.dofs.top_u)) - expected).norm(), 1e-9 * expected.norm()) << bumps;
   }
 }
@@ -79,7 +79,7 @@ TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
     const double truss_energy = spring_energy(springs, structure.dofs.size, x);
     const double top_energy = 0.5 * top.dot(x(every(structure, structure.dofs.top_u)));
     EXPECT_NEAR(elastic_response(structure, x).energy, truss_energy + top_energy, 1e-13 * truss_energy);
-    EXPECT_GT(top_energy, 1e-6 * truss_energy);  // large enough to be seen
+    EXPECT_GT(top_energy, 1e-6 * truss_energy);  // large enough to be significant
   }
 }
 
@@ -97,8 +97,8 @@ TEST(FoilStructure, IsWellScaledAndQuasidefinite) {
   const Vector modes = K.selfadjointView<Eigen::Lower>().eigenvalues();
   EXPECT_EQ((modes.array() < 0.0).count(), 26);  // one per moment
 
-  // The truss has a condition number of 2e9 by itself; the top foil of the same bearing has 1.3e5 with K_t and gets
-  // below that by the moment form.
+  // The truss alone has a condition number of 2e9; the top foil of the same bearing has 1.3e5 with K_t, and less in the
+  // moment form.
   std::vector<Eigen::Index> top;
   for (Eigen::Index b = 0; b < structure.bumps(); ++b) {
     top.push_back(b * structure.dofs.size + structure.dofs.top_u);
@@ -131,7 +131,7 @@ TEST(FoilStructure, FrameModelHasTheSameTopFoil) {
   }
 }
 
-/// Frame of five bumps, with large displacements or without.
+/// Frame of five bumps, with or without large displacements.
 FoilStructure frame_structure(Geometry geometry, WeldPosition weld_at) {
   Case input = given_constants(5);
   input.bump_foil.model = BumpFoilModel::frame;
@@ -149,7 +149,7 @@ TEST(LargeDisplacements, TangentAndEnergyBelongToTheForces) {
     const Vector forces = elastic_response(structure, x).forces;
     double best_slope = 1.0;
     double best_energy = 1.0;
-    for (const double h : {1e-6, 1e-7, 1e-8}) {  // m; central differences, from truncation to rounding
+    for (const double h : {1e-6, 1e-7, 1e-8}) {  // m; central differences, from truncation to round-off
       const Vector difference =
           (internal_forces(structure, x + h * direction) - internal_forces(structure, x - h * direction)) / (2.0 * h);
       best_slope = std::min(best_slope, (difference - slope).norm() / slope.norm());
@@ -174,7 +174,7 @@ TEST(LargeDisplacements, AreSmallNearTheUndeformedFoils) {
     for (const double factor : {1e-2, 1e-3}) {
       const Vector x = factor * any_displacements(linear);
       const Vector forces = elastic_response(linear, x).forces;
-      // Some 1e-5 m of displacements in elements of 1e-3 m: second order.
+      // Displacements of about 1e-5 m in elements of 1e-3 m: second order.
       EXPECT_LT((elastic_response(large, x).forces - forces).norm(), 0.1 * factor * forces.norm());
       EXPECT_NEAR(elastic_response(large, x).energy, elastic_response(linear, x).energy,
                   0.1 * factor * elastic_response(linear, x).energy);
@@ -310,7 +310,8 @@ TEST(FoilStructure, WithoutAWeldIsHeldLooselyAndNotAtAllInside) {
     const FoilStructure structure = make_foil_structure(foils);
     EXPECT_EQ(structure.bumps(), 4);
     EXPECT_EQ(structure.first_bump, model == BumpFoilModel::truss ? 1 : 0);
-    // A shift of everything along the foil, and of the top foil across with a tilt, strains nothing but loose springs.
+    // A shift of all along the foil, and of the top foil across it with a tilt, strains only the weak restraining
+    // springs.
     Vector x = Vector::Zero(structure.K.rows());
     const Eigen::Index size = structure.dofs.size;
     for (Eigen::Index b = 0; b < structure.K.blocks(); ++b) {
@@ -319,7 +320,7 @@ TEST(FoilStructure, WithoutAWeldIsHeldLooselyAndNotAtAllInside) {
       x[b * size + structure.dofs.crest_u] = 1e-6;
       x[b * size + structure.dofs.top_u] = 1e-6 * static_cast<double>(b);
     }
-    // Roundings of 1e8 N/m times a micrometre stay far below.
+    // Round-off of 1e8 N/m times a micrometre is far below.
     EXPECT_LT(elastic_response(structure, x).forces.cwiseAbs().maxCoeff(), 4e-6 * loose_hold + 1e-13 * 1e2);
     EXPECT_GT(elastic_response(structure, x).energy, 0.0);
   }

@@ -17,8 +17,8 @@ FoilDesign formed_design(double formed_radius, double seat_pressure = 0.0) {
   return make_bearing_design(input);
 }
 
-/// Inward positive: no load bends it, so that it takes its formed shape from the weld on. u'' + u = R^2 kappa_0,
-/// u = u' = 0 at the weld.
+/// Free shape without load or bending, inward positive, starting at the weld: u'' + u = R^2 kappa_0, u = u' = 0 at the
+/// weld.
 Vector free_shape(const TopFoilBeam& beam, const Forming& forming) {
   const double R = beam.radius;
   const double end = forming.end_angle;
@@ -29,7 +29,7 @@ Vector free_shape(const TopFoilBeam& beam, const Forming& forming) {
   });
 }
 
-/// D' u of all nodes that have a moment.
+/// D' u at all nodes with a moment.
 Vector kinks(const TopFoilMoments& form, const Vector& u) {
   Vector kink(form.size());
   for (Eigen::Index k = 0; k < form.size(); ++k) {
@@ -45,13 +45,13 @@ TEST(Forming, IsThatOfTheRadiusAndOfThePressure) {
   const Case input = reference_case();
   const Forming none = make_forming(make_bearing_design(input));
   EXPECT_TRUE(none.is_none());
-  EXPECT_NEAR(none.end_angle, 26.0 * 4.572e-3 / 19.05e-3, 1e-14);  // half a pitch behind the last crest
+  EXPECT_NEAR(none.end_angle, 26.0 * 4.572e-3 / 19.05e-3, 1e-14);  // half a pitch beyond the last crest
   const Forming forming = make_forming(formed_design(1.01 * 19.05e-3, 300.0));
-  EXPECT_NEAR(forming.uniform, 0.519737, 1e-6);  // of an independent prototype
+  EXPECT_NEAR(forming.uniform, 0.519737, 1e-6);  // from an independent prototype
   EXPECT_NEAR(forming.graded, 19.05e-3 * 19.05e-3 * 300.0 * 38.1e-3 / 0.0007872451, 1e-6);
 }
 
-/// Without loads T M + r = D' u holds with M = 0 for the free shape: whatever the spans are.
+/// Without loads the free shape has M = 0: T M + r = D' u holds for any spans.
 TEST(Forming, LeavesTheFreeShapeWithoutMoments) {
   const TopFoilBeam crests = make_top_foil_beam(formed_design(20e-3));
   TopFoilBeam columns = crests;
@@ -62,14 +62,14 @@ TEST(Forming, LeavesTheFreeShapeWithoutMoments) {
                                    Forming{.uniform = 0.0, .graded = 3.0, .end_angle = 6.24}}) {
       const Vector rotations = forming_rotations(beam, forming);
       const Vector kink = kinks(make_top_foil_moments(beam), free_shape(beam, forming));
-      // Differences of u, which is up to 4e-3 m, over spans of 4e-4 m and more.
+      // Differences of u, up to 4e-3 m, over spans of 4e-4 m and more.
       EXPECT_LT((kink - rotations).cwiseAbs().maxCoeff(), 1e-12 * rotations.cwiseAbs().maxCoeff() + 1e-13);
       EXPECT_GT(rotations.cwiseAbs().maxCoeff(), 1e-4);
     }
   }
 }
 
-/// x with the free shape of the top foil, and a bump foil at rest.
+/// x with the free shape of the top foil and an undeformed bump foil.
 Vector with_top_foil(const FoilStructure& structure, const Vector& u) {
   Vector x = Vector::Zero(structure.K.rows());
   x(Eigen::seqN(Eigen::Index{structure.dofs.top_u}, u.size(), Eigen::Index{structure.dofs.size})) = u;
@@ -85,15 +85,15 @@ TEST(FormedStructure, HasNeitherForcesNorEnergyInItsFreeShape) {
   const ElasticResponse free = elastic_response(structure, x);
   EXPECT_LT(free.forces.cwiseAbs().maxCoeff(), 1e-9 * flat.forces.cwiseAbs().maxCoeff());
   EXPECT_NEAR(free.energy, 0.0, 1e-9 * flat.energy);
-  // Held on the circle at its crests it is bent by kappa_0 up to the last one: EI' kappa_0^2 / 2 per length, but for
-  // the sag between crests.
+  // Held on the circle at its crests, the foil is bent by kappa_0 up to the last one: EI' kappa_0^2 / 2 per length,
+  // except for the sag between crests.
   const double kappa = 1.029283;
   const ElasticResponse uniform =
       elastic_response(make_foil_structure(formed_design(1.02 * 19.05e-3)), Vector::Zero(structure.K.rows()));
   EXPECT_NEAR(uniform.energy, 0.5 * 0.0007872451 * kappa * kappa * 19.05e-3 * beam.theta[25], 0.02 * uniform.energy);
 }
 
-/// Forces are the derivatives of the energy, and solve K x = forming + forces with compatible moments.
+/// Forces are derivatives of the energy, and satisfy K x = forming + forces with compatible moments.
 TEST(FormedStructure, ForcesAreDerivativesOfItsEnergy) {
   const FoilStructure structure = make_foil_structure(formed_design(1.02 * 19.05e-3, 200.0));
   const Vector u = 1e-5 * Vector::Random(26);
@@ -108,7 +108,7 @@ TEST(FormedStructure, ForcesAreDerivativesOfItsEnergy) {
                                elastic_response(structure, with_top_foil(structure, less)).energy) /
                               (2.0 * step);
     const double force = forces[crest * structure.dofs.size + structure.dofs.top_u];
-    EXPECT_NEAR(derivative, force, 1e-6 * forces.cwiseAbs().maxCoeff());  // quadratic: round-off alone
+    EXPECT_NEAR(derivative, force, 1e-6 * forces.cwiseAbs().maxCoeff());  // quadratic: round-off only
   }
 }
 

@@ -22,7 +22,7 @@ FoilDesign frame_foils(int bumps, WeldPosition weld_at) {
   return make_bearing_design(input);
 }
 
-/// The bump foil alone, dense, without the places of the top foil: 9 unknowns per bump.
+/// Dense matrix of the bump foil alone, without the unknowns of the top foil: 9 unknowns per bump.
 Matrix bump_foil_stiffness(const FrameModel& model) {
   const auto bumps = static_cast<int>(model.arcs.size());
   BlockTridiagonal K(bumps, frame_dofs().size);
@@ -58,7 +58,7 @@ TEST(FrameModel, RigidMotionOfTheFoilAfterTheWeldStrainsTheFirstFlatOnly) {
   const Matrix K = bump_foil_stiffness(model);
   const Vector forces = K * x;
   EXPECT_LT(forces.tail(33).norm(), 1e-13 * K.norm() * x.norm());
-  // Half a flat from its clamped end, its other end turned by `angle` about the clamp: 6 EI / l^2 - 12 EI / l^2.
+  // Half a flat, clamped at one end, its other end turned by `angle` about the clamp: 6 EI / l^2 - 12 EI / l^2.
   const double l = 0.5 * model.arcs[0].flat;
   const double expected = (12.0 * l - 6.0 * l) * model.sections[0].bending_stiffness / (l * l * l) * angle;
   EXPECT_NEAR(forces[1], expected, 1e-10 * expected);
@@ -68,7 +68,7 @@ TEST(FrameModel, ClampedArcStartIsCoupledToNothing) {
   const Matrix K = bump_foil_stiffness(make_frame_model(frame_foils(3, WeldPosition::arc_start)));
   EXPECT_EQ(K.topRightCorner(3, 24).norm(), 0.0);
   EXPECT_TRUE(K.topLeftCorner(3, 3).isDiagonal(0.0));
-  // What is left is the same foil with a flat before it that cannot deform.
+  // The result is the same foil with a rigid flat before it.
   FrameModel flat_weld = make_frame_model(frame_foils(3, WeldPosition::mid_flat));
   const Matrix with_flat = bump_foil_stiffness(flat_weld);
   EXPECT_LT((K.bottomRightCorner(24, 24) - with_flat.bottomRightCorner(24, 24)).norm(), 1e-15 * K.norm());
@@ -79,12 +79,13 @@ TEST(FrameModel, BumpOfItsOwnHeightChangesItsArcAlone) {
   const Matrix nominal = bump_foil_stiffness(make_frame_model(foils));
   foils.bumps[1].rise += 20e-6;
   const Matrix own = bump_foil_stiffness(make_frame_model(foils));
-  // The second bump's crest changes, by some per cent for a rise that grows by 5 %; what no arc of it touches does not.
+  // The crest of the second bump changes by a few per cent for 5 % more rise; entries without a contribution of its
+  // arcs do not change.
   EXPECT_GT(std::abs(own(13, 13) / nominal(13, 13) - 1.0), 0.01);
   EXPECT_EQ(own.topLeftCorner(6, 6), nominal.topLeftCorner(6, 6));
 }
 
-/// Three bumps, no two of one shape.
+/// Three different bumps.
 FoilDesign graded_foils() {
   FoilDesign foils = frame_foils(3, WeldPosition::mid_flat);
   foils.bumps[1] = {.pitch = 5e-3, .half_length = 2.1e-3, .rise = 0.5e-3, .thickness = 0.13e-3};
@@ -93,7 +94,7 @@ FoilDesign graded_foils() {
 }
 
 TEST(FrameModel, OfDifferentBumpsIsThatOfItsElements) {
-  // By hand: every half flat an element of its own, the nodes in the middle of the flats condensed afterwards.
+  // By hand: each half flat is a separate element; the nodes in the middle of the flats are condensed afterwards.
   const FoilDesign foils = graded_foils();
   PlanarFrame by_hand(1 + 3 * 4);
   PlanarFrame::Unknowns kept;
@@ -110,7 +111,7 @@ TEST(FrameModel, OfDifferentBumpsIsThatOfItsElements) {
     if (n < 2) by_hand.add(4 * n + 3, 4 * n + 4, section, {{half_flat, 0.0}, 0.0});
     for (int k = 0; k < 9; ++k) kept.push_back(3 * (4 * n + 1) + k);
   }
-  // Nothing follows the last arc: its node stands alone, and is left out with the weld.
+  // Nothing follows the last arc: its node is unconnected, and eliminated with the weld.
   Matrix expected = by_hand.condense(kept, {0, 1, 2, 36, 37, 38});
   for (Eigen::Index i = 0; i < 9; ++i) {
     expected.row(3 * i + 2) /= foils.bumps[0].pitch;
@@ -132,7 +133,7 @@ TEST(FrameModel, MirroredFoilIsTheMirrorImage) {
   const Matrix other = bump_foil_stiffness(mirrored);
   for (Eigen::Index i = 0; i < 27; ++i) {
     for (Eigen::Index j = 0; j < 27; ++j) {
-      // Nodes in reverse order; u and rotations change their sign.
+      // Nodes in reverse order; u and rotations change sign.
       const double sign = (i % 3 == 1 ? 1.0 : -1.0) * (j % 3 == 1 ? 1.0 : -1.0);
       image(i, j) = sign * other(3 * (8 - i / 3) + i % 3, 3 * (8 - j / 3) + j % 3);
     }
@@ -152,7 +153,7 @@ TEST(FrameModel, GroupsOfBumpsRepeatTheirOwnRows) {
   const Matrix K = bump_foil_stiffness(make_frame_model(groups));
   const Matrix before = bump_foil_stiffness(make_frame_model(thin));
   const Matrix after = bump_foil_stiffness(make_frame_model(thick));
-  // All but the ends of the arcs at the flat between the groups, bumps 6 and 7.
+  // All except the arc ends at the flat between the groups, bumps 6 and 7.
   EXPECT_EQ(K.topLeftCorner(51, 51), before.topLeftCorner(51, 51));
   EXPECT_EQ(K.bottomRightCorner(51, 51), after.bottomRightCorner(51, 51));
   EXPECT_NE(K(51, 51), before(51, 51));
@@ -160,7 +161,7 @@ TEST(FrameModel, GroupsOfBumpsRepeatTheirOwnRows) {
 }
 
 TEST(FrameStress, TakesTheSectionOfItsBump) {
-  // One force at the free end of two cantilevered bumps: the moments are those of statics in either thickness.
+  // A force at the free end of two cantilevered bumps: moments follow from statics for any thickness.
   FoilDesign foils = frame_foils(2, WeldPosition::arc_start);
   foils.bumps[1].thickness *= 1.5;
   const FrameModel model = make_frame_model(foils);
@@ -179,8 +180,8 @@ TEST(FrameStress, TakesTheSectionOfItsBump) {
 }
 
 TEST(FrameStress, OfABumpPressedBetweenSlidingFeet) {
-  // One symmetric bump far from a weld: middle of five, all crests pressed alike. Its moments must be in equilibrium
-  // with the crest load, and the crest carries the largest.
+  // A symmetric bump far from the weld: the middle one of five, all crests equally loaded. Its moments must balance the
+  // crest load, with the maximum at the crest.
   const FrameModel model = make_frame_model(frame_foils(5, WeldPosition::mid_flat));
   const Matrix K = bump_foil_stiffness(model);
   std::vector<Eigen::Index> free;
@@ -200,17 +201,17 @@ TEST(FrameStress, OfABumpPressedBetweenSlidingFeet) {
     x[free[i] / 9 * 11 + free[i] % 9] = moved[static_cast<Eigen::Index>(i)];
   }
   const FrameStress stress = frame_stress(model, x);
-  // Mirror symmetry of a bump whose neighbours differ by the reach of the ends, below a tenth per bump.
+  // Mirror symmetry; neighbours differ by end effects, which decay to less than a tenth per bump.
   EXPECT_NEAR(stress.arc_start[2], stress.arc_end[2], 0.05 * stress.crest[2]);
   EXPECT_GE(stress.largest[2], stress.crest[2]);
-  // No thrust but what the flats carry, which vanishes for a pitch that adapts: crest and foot share P l0 / 2.
+  // No thrust except that of the flats, which vanishes for a free pitch: crest and foot share P l0 / 2.
   const double static_moment = 0.5 * crest_load * model.arcs[2].half_length / model.sections[0].modulus;
   EXPECT_NEAR(stress.crest[2] + 0.5 * (stress.arc_start[2] + stress.arc_end[2]), static_moment, 0.02 * static_moment);
   EXPECT_GT(stress.weld, 0.0);
 }
 
 TEST(FrameStress, IsFreeOfRigidMotionUnderLargeDisplacements) {
-  // All that follows the first flat is turned about the weld by a finite angle: only this flat is bent.
+  // Everything after the first flat is turned about the weld by a finite angle: only this flat is bent.
   FrameModel model = make_frame_model(frame_foils(2, WeldPosition::mid_flat));
   const double angle = 0.2;
   const double l = 0.5 * model.arcs[0].flat;
@@ -225,7 +226,7 @@ TEST(FrameStress, IsFreeOfRigidMotionUnderLargeDisplacements) {
   model.geometry = Geometry::nonlinear;
   const FrameStress turned = frame_stress(model, x);
   EXPECT_LT(turned.largest.maxCoeff(), 1e-9 * turned.weld);
-  // The flat keeps the length of its chord, and its end turns with that; its start is held back by the weld.
+  // The chord length of the flat is unchanged, and its end turns with the chord; its start is held by the weld.
   EXPECT_NEAR(turned.weld, 4.0 * model.sections[0].bending_stiffness / l * angle / model.sections[0].modulus,
               1e-9 * turned.weld);
   model.geometry = Geometry::linear;
@@ -233,7 +234,7 @@ TEST(FrameStress, IsFreeOfRigidMotionUnderLargeDisplacements) {
 }
 
 TEST(FrameStress, CantileveredBumpUnderAnEndForceIsStaticallyDeterminate) {
-  // One bump clamped at its start, a force F along v at its free end: M = F * distance, zero at the end.
+  // One bump clamped at its start, force F along v at its free end: M = F * distance, zero at the end.
   const FrameModel model = make_frame_model(frame_foils(1, WeldPosition::arc_start));
   const double force = 2.0;
   const Vector moved = bump_foil_stiffness(model).ldlt().solve(force * Vector::Unit(9, 7));

@@ -15,21 +15,21 @@ namespace {
 
 using std::numbers::pi;
 const Section element_section = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
-/// Bending alone: stretching a hundred million times stiffer, which leaves 1e-8 or less of it.
+/// Bending only: axial stiffness 1e8 times higher, which leaves errors of at most 1e-8.
 const Section inextensible_section{.bending_stiffness = 1.0, .axial_stiffness = 1e8, .modulus = 1.0};
 
 using Long = long double;
 using LongMatrix3 = Eigen::Matrix<Long, 3, 3>;
 
-/// Displacements (u, v, rotation) of the end of an element clamped at its start per unit of forces and moment there:
-/// the integrals of Castigliano's theorem by the composite rule of Gauss with three points.
+/// Displacements (u, v, rotation) of the end of an element clamped at its start per unit of end forces and moment: the
+/// integrals of Castigliano's theorem by a composite three-point Gauss rule.
 LongMatrix3 integrated_flexibility(const Section& section, const FrameElement& element) {
   constexpr int pieces = 400;  // error (turning / pieces)^6 below 1e-15
   const Long x = element.turning;
   const Long l = element.length();
   const Long first_angle = std::atan2(Long{element.chord.y()}, Long{element.chord.x()}) - x / 2;
   LongMatrix3 flexibility = LongMatrix3::Zero();
-  Eigen::Matrix<Long, 2, 1> place(0, 0);  // walked along the curve
+  Eigen::Matrix<Long, 2, 1> place(0, 0);  // position along the curve
   const Eigen::Matrix<Long, 2, 1> end = element.chord.cast<Long>();
   const Long h = l / pieces;
   const Long gauss = std::sqrt(Long{3} / 5);
@@ -64,13 +64,13 @@ TEST(FrameElement, EqualsTheInverseOfTheIntegratedFlexibility) {
       const FrameElement element{{c * std::cos(direction), c * std::sin(direction)}, turning};
       const ElementMatrix K = frame_element_stiffness(element_section, element);
       const LongMatrix3 exact = integrated_flexibility(element_section, element).inverse();
-      // Rotations times the chord, so that all entries are N/m.
+      // Rotations times the chord length, so that all entries are N/m.
       const Eigen::Matrix<Long, 3, 1> scale(1, 1, 1 / Long{c});
       const LongMatrix3 error =
           scale.asDiagonal() * (K.bottomRightCorner<3, 3>().cast<Long>() - exact) * scale.asDiagonal();
       const LongMatrix3 reference = scale.asDiagonal() * exact * scale.asDiagonal();
       EXPECT_LT(error.norm(), 1e-12L * reference.norm()) << turning << ' ' << direction;
-      // The soft directions too: the flexibility, not the stiffness, is what loads on a foil meet.
+      // Soft directions too: loads on a foil act through the flexibility, not the stiffness.
       const LongMatrix3 product = scale.cwiseInverse().asDiagonal() * integrated_flexibility(element_section, element) *
                                   K.bottomRightCorner<3, 3>().cast<Long>() * scale.asDiagonal();
       EXPECT_LT((product - LongMatrix3::Identity()).norm(), 1e-10L) << turning << ' ' << direction;
@@ -112,7 +112,7 @@ TEST(FrameElement, StraightOneIsTheTextbookBeam) {
 }
 
 TEST(FrameElement, QuarterCircleCantileverHasThePublishedDeflections) {
-  // Thin quarter circle of radius R clamped at one end, force P at the free end along the tangent of the clamp: it
+  // Thin quarter circle of radius R clamped at one end, force P at the free end along the tangent at the clamp: it
   // moves by pi/4 P R^3 / EI along the force, by half of P R^3 / EI across it, and turns by P R^2 / EI [Timoshenko,
   // Strength of Materials, part I].
   const FrameElement quarter{{1.0, 1.0}, pi / 2};  // starts along x, ends along y
@@ -127,7 +127,7 @@ TEST(FrameElement, QuarterCircleCantileverHasThePublishedDeflections) {
 
 TEST(FrameElement, FixedSemicircularArchHasThePublishedThrustAndMoments) {
   // Fixed semicircular arch under a central load P: thrust H = (4 - pi) / (pi^2 - 8) P [Timoshenko]; the moments at
-  // crown and springings follow from it and from the zero rotation of the crown.
+  // crown and springings follow from it and from zero rotation at the crown.
   const FrameElement half{{1.0, -1.0}, pi / 2};  // springing (rising along -y) to crown
   // Crown: u = 0, rotation 0 by symmetry; half the load acts on v.
   const ElementMatrix K = frame_element_stiffness(inextensible_section, half);
@@ -140,11 +140,11 @@ TEST(FrameElement, FixedSemicircularArchHasThePublishedThrustAndMoments) {
   EXPECT_NEAR(reactions[1], -0.5, 1e-12);
 
   const ElementForces forces = element_forces(inextensible_section, half, ends);
-  // M(phi) from the crown: M_c - H (1 - cos) + (P/2) sin up to the sign, its mean zero.
+  // M(phi) from the crown: M_c - H (1 - cos) + (P/2) sin except for the sign, with zero mean.
   const double crown = (thrust * (pi / 2 - 1) - 0.5) / (pi / 2);
   EXPECT_NEAR(std::abs(bending_moment(half, forces, 0.5)), std::abs(crown), 1e-6);
   EXPECT_NEAR(std::abs(bending_moment(half, forces, -0.5)), std::abs(crown - thrust + 0.5), 1e-6);
-  EXPECT_NEAR(std::abs(crown), 0.1514, 1e-4);                 // printed in tables of arches
+  EXPECT_NEAR(std::abs(crown), 0.1514, 1e-4);                 // from tables of arches
   EXPECT_NEAR(std::abs(crown - thrust + 0.5), 0.1106, 1e-4);  // likewise
 }
 
@@ -163,13 +163,13 @@ TEST(FrameElement, MomentsMeetTheEndLoads) {
       sampled = std::max(sampled, std::abs(bending_moment(element, forces, -0.5 + i / 4000.0)));
     }
     EXPECT_GE(largest_moment(element, forces), sampled * (1 - 1e-14));
-    EXPECT_NEAR(largest_moment(element, forces), sampled, 1e-5 * sampled);  // the sampling's own error
+    EXPECT_NEAR(largest_moment(element, forces), sampled, 1e-5 * sampled);  // sampling error
   }
 }
 
 TEST(FrameElement, MomentIsLargestInsideAnArcUnderPureThrust) {
-  // Forces along the chord alone: the moment is largest where the arc is farthest from the elastic centre, and between
-  // the ends for a moment that shifts it.
+  // Forces along the chord only: the moment is largest where the arc is farthest from the elastic centre; an end moment
+  // shifts the maximum between the ends.
   const FrameElement element{{1.0, 0.0}, 2.0};
   const ElementForces forces{.along = 1.0, .across = 0.0, .moment = -0.1};
   EXPECT_NEAR(largest_moment(element, forces), std::abs(bending_moment(element, forces, 0.0)), 1e-15);
@@ -179,13 +179,13 @@ TEST(FrameElement, MomentIsLargestInsideAnArcUnderPureThrust) {
 TEST(StiffnessInSeries, OfTwoHalvesIsThatOfTheWhole) {
   const ElementMatrix half = frame_element_stiffness(element_section, flat_element(0.7e-3));
   const ElementMatrix whole = frame_element_stiffness(element_section, flat_element(1.4e-3));
-  const ElementVector unit{{1e-3, 1e-3, 1.0, 1e-3, 1e-3, 1.0}};  // displacements beside rotations
+  const ElementVector unit{{1e-3, 1e-3, 1.0, 1e-3, 1e-3, 1.0}};  // scales of displacements and rotations
   const ElementMatrix difference = unit.asDiagonal() * (stiffness_in_series(half, half) - whole) * unit.asDiagonal();
   EXPECT_LT(difference.norm(), 1e-13 * (unit.asDiagonal() * whole * unit.asDiagonal()).norm());
 }
 
 TEST(StiffnessInSeries, BendsASteppedCantileverAsTheTextbookSays) {
-  // Clamped at the start, a force at its end: the moment of each part is known, whatever its stiffness.
+  // Clamped at the start, a force at the end: the moment of each part is known, whatever its stiffness.
   const Section thick = make_section(214e9, 0.29, 38.1e-3, 0.204e-3);
   const double a = 1e-3;
   const double b = 2e-3;
@@ -208,7 +208,7 @@ TEST(FrameElement, HalvesOfABumpMeetAtTheCrest) {
       make_bump_arc({.pitch = 4.572e-3, .half_length = 1.778e-3, .rise = 0.406e-3, .thickness = 0.102e-3});
   EXPECT_EQ(rising_half(arc).chord + falling_half(arc).chord, Eigen::Vector2d(2.0 * arc.half_length, 0.0));
   EXPECT_NEAR(rising_half(arc).length(), arc.radius * arc.half_angle, 1e-15 * arc.radius);
-  // The tangent is along x at the crest: the chord stands half the turning off.
+  // The tangent is along x at the crest: the chord is inclined by half the turning.
   EXPECT_NEAR(std::atan2(falling_half(arc).chord.y(), falling_half(arc).chord.x()), 0.5 * arc.half_angle, 1e-14);
 }
 

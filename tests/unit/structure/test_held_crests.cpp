@@ -16,7 +16,7 @@ FoilDesign reference_foils(BumpFoilModel model) {
   return make_bearing_design(PadDesign(input));
 }
 
-/// Of the frame, from an independent program.
+/// Reference values of an independent program for the frame.
 TEST(HeldCrests, OfTheFrameTurnTogether) {
   const Matrix K = held_crest_stiffness(make_foil_structure(reference_foils(BumpFoilModel::frame)), 0);
   ASSERT_EQ(K.rows(), 26);

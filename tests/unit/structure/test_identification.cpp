@@ -30,7 +30,7 @@ TEST(Identification, ReferenceBumpWithTheHeightOfTheMidSurface) {
   const BumpArc arc = reference_arc(HeightReference::midsurface);  // rise 0.508 mm
   const BumpCell cell = make_bump_cell(arc, identified_foil);
   const TrussConstants truss = identify_truss_constants(arc, identified_foil);
-  // Published to three or four digits; they are met to 0.1 %.
+  // Published with three or four digits; met to 0.1 %.
   EXPECT_NEAR(cell.a, 24.53e6, 1e-3 * 24.53e6);
   EXPECT_NEAR(cell.b, 34.92e6, 1e-3 * 34.92e6);
   EXPECT_NEAR(cell.d, 54.07e6, 1e-3 * 54.07e6);
@@ -61,7 +61,7 @@ TEST(Identification, TrussIsExactForTheUniformCell) {
   const BumpArc arc = reference_arc(HeightReference::overall);
   const BumpCell cell = make_bump_cell(arc, identified_foil);
   const TrussConstants truss = identify_truss_constants(arc, identified_foil);
-  // One bump of an endless truss whose crests move by v and whose pitch grows by e: elongations of the four springs.
+  // One bump of an endless truss with crest displacement v and pitch extension e: elongations of the four springs.
   const double v = 3e-6;
   const double e = -2e-6;
   const double rod = 0.5 * e * std::cos(truss.theta_d) - v * std::sin(truss.theta_d);
@@ -69,8 +69,7 @@ TEST(Identification, TrussIsExactForTheUniformCell) {
   EXPECT_NEAR(energy, 0.5 * cell.a * v * v - cell.b * v * e + 0.5 * cell.d * e * e, 1e-12 * energy);
 }
 
-/// Loads on the crests of a foil in the frame model where all are pressed by 1 m, feet on the sleeve and
-/// sliding.
+/// Crest loads of a foil in the frame model with all crests displaced by 1 m, feet sliding on the sleeve.
 Vector frame_crest_loads(const FoilDesign& foils) {
   const FrameModel model = make_frame_model(foils);
   const BumpDofs dofs = frame_dofs();
@@ -110,13 +109,13 @@ Vector truss_crest_loads(const FoilDesign& foils) {
 }
 
 TEST(Identification, CellIsThatOfALongFrame) {
-  // Twelve bumps repeat the cell between weld and free end. The load of a middle bump is the crest stiffness of the
-  // cell whose pitch adapts.
+  // Twelve bumps repeat the cell between weld and free end. The load of a middle bump is the crest stiffness of a cell
+  // with free pitch.
   Case input = reference_case();
   input.bump_foil.bumps = 12;
   const double cell = make_bump_cell(make_bump_arc(nominal_bump(input.bump_foil)), identified_foil).crest_stiffness();
   const Vector loads = frame_crest_loads(make_bearing_design(input));
-  EXPECT_NEAR(loads[6], cell, 1e-4 * cell);  // the ends are felt by less than a tenth per bump
+  EXPECT_NEAR(loads[6], cell, 1e-4 * cell);  // end effects decay to less than a tenth per bump
 }
 
 /// Twelve bumps of one shape, then twelve of another.
@@ -141,8 +140,7 @@ TEST(Identification, EachGroupOfBumpsHasItsOwnCell) {
   }
 }
 
-/// Minus the coupling of u between the crests of bumps 5 and 6 of ten, all condensed to u and v of crests and
-/// mid-flats.
+/// Minus the coupling of u between the crests of bumps 5 and 6 of ten, condensed to u and v of crests and mid-flats.
 double dense_crest_coupling(const FoilDesign& foils, const BumpShape& bump) {
   PlanarFrame strip(4 * 10 + 1);
   PlanarFrame::Unknowns kept{0, 1};
@@ -163,10 +161,10 @@ TEST(TrussConstants, CrestsAreCoupledAsInALongStrip) {
   const std::vector<TrussConstants> constants = make_truss_constants(groups);
   const double first = dense_crest_coupling(groups, groups.bumps[0]);
   const double second = dense_crest_coupling(groups, groups.bumps[12]);
-  EXPECT_NEAR(constants[11].k3, first, 1e-10 * first);  // cond of the strip
+  EXPECT_NEAR(constants[11].k3, first, 1e-10 * first);  // condition number of the strip
   EXPECT_NEAR(constants[13].k3, second, 1e-10 * second);
   EXPECT_GT(std::abs(second / first - 1.0), 0.1);
-  // Between the groups by half of either.
+  // Between the groups: the mean of both.
   EXPECT_NEAR(constants[12].k3, 0.5 * (first + second), 1e-10 * first);
 }
 
@@ -186,7 +184,7 @@ TEST(TrussConstants, OfAGroupAreThoseOfItsUniformFoil) {
 }
 
 TEST(TrussConstants, FeetCarryWhatCrestsDoNot) {
-  // In foils of one bump each of three shapes k3 goes from bump to bump; each cell keeps its k2 + k3.
+  // With single bumps of three shapes, k3 varies from bump to bump; each cell keeps its k2 + k3.
   FoilDesign foils = make_bearing_design(reference_case());
   for (std::size_t n = 0; n < foils.bumps.size(); ++n) {
     foils.bumps[n].half_length += 0.03e-3 * static_cast<double>(n % 3);
@@ -204,7 +202,7 @@ TEST(TrussConstants, FeetCarryWhatCrestsDoNot) {
 
 TEST(TrussConstants, FaultsNameTheBump) {
   FoilDesign foils = two_groups();
-  foils.bumps[7].pitch = 2.0 * foils.bumps[7].half_length + 4e-3;  // k2 < 0, and k4 of a bump that has no weld
+  foils.bumps[7].pitch = 2.0 * foils.bumps[7].half_length + 4e-3;  // k2 < 0; k4 is not checked without a weld
   const std::vector<Fault> faults = find_truss_faults(foils);
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].key, "bump_foil.truss.k2");
@@ -221,7 +219,7 @@ TEST(Identification, FirstBumpOfTrussAndFrameAreEquallyStiff) {
   const Eigen::Matrix3d sliding = K.dense().topLeftCorner<3, 3>();
   const double stiffness = 1.0 / sliding.inverse()(1, 1);
 
-  // The frame from a weld to the next mid-flat; half a flat is added by hand after the arc.
+  // The frame from a weld to the next mid-flat; half a flat after the arc is added by hand.
   const FrameModel model = make_frame_model(make_bearing_design(input));
   BlockTridiagonal frame(1, 11);
   assemble_frame(model, frame);
@@ -268,7 +266,7 @@ TEST(TrussConstants, ShapesThatATrussCannotFollowAreRefusedWithAdvice) {
   input.bump_foil.truss.k2 = 1e6;
   const TrussConstants given = make_truss_constants(make_bearing_design(input)).front();
   EXPECT_EQ(given.k2, 1e6);
-  // What k2 was, and what the advice says of k2 + k3, to the digits of messages.
+  // The reported k2 and the k2 + k3 of the advice, to the digits of messages.
   const std::string& advice = faults[0].advice;
   const double k2 = std::stod(faults[0].what.substr(faults[0].what.find("as ") + 3));
   const double sum = std::stod(advice.substr(advice.rfind("= ") + 2));

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Of the foil of [Arghir2019, Table 1].
+/// The foil of [Arghir2019, Table 1].
 constexpr double half_width = 19.05e-3;
 constexpr double radius = 19.05e-3;
 constexpr double stretching = 214e9 * 0.102e-3;
@@ -21,7 +21,7 @@ Membrane example() {
   return make_membrane({2}, half_width, radius, stretching, poisson_ratio);
 }
 
-/// The equations of all columns but the last, densely: F of all columns, then g.
+/// Dense equations of all columns except the last: F of all columns, then g.
 Matrix dense(const std::vector<MembraneRows>& rows) {
   const auto n = std::ssize(rows);
   const Eigen::Index m = rows.front().own.rows() / 2;
@@ -60,7 +60,7 @@ TEST(StressFunction, IntegralsAreThoseOfPolynomials) {
   EXPECT_NEAR(odd.G[0], 2.0 / 7.0 * a, 1e-12);
 }
 
-/// Integrals of chi_2 = (1 - zeta^2)^2 / 8, by themselves.
+/// Integrals of chi_2 = (1 - zeta^2)^2 / 8, computed separately.
 TEST(StressFunction, VanishesAtTheSideEdges) {
   const auto chi = [](double zeta) { return (1.0 - zeta * zeta) * (1.0 - zeta * zeta) / 8.0; };
   constexpr double h = 1e-3;
@@ -76,7 +76,7 @@ TEST(StressFunction, VanishesAtTheSideEdges) {
   EXPECT_NEAR(stress_function_integrals({2}, 1.0).A(0, 0), sum, 1e-9);
 }
 
-/// The foil is displaced by 1 um P_2, all along but at the weld: hoop tension of columns, six to a pitch, from an
+/// The foil is displaced by 1 um P_2 everywhere except at the weld: hoop tension of columns, six per pitch, from an
 /// independent program.
 TEST(Membrane, IsStretchedByAParabolaOverTheWidth) {
   constexpr int columns = 156;
@@ -93,14 +93,14 @@ TEST(Membrane, IsStretchedByAParabolaOverTheWidth) {
   for (const auto& [column, tension] : reference) {
     EXPECT_NEAR(f[column], tension, 1e-6 * 1145.827) << column;  // N/m
   }
-  // Far from both ends E t w / R, but for a wave that decays over two pitches.
+  // Far from both ends E t w / R, except for a wave that decays over two pitches.
   EXPECT_NEAR(f[60], stretching * 1e-6 / radius, 2e-3 * 1145.827);
 }
 
 /// The rows are derivatives of one energy: with g eliminated they are symmetric and positive definite.
 TEST(Membrane, RowsAreThoseOfAnEnergy) {
   const Membrane membrane = make_membrane({2, 4}, half_width, radius, stretching, poisson_ratio);
-  const Vector intervals = 1e-3 * Vector::LinSpaced(12, 0.5, 1.2);  // of different length
+  const Vector intervals = 1e-3 * Vector::LinSpaced(12, 0.5, 1.2);  // unequal intervals
   const Matrix A = dense(membrane_rows(membrane, intervals));
   const Eigen::Index n = A.rows() / 2;
   const Matrix eliminated =
@@ -111,7 +111,7 @@ TEST(Membrane, RowsAreThoseOfAnEnergy) {
   EXPECT_GT(pivots.minCoeff(), 0.0);
 }
 
-/// A uniform load on a mode far from the ends: nothing curves.
+/// A uniform load on a mode far from the ends: no curvature.
 TEST(Membrane, IsAFoundationWhereNothingVaries) {
   const Membrane membrane = example();
   const std::vector<MembraneRows> rows = membrane_rows(membrane, Vector::Constant(20, 1e-3));

@@ -18,7 +18,7 @@ BumpArc arc_of_rise(double rise) {
 }
 
 /// Crest stiffness of a bump from its falling half: crest guided (u = 0, no rotation), foot on the sleeve (v = 0),
-/// under a friction force at the foot of mu times half the load, against sliding outwards.
+/// friction force of mu times half the load at the foot, opposing outward sliding.
 double frame_stiffness(const BumpArc& arc, double friction_coefficient, bool foot_turns) {
   const Section inextensible{.bending_stiffness = 1.0, .axial_stiffness = 1e14, .modulus = 1.0};
   const ElementMatrix K = frame_element_stiffness(inextensible, falling_half(arc));
@@ -51,7 +51,7 @@ TEST(SingleBump, AgreesWithTheArcElement) {
     const BumpArc arc = arc_of_rise(rise);
     for (const double mu : {-0.3, 0.0, 0.1, 0.2}) {
       const double K = sliding_bump_stiffness(arc, bump_section, mu).value();
-      EXPECT_NEAR(frame_stiffness(arc, mu, true), K, 1e-6 * K) << rise << ' ' << mu;  // the stretching that is left
+      EXPECT_NEAR(frame_stiffness(arc, mu, true), K, 1e-6 * K) << rise << ' ' << mu;  // remaining axial strain
     }
     const double guided = guided_bump_stiffness(arc, bump_section);
     EXPECT_NEAR(frame_stiffness(arc, 0.0, false), guided, 1e-6 * guided) << rise;

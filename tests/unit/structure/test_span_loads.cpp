@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-/// The top foil of the reference bearing, with crests where they are.
+/// The top foil of the reference bearing, with its crest positions.
 struct Foil {
   TopFoilBeam beam = make_top_foil_beam(make_bearing_design(reference_case()));
   TopFoilMoments form = make_top_foil_moments(beam);
@@ -17,7 +17,7 @@ struct Foil {
   double end_angle = 26 * 4.572e-3 / 19.05e-3;
 };
 
-/// A free cantilever under a uniform load q on all of it. With a = end_angle, u'' + u = R^2 M / EI' and
+/// A free cantilever under a uniform load q over its length. With a = end_angle, u'' + u = R^2 M / EI' and
 /// M = R^2 q (1 - cos(a - theta)) give, clamped at theta = 0,
 ///
 ///     u = (R^4 q / EI') (1 - cos(theta) - (theta sin(theta - a) + sin(a) sin(theta)) / 2)
@@ -32,14 +32,14 @@ TEST(CrestLoads, UniformLoadDisplacesTheCrestsAsTheClosedFormSays) {
   const Vector uniform = Vector::Constant(foil.crests + 1, 3.0);
   const Vector loads = crest_loads(foil.beam, foil.form, foil.end_angle, uniform);
   const Vector expected = top_foil_loads(foil.form, cantilever_loads(foil.beam, foil.end_angle, 3.0));
-  // Displacements of 200 mm that differ by what counts: the closed form loses some digits of its 16.
+  // Loads follow from small differences of displacements of 200 mm: the closed form loses some of its 16 digits.
   EXPECT_LT((loads - expected).cwiseAbs().maxCoeff(), 1e-8 * loads.cwiseAbs().maxCoeff());
   const Vector u = top_foil_compliance(foil.beam) * loads;
   const Vector exact = cantilever_loads(foil.beam, foil.end_angle, 3.0);
   EXPECT_LT((u - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
 }
 
-/// Part by part: the load of one span alone against a fine comb of point loads on it.
+/// Each span separately: the load of one span compared with many closely spaced point loads.
 TEST(CrestLoads, EachSpanIsTheSumOfItsPointLoads) {
   const Foil foil;
   constexpr double q = 5.0;
@@ -47,7 +47,7 @@ TEST(CrestLoads, EachSpanIsTheSumOfItsPointLoads) {
   for (const Eigen::Index span : {Eigen::Index{0}, Eigen::Index{1}, Eigen::Index{12}, foil.crests - 1, foil.crests}) {
     const double begin = span == 0 ? 0.0 : foil.beam.theta[span - 1];
     const double end = span == foil.crests ? foil.end_angle : foil.beam.theta[span];
-    // Displacements of the crests by loads elsewhere: compliance of a beam with one more angle, midpoint rule.
+    // Crest displacements under loads elsewhere: compliance of a beam with one more angle, midpoint rule.
     Vector u = Vector::Zero(foil.crests);
     for (int i = 0; i < points; ++i) {
       const double at = begin + (i + 0.5) * (end - begin) / points;
@@ -62,7 +62,7 @@ TEST(CrestLoads, EachSpanIsTheSumOfItsPointLoads) {
     Vector line_load = Vector::Zero(foil.crests + 1);
     line_load[span] = q;
     const Vector found = top_foil_compliance(foil.beam) * crest_loads(foil.beam, foil.form, foil.end_angle, line_load);
-    // The midpoint rule is off by (1/400)^2 / 24 of the curvature of a smooth function.
+    // Error of the midpoint rule for a smooth function: (1/400)^2 / 24 of its curvature.
     EXPECT_LT((found - u).cwiseAbs().maxCoeff(), 2e-6 * u.cwiseAbs().maxCoeff()) << "span " << span;
   }
 }

@@ -18,7 +18,7 @@ Case small_case(BumpFoilModel model, int bumps) {
   return input;
 }
 
-/// Unknowns under these loads on the top foil, one per crest.
+/// Displacements under these loads on the top foil, one per crest.
 Vector under_top_loads(const Case& input, const Vector& loads) {
   const FoilStructure structure = make_foil_structure(make_bearing_design(input));
   Vector right = Vector::Zero(structure.K.rows());
@@ -41,7 +41,7 @@ TEST(FoilStress, OfTheTopFoilIsThatOfAStaticallyDeterminateCantilever) {
       const double e = input.top_foil.thickness;
       return std::abs(moment) * 0.5 * e / (input.bearing.axial_length * e * e * e / 12.0);
     };
-    // Roundings of a system whose condition number is 1e5.
+    // Round-off of a system with a condition number of 1e5.
     const double tolerance = 1e-9 * expected(0.0);
     EXPECT_NEAR(stress.top_weld.value(), expected(0.0), tolerance);
     ASSERT_EQ(stress.top_crest.size(), bumps);
@@ -53,7 +53,7 @@ TEST(FoilStress, OfTheTopFoilIsThatOfAStaticallyDeterminateCantilever) {
 TEST(FoilStress, OfTheFrameStandsFootByFoot) {
   const Case input = small_case(BumpFoilModel::frame, 3);
   Vector x = Vector::Zero(3 * 11);
-  x[11 + 3] = 1e-6;  // the second crest along the foil, so that both of its feet differ
+  x[11 + 3] = 1e-6;  // second crest along the foil, so that its two feet differ
   x[11 + 4] = -5e-6;
   const FoilStress stress = foil_stress(make_stress_model(make_bearing_design(input)), x);
   const FrameStress frame = frame_stress(make_frame_model(make_bearing_design(input)), x);
@@ -70,7 +70,7 @@ TEST(FoilStress, OfTheFrameStandsFootByFoot) {
 }
 
 TEST(FoilStress, OfALooseStripStandsBumpByBump) {
-  // The block before bump 1 is a foot alone: what stands in the others' places there is no moment.
+  // The block before bump 1 is only a foot: its other entries are not moments.
   FoilDesign foils = make_bearing_design(small_case(BumpFoilModel::truss, 3));
   foils.radius.reset();
   foils.welded = false;

@@ -23,7 +23,7 @@ TopFoilBeam reference_beam(int crests) {
   return make_top_foil_beam(make_bearing_design(input));
 }
 
-/// The compliance as printed (sign turned), in long double: 2048 times finer than the code under test.
+/// The published compliance (sign changed) in long double: 2048 times the precision of the code under test.
 LongMatrix printed_compliance(const TopFoilBeam& beam) {
   const Eigen::Index n = beam.theta.size();
   const auto radius = static_cast<long double>(beam.radius);
@@ -52,7 +52,7 @@ TEST(TopFoilCompliance, EqualsThePrintedForm) {
     const TopFoilBeam beam = reference_beam(crests);
     const LongMatrix S = printed_compliance(beam);
     const LongMatrix error = top_foil_compliance(beam).cast<long double>() - S;
-    // A few roundings of double precision in angles up to 6 rad; entries of both signs cancel somewhere.
+    // Double-precision round-off in angles up to 6 rad; entries of both signs cancel in places.
     EXPECT_LT((error.array().abs() / S.array().abs().max(1e-3L * S.diagonal().maxCoeff())).maxCoeff(), 1e-13L);
     EXPECT_LT(std::abs(error(0, 0) / S(0, 0)), 1e-13L);
   }
@@ -62,7 +62,7 @@ TEST(TopFoilCompliance, IsThatOfAStraightCantileverNearTheWeld) {
   TopFoilBeam beam = reference_beam(1);
   beam.theta[0] = 1e-4;
   const double length = beam.radius * beam.theta[0];
-  // The curvature enters at theta^2 = 1e-8.
+  // Curvature affects it by theta^2 = 1e-8.
   EXPECT_NEAR(top_foil_compliance(beam)(0, 0) * 3.0 * beam.bending_stiffness / std::pow(length, 3), 1.0, 1e-8);
 }
 
@@ -72,7 +72,7 @@ TEST(TopFoilMoments, AgreeWithTheInverseOfTheCompliance) {
     const Matrix K = moment_stiffness(make_top_foil_moments(beam));
     const Matrix exact = printed_compliance(beam).inverse().cast<double>();
     EXPECT_LT((K - exact).norm(), 1e-12 * exact.norm()) << crests;
-    // cond(S) = 4e6 at 60 crests times the rounding unit.
+    // cond(S) = 4e6 at 60 crests times machine precision.
     EXPECT_LT((top_foil_stiffness(beam) - exact).norm(), 1e-10 * exact.norm()) << crests;
   }
 }
@@ -104,8 +104,8 @@ TEST(TopFoilMoments, StayAccurateForTwoThousandCrestsWhereInversionDoesNot) {
   const TopFoilBeam beam = reference_beam(crests);
   const TopFoilMoments form = make_top_foil_moments(beam);
 
-  // A displaced crest is felt by few neighbours (2 - sqrt(3) from one to the next): far from the weld, its column of
-  // K_t is that of the last 60 crests welded before the first of them, which long double can invert.
+  // A displaced crest affects few neighbours (factor 2 - sqrt(3) from one to the next): far from the weld, its column
+  // of K_t equals that of the last 60 crests welded before the first of them, which long double can invert.
   constexpr Eigen::Index last = 60;
   TopFoilBeam end = beam;
   end.theta = beam.theta.tail(last).array() - beam.theta[crests - last - 1];
@@ -113,13 +113,14 @@ TEST(TopFoilMoments, StayAccurateForTwoThousandCrestsWhereInversionDoesNot) {
   const Vector u = Vector::Unit(crests, crests - last / 2);
   const Vector loads = top_foil_loads(form, u);
   const double moment_error = (loads.tail(last) - exact).norm() / exact.norm();
-  EXPECT_LT(moment_error, 1e-9);  // angles near 6 rad carry 1e-15 into spans of 3e-3, and K_t goes with their cube
+  // Angles near 6 rad have errors of 1e-15 in spans of 3e-3, and K_t scales with their cube.
+  EXPECT_LT(moment_error, 1e-9);
 
   const Vector inverted = top_foil_compliance(beam).llt().solve(u);
   const double inversion_error = (inverted.tail(last) - exact).norm() / exact.norm();
   EXPECT_GT(inversion_error, 1e-6);
 
-  // Loads along the whole foil: K_t (S f) returns f but for round-off of u = S f.
+  // Loads along the whole foil: K_t (S f) returns f up to round-off of u = S f.
   const Vector f = Vector::LinSpaced(crests, 0.0, 40.0).array().sin();
   const Vector displaced_foil = top_foil_compliance(beam) * f;
   const double stiffest = 16.0 * loads.norm();
@@ -175,7 +176,7 @@ TEST(TopFoilOfADesign, FlatOneHasTheFlexibilityOfACantilever) {
   foils.bumps[3].pitch = 3e-3;
   const double stiffness = make_top_foil_section(foils).bending_stiffness;
   const Matrix K = moment_stiffness(make_top_foil_moments(foils));
-  // u_i = P_j a^2 (3 b - a) / (6 EI'), a the nearer of both places and b the farther.
+  // u_i = P_j a^2 (3 b - a) / (6 EI'), a the smaller and b the larger distance from the weld.
   const Vector place = crest_positions(foils);
   Matrix S(4, 4);
   for (Eigen::Index i = 0; i < 4; ++i) {

@@ -20,8 +20,8 @@ FoilDesign some_foils(int bumps) {
   return make_bearing_design(PadDesign(input));
 }
 
-/// Unknowns of the crests alone, u of all lines, crest after crest, and all others.
-/// @param stride  from one station to the next; none: those of the first station alone
+/// Indices of the unknowns of the crests, u of all lines, crest after crest, and of all others.
+/// @param stride  from one station to the next; none: only the first station
 std::array<std::vector<Eigen::Index>, 2> parted(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index stride) {
   std::array<std::vector<Eigen::Index>, 2> parts;
   const Eigen::Index period = stride > 0 ? stride : K.block_size();
@@ -29,7 +29,7 @@ std::array<std::vector<Eigen::Index>, 2> parted(const BlockTridiagonal& K, Eigen
   return parts;
 }
 
-/// Stiffness of the crests alone.
+/// Stiffness condensed to the crests.
 Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index stride = 0) {
   const auto [kept, other] = parted(K, lines, stride);
   const Matrix all = K.dense();
@@ -38,7 +38,7 @@ Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index str
   return all(kept, kept) - across.transpose() * out.partialPivLu().solve(across);
 }
 
-/// Loads of a formed foil on the crests alone.
+/// Loads of a formed foil condensed to the crests.
 Vector pressed_by(const TopFoilOnLines& foil, Eigen::Index lines) {
   const auto [kept, other] = parted(foil.K, lines, 0);
   const Matrix all = foil.K.dense();
@@ -70,8 +70,8 @@ TEST(TopFoilOnLines, IsABeamUnderEachLineWithoutAMembrane) {
   }
 }
 
-/// What is uniform or linear over the width does not stretch the foil; a parabola does, and that is stiffer than
-/// its slices.
+/// Displacements uniform or linear over the width do not stretch the foil; a parabola does, which is stiffer than
+/// separate slices.
 TEST(TopFoilOnLines, StretchesUnderAParabolaAlone) {
   const int bumps = 4;
   FoilDesign foils = some_foils(bumps);
@@ -96,7 +96,7 @@ TEST(TopFoilOnLines, StretchesUnderAParabolaAlone) {
   const Vector of_slices = beam * alike / 5.0;
   const Vector of_sheet = stretched * alike;
   EXPECT_GT(alike.dot(of_sheet), 1.1 * alike.dot(of_slices));
-  foils.top_foil->youngs_modulus *= 1e3;  // to scale, bending and membrane both
+  foils.top_foil->youngs_modulus *= 1e3;  // scales bending and membrane alike
   EXPECT_LT((of_mode(2) / 1e3 - stretched).norm(), 1e-8 * stretched.norm());
 }
 
@@ -105,7 +105,7 @@ TEST(TopFoilOnLines, KeepsColumnsBetweenTheCrests) {
   FoilDesign foils = some_foils(bumps);
   const double R = foils.radius.value();
   const double pitch = foils.bumps.front().pitch;
-  // Carried at half the distance: a beam under each line over twice as many crests.
+  // Supported at half the distance: a beam under each line over twice as many crests.
   const WidthLines two = make_width_lines(2, WidthPart::whole);
   TopFoilBeam beam = make_top_foil_beam(foils);
   beam.theta = Vector::LinSpaced(2 * bumps, 0.5 * pitch / R, bumps * pitch / R);
@@ -117,7 +117,7 @@ TEST(TopFoilOnLines, KeepsColumnsBetweenTheCrests) {
     const auto line = Eigen::seqN(s, 2 * bumps, 2);
     EXPECT_LT((found(line, line) - two.weight[s] * expected).norm(), 1e-8 * expected.norm());
   }
-  // What is not loaded there may as well be eliminated; the foil goes on as far behind its last crest.
+  // Unloaded stations can be eliminated; the foil extends by the same length beyond its last crest.
   const WidthLines three = make_width_lines(3, WidthPart::whole);
   for (const std::vector<int>& stations : {std::vector<int>{0, 3}, std::vector<int>{0, 2, 3}}) {
     const Matrix kept = of_crests(top_foil_on_lines(foils, three, stations).K, 3);
@@ -150,7 +150,7 @@ TEST(TopFoilOnLines, IsFormedAsTheUniformFoil) {
   EXPECT_NEAR(found.forming_energy, uniform.forming_energy, 1e-9 * uniform.forming_energy);
 }
 
-/// A station where nothing carries the foil may as well not be there; the foil ends as far from its last crest.
+/// A station without support can be omitted; the foil ends at the same distance from its last crest.
 TEST(TopFoilOnLines, IsFormedBetweenTheCrests) {
   FoilDesign foils = some_formed_foils(4);
   const double pitch = foils.bumps.front().pitch;

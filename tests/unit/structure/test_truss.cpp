@@ -43,7 +43,7 @@ TEST(Truss, EqualsThePublishedMatrixForTwoBumps) {
 }
 
 TEST(Truss, WithoutAWeldIsItsOwnMirrorImage) {
-  // Blocks: the foot before bump 1, then three bumps. Mirrored, foot k becomes foot 3 - k with the sign of u turned.
+  // Blocks: the foot before bump 1, then three bumps. Mirrored, foot k becomes foot 3 - k, and u changes sign.
   BlockTridiagonal K(4, dofs.size);
   assemble_springs(make_truss_springs(uniform(3), dofs, false), K);
   const Matrix whole = K.dense();
@@ -65,7 +65,7 @@ TEST(Truss, WithoutAWeldIsItsOwnMirrorImage) {
   }
   const Matrix image = sign.asDiagonal() * Matrix(whole(mirrored, mirrored)) * sign.asDiagonal();
   EXPECT_LT((image - whole(order, order)).norm(), 1e-15 * whole.norm());
-  // Free to move along the foil, and the unused crest of the first block is coupled to nothing.
+  // Free to move along the foil; the unused crest of the first block has no coupling.
   Vector shift = Vector::Zero(16);
   for (Eigen::Index b = 0; b < 4; ++b) shift[4 * b] = shift[4 * b + 2] = 1.0;
   EXPECT_LT((whole * shift).norm(), 1e-15 * whole.norm());
@@ -83,8 +83,8 @@ TEST(Truss, EachBumpHasItsOwnSprings) {
     const auto& [k1, k2, k3, k4, theta_d] = graded[static_cast<std::size_t>(n)];
     const double c = std::cos(theta_d);
     const double s = std::sin(theta_d);
-    // The crest between its own rods; the foot between those of its bump and of the next; crest to crest before the
-    // bump, and at bump 1 to the weld in its place.
+    // Crests have their own rods, feet those of their bump and the next; crest to crest has the spring before the bump,
+    // at bump 1 the spring to the weld.
     const double after = n < 2 ? graded[static_cast<std::size_t>(n + 1)].k3 : 0.0;
     EXPECT_DOUBLE_EQ(dense(4 * n, 4 * n), 2.0 * k1 * c * c + (n == 0 ? k4 : k3) + after);
     EXPECT_DOUBLE_EQ(dense(4 * n + 1, 4 * n + 1), 2.0 * k1 * s * s);
@@ -106,7 +106,7 @@ TEST(Truss, IsTheHessianOfItsEnergy) {
   const Eigen::Index n = K.rows();
   const auto energy = [&](const Vector& x) { return spring_energy(springs, dofs.size, x); };
   const Vector origin = Vector::LinSpaced(n, -1.0, 2.0).array().sin();
-  // The energy is quadratic: central differences have no truncation error, and rounding falls with the step.
+  // The energy is quadratic: central differences have no truncation error, and round-off falls with larger steps.
   constexpr double step = 1.0;
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {

@@ -36,7 +36,7 @@ TEST(WidthLines, StandAtThePointsOfGaussOnTheWholeWidth) {
   EXPECT_EQ(lines.to_stretching_modes(), lines.to_modes.row(2));
 }
 
-/// On half the width odd modes say nothing.
+/// On half the width odd modes are undetermined.
 TEST(WidthLines, OfHalfTheWidthHaveTheEvenModes) {
   for (const int modes : {3, 4}) {
     EXPECT_EQ(make_width_lines(modes, WidthPart::half).orders, (std::vector<int>{0, 2}));
@@ -50,7 +50,7 @@ TEST(WidthLines, GiveDisplacementsByLinesOrByModesAlike) {
     const Eigen::Index n = lines.count();
     for (Eigen::Index s = 0; s < n; ++s) {
       EXPECT_LT((lines.shapes(lines.zeta[s]) - Vector::Unit(n, s)).norm(), 1e-13);
-      // A mode is what its polynomial has on the lines.
+      // The values of a mode are those of its polynomial on the lines.
       for (Eigen::Index k = 0; k < n; ++k) {
         Vector values(n);
         for (Eigen::Index t = 0; t < n; ++t) {
@@ -62,7 +62,7 @@ TEST(WidthLines, GiveDisplacementsByLinesOrByModesAlike) {
   }
 }
 
-/// What makes slices of the foil beams that do not know of each other.
+/// This makes slices of the foil independent beams.
 TEST(WidthLines, HaveOrthogonalShapes) {
   for (const WidthPart width : {WidthPart::half, WidthPart::whole}) {
     const WidthLines lines = make_width_lines(3, width);

@@ -41,7 +41,7 @@ TEST(Study, HasTheFiguresOfThePaperFirst) {
   ASSERT_GE(names.size(), 7U);
   for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(names[i], "figure" + std::to_string(10 + i));
   EXPECT_EQ(make_study("figure10").runs.size(), 4U);
-  EXPECT_EQ(make_study("figure15").runs.size(), 13U);  // the perfect bearing once
+  EXPECT_EQ(make_study("figure15").runs.size(), 13U);  // the perfect bearing only once
   EXPECT_EQ(make_study("figure16").runs.size(), 1U);
 }
 

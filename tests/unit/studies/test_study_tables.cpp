@@ -95,7 +95,7 @@ TEST_F(StudyTables, HeightsTellWhatTheJournalMeets) {
   const std::size_t row = 26 + 13;
   EXPECT_DOUBLE_EQ(number(table, row, "height_m"), 0.508e-3 + 40e-6);
   EXPECT_DOUBLE_EQ(number(table, row, "journal_centred_m"), 0.508e-3 + 31.8e-6);
-  // Bump 14 stands within 6 degrees of +X, where the journal comes nearer by all of its displacement.
+  // Bump 14 is within 6 degrees of +X, where the journal approaches by its full displacement.
   EXPECT_NEAR(number(table, row, "journal_pushed_m"), 0.508e-3 + 31.8e-6 - 79.5e-6, 0.006 * 79.5e-6);
 }
 
@@ -103,7 +103,7 @@ TEST_F(StudyTables, FoilsAreDrawnFromTheirGaps) {
   const StudyTable table = make(StudyTableKind::foils);
   ASSERT_EQ(table.rows.size(), 2U * 2U * 26U);
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    // Heights differ by the gaps; both are some 1e-4 m made of terms of 5e-4 m.
+    // Heights differ by the gaps; both are about 1e-4 m, computed from terms of 5e-4 m.
     const double rounding = 1e-18;
     EXPECT_NEAR(number(table, row, "journal_height_m") - number(table, row, "top_foil_height_m"),
                 number(table, row, "gap_journal_top_m"), rounding);

@@ -55,7 +55,7 @@ TEST(Sweep, CasesAreThoseOfOverrides) {
   }
 }
 
-/// Another process of the program sends what it has run.
+/// Another process sends its completed points.
 TEST(Sweep, PointsAreTheSameAsBytes) {
   SweepPoint point{.status = RunStatus::failed,
                    .dims = {"state", "step"},
@@ -96,7 +96,7 @@ TEST(Sweep, TablesOfAListAreCounted) {
   EXPECT_EQ(sweep.cases[1].bump_foil.shims, (std::vector<Shim>{{1, 2, 1e-6}, {5, 6, 10e-6}}));
 }
 
-/// Keys of tables that say what differs from others.
+/// Keys of tables with the differences of a pad or bearing from the common design.
 TEST(Sweep, GoesOverKeysOfPadsAndOfBearingsOfARotor) {
   const Words rotor{"rotor.mass=2 kg", "rotor.transverse_inertia=9e-3 kg m2", "rotor.bearings=[-0.07, 0.09]",
                     "rotor.bearing=[{}, {}]", "stability.speeds=[\"12000 rpm\"]"};
@@ -173,7 +173,7 @@ TEST(Sweep, FaultsOfPointsNameTheFirstAndCountTheOthers) {
   const std::vector<Fault> faults =
       faults_of({"friction.coefficient=-0.1:0.1:0.1", "cycle.amplitude=[60 um, 70 um, 50 N]"}, {"cycle.stepz=3"});
   ASSERT_EQ(faults.size(), 3U);
-  // Of every point: it has nothing to do with the sweep.
+  // It applies to every point, independent of the sweep.
   EXPECT_EQ(faults[0].key, "cycle.stepz");
   EXPECT_EQ(faults[0].file, "--set");
   EXPECT_EQ(faults[0].what, "unknown key");
@@ -202,7 +202,7 @@ TEST(Sweep, ValuesThatAreTheSameAreRefused) {
   EXPECT_EQ(faults[0].what, "is the same value as 0.5 mm");
 }
 
-/// What a point keeps of a variable.
+/// The values of a variable stored with a point.
 std::vector<double> values_of(const Sweep& sweep, const SweepPoint& point, const std::string& name) {
   const Dataset data = layout_of(sweep, {point}).dataset;
   for (std::size_t i = 0; i < data.variables.size(); ++i) {

@@ -29,7 +29,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Two amplitudes and three friction coefficients; the last point fails, the one before was not begun.
+/// Two amplitudes and three friction coefficients; the last point failed, the one before was not started.
 class SweepFiles : public ::testing::Test {
  protected:
   SweepFiles()
@@ -127,7 +127,7 @@ TEST_F(SweepFiles, CsvHasARowForEachPointAndDirection) {
   EXPECT_EQ(std::stod(row[column("loaded_stiffness_N_per_m")]), *results_[3].cycles[1].loaded_stiffness);
   EXPECT_EQ(row[column("status")], "converged");
   EXPECT_EQ(row[column("converged")], "true");
-  // Not begun, and failed.
+  // Not started, and failed.
   EXPECT_EQ(table[9][column("status")], "interrupted");
   EXPECT_EQ(table[9][column("max_force_N")], "");
   EXPECT_EQ(table[12][column("status")], "no_modes");
@@ -169,7 +169,7 @@ TEST_F(SweepFiles, AreReadByReports) {
   EXPECT_EQ(run.at("kind"), "sweep");
   EXPECT_EQ(run.at("attributes").at("swept_command"), "cycle");
   EXPECT_EQ(run.at("summary").at("status"), "interrupted");
-  EXPECT_FALSE(run.at("summary").contains("points"));  // its numbers are here once
+  EXPECT_FALSE(run.at("summary").contains("points"));  // stored only once, as variables
   const json sizes{{"cycle_amplitude", 2}, {"direction", 2}, {"friction_coefficient", 3}, {"increment", 7}};
   for (const auto& [name, size] : sizes.items()) EXPECT_EQ(run.at("dimensions").at(name), size);
   const json& force = run.at("variables").at("max_force");
@@ -203,7 +203,7 @@ TEST_F(SweepFiles, LoseTheirLoopsInReportsThatWouldBeTooLarge) {
     all += size;
   }
   EXPECT_EQ(read(all), whole);
-  const json run = read(all - 1);  // both go where one does not fit
+  const json run = read(all - 1);  // both are left out if one does not fit
   EXPECT_EQ(run.at("left_out"), (json{"displacement", "force_direct"}));
   EXPECT_TRUE(run.at("variables").contains("max_force"));
   EXPECT_FALSE(run.at("variables").contains("force_direct"));
@@ -229,13 +229,13 @@ TEST_F(SweepFiles, AreRefusedByReportsWhereTheyAreDamagedOrMixed) {
   EXPECT_EQ(fault(false).find("/summary.json: run_id: differs from that of sweep.nc in the same folder"), 0U);
 }
 
-/// Points of a strip differ in how many cycles they have, and in how many increments.
+/// Points of a strip differ in their numbers of cycles and increments.
 TEST(SweepFilesOfStrips, HaveRoomForTheLongest) {
   const Sweep sweep = parse_sweep(case_template("gen1"), "case.toml",
                                   {.command = "strip",
                                    .over = {"strip.cycles=[1, 2]", "strip.steps=[2, 3]"},
                                    .overrides = {"strip.bumps=2", "strip.displacement=10 um"}});
-  std::vector<SweepPoint> points(4);  // none is begun
+  std::vector<SweepPoint> points(4);  // none is started
   complete(sweep, points);
   const test_support::TemporaryFolder folder;
   for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
@@ -255,7 +255,7 @@ Sweep sweep_of_vibrations(const std::vector<std::string>& over, std::vector<std:
                      {.command = "vibration", .over = over, .overrides = overrides});
 }
 
-/// All of a variable; its coordinates say the same everywhere.
+/// All values of a variable at the leading indices `start`.
 std::vector<double> numbers_of(const netCDF::NcVar& variable, std::vector<std::size_t> start = {}) {
   std::vector<std::size_t> count(start.size(), 1);
   std::size_t size = 1;
@@ -274,7 +274,7 @@ TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
                                           {"vibration.steps=4"});
   const test_support::TemporaryFolder folder;
   std::vector<SweepPoint> points(sweep.cases.size());
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) points[i] = run_point(sweep, i);  // the last was not begun
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) points[i] = run_point(sweep, i);  // the last was not started
   complete(sweep, points);
   for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
   const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
@@ -304,7 +304,7 @@ TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
     variable.getAtt("long_name").getValues(same);
     EXPECT_EQ(meaning, same);
   }
-  // Of the point that was not begun only that is known.
+  // The only data of a point that was not started is its status.
   EXPECT_EQ(numbers_of(file.getVar("kxx"), {1, 1}), std::vector<double>(4, NC_FILL_DOUBLE));
   EXPECT_EQ(numbers_of(file.getVar("status"), {1, 1}),
             std::vector<double>(8, static_cast<double>(Status::interrupted)));
@@ -318,7 +318,7 @@ TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
   EXPECT_EQ(written.at("points").at(2).at("loads"), summary.at("loads"));
   EXPECT_EQ(written.at("points").at(3).at("vibrations").at(7).at("status"), "interrupted");
 
-  // A row is the keys and a row of vibration.csv, but for the time.
+  // A row has the keys and a row of vibration.csv, except for the time.
   std::istringstream rows(folder.read("sweep.csv"));
   std::istringstream expected(folder.read("alone/vibration.csv"));
   std::string row;
@@ -381,7 +381,7 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
         if (quantity.name == "wall_time") continue;
         const netCDF::NcVar variable = file.getVar(std::string(quantity.name));
         ASSERT_FALSE(variable.isNull()) << quantity.name;
-        if (variable.getDimCount() < 3) continue;  // what was asked for
+        if (variable.getDimCount() < 3) continue;  // requested values
         const double value = value_of(quantity, *alone.bearing, state);
         const double swept = numbers_of(variable, {1, speed, load}).front();
         if (std::isfinite(value)) {
@@ -438,7 +438,7 @@ TEST(SweepFilesOfRunningBearings, TakePositions) {
   EXPECT_EQ(file.getVar("h_min").getDim(2).getName(), "position");
 }
 
-/// A film that varies over the width has a place where it is thinnest there, which others have not.
+/// Only a film that varies over the width has an axial position of its minimum thickness.
 TEST(SweepFilesOfRunningBearings, HaveWhatOnlySomePointsHave) {
   const Sweep sweep = parse_sweep(
       case_template("gen1"), "case.toml",
@@ -458,7 +458,7 @@ TEST(SweepFilesOfRunningBearings, HaveWhatOnlySomePointsHave) {
   EXPECT_EQ(places[0], NC_FILL_DOUBLE);
   EXPECT_EQ(places[1], 0.0);
   const std::vector<double> torques = numbers_of(file.getVar("torque"));
-  EXPECT_GT(torques[0], 1e-4);  // N m; the variables behind h_min_z are where they belong
+  EXPECT_GT(torques[0], 1e-4);  // N m; variables after h_min_z are in their places
   EXPECT_NEAR(torques[1], torques[0], 0.1 * torques[0]);
   std::istringstream csv(folder.read("sweep.csv"));
   std::vector<std::vector<std::string>> rows;

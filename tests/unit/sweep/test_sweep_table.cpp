@@ -18,7 +18,7 @@ Sweep tabulated_sweep(const std::vector<std::string>& over) {
                      {.command = "cycle", .over = over, .overrides = {"cycle.directions=[\"+X\", \"-X\"]"}});
 }
 
-/// A result whose cycles have this force at full displacement, in newtons, and nothing else.
+/// A result whose cycles have only this force at full displacement, N.
 CycleResult result_of(double force, std::size_t cycles) {
   CycleResult result;
   result.due = cycles;
@@ -30,7 +30,7 @@ CycleResult result_of(double force, std::size_t cycles) {
   return result;
 }
 
-/// Points of these results; those without were not begun.
+/// Points with these results; those without were not started.
 std::vector<SweepPoint> points_of(const Sweep& sweep, const std::vector<std::optional<CycleResult>>& results) {
   std::vector<SweepPoint> points(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -71,7 +71,7 @@ TEST(SweepTable, GridsShowTheirExtremes) {
   EXPECT_EQ(table.find("direction +X\nmaximum force (N)"), 0U) << table;
   EXPECT_TRUE(has(table, "smallest       100.00  at cycle.amplitude=60 um, friction.coefficient=0.1\n")) << table;
   EXPECT_TRUE(has(table, "largest        300.00  at cycle.amplitude=60 um, friction.coefficient=0\n")) << table;
-  EXPECT_FALSE(has(table, "direction -X"));  // nobody began it
+  EXPECT_FALSE(has(table, "direction -X"));  // not started
 }
 
 TEST(SweepTable, ManyValuesShowTheirExtremes) {

@@ -28,7 +28,7 @@ Case summarised_case() {
   return input;
 }
 
-/// The run stopped by the user after `increments` of the first direction.
+/// A run stopped by the user after `increments` of the first direction.
 CycleResult stopped_after(int increments) {
   int count = 0;
   return run_cycles(summarised_case(), [&](double) { return ++count < increments; });
@@ -58,7 +58,7 @@ TEST(CycleJson, CarriesTheQuantitiesOfEveryCycle) {
   const json cycle = json(cycle_lists(input, result)).at("cycles").at(0);
   const Cycle& expected = result.cycles[0];
 
-  // Every key there is, and no other: scripts rely on them.
+  // All keys, and no others: scripts rely on them.
   const std::set<std::string> keys{"direction_deg",
                                    "amplitude_m",
                                    "steps",
@@ -112,7 +112,7 @@ TEST(CycleJson, CarriesTheQuantitiesOfEveryCycle) {
   for (const auto& [key, value] : cycle.items()) met.insert(key);
   EXPECT_EQ(met, keys);
 
-  // Written with as many digits as it takes to read the same double back.
+  // Numbers have enough digits to read the same double back.
   EXPECT_EQ(cycle.at("direction_deg"), 90.0);
   EXPECT_EQ(cycle.at("converged"), true);
   EXPECT_EQ(cycle.at("status"), "converged");
@@ -140,14 +140,14 @@ TEST(CycleJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(cycle.at("factorisations"), expected.cost.factorisations);
   EXPECT_EQ(cycle.at("bump_loads_N").size(), 26U);
   EXPECT_EQ(cycle.at("foot_loads_N").size(), 26U);
-  // Loads are those at full displacement.
+  // Loads are at full displacement.
   EXPECT_EQ(sum(cycle.at("journal_loads_N")), expected.fields.journal_top.normal_force.row(5).sum());
 }
 
 TEST(CycleJson, SaysWhereAFoilIsBentMost) {
   Case input = summarised_case();
   input.bump_foil.model = BumpFoilModel::frame;
-  input.bump_foil.yield_stress = 100e6;  // a ninth of what the bumps will bear
+  input.bump_foil.yield_stress = 100e6;  // a ninth of the maximum stress of the bumps
   const CycleResult result = run_cycles(input);
   const json cycle = json(cycle_lists(input, result)).at("cycles").at(0);
   const StressPeak& peak = result.cycles[0].bump_foil_stress.value();
@@ -160,7 +160,7 @@ TEST(CycleJson, SaysWhereAFoilIsBentMost) {
   EXPECT_EQ(cycle.at("above_yield_bump_foil"), true);
   EXPECT_EQ(cycle.at("max_stress_top_foil_at").at("place"), "weld");
   EXPECT_TRUE(cycle.at("max_stress_top_foil_at").at("bump").is_null());
-  EXPECT_TRUE(cycle.at("above_yield_top_foil").is_null());  // its yield stress is not given
+  EXPECT_TRUE(cycle.at("above_yield_top_foil").is_null());  // no yield stress given
 
   const json truss = json(cycle_lists(summarised_case(), run_cycles(summarised_case())));
   EXPECT_TRUE(truss.at("cycles")[0].at("max_stress_bump_foil_Pa").is_null());
@@ -213,7 +213,7 @@ TEST(CycleJson, HoldsACycleWithoutIncrements) {
 TEST(RunStatus, IsInterruptedWhereverTheUserStopsIt) {
   int due = 0;
   run_cycles(summarised_case(), [&](double) { return ++due > 0; });
-  // Between two directions, too, where all that there is has converged.
+  // Also between two directions, when all results so far have converged.
   bool between = false;
   for (int increments = 1; increments < due; ++increments) {
     const CycleResult result = stopped_after(increments);

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Points 10 um apart with these forces.
+/// Points with these forces, 10 um apart.
 LoadingCurve curve(const std::vector<double>& forces, std::optional<double> first_contact = {}) {
   LoadingCurve curve(first_contact);
   for (std::size_t k = 0; k < forces.size(); ++k) curve.add({1e-5 * static_cast<double>(k), forces[k]});
@@ -54,7 +54,7 @@ TEST(LoadingCurve, NeedNotReachAForce) {
   EXPECT_EQ(curve({}).first_reaches(5.0), std::nullopt);
 }
 
-/// A cycle of two steps per branch whose increments have these forces; `taken` of them are there.
+/// A cycle of two steps per branch with these forces, of which the first `taken` increments exist.
 Cycle fed(const std::vector<double>& forces, std::size_t taken) {
   Cycle cycle;
   cycle.amplitude = 2e-5;
@@ -86,7 +86,7 @@ TEST(CycleQuantities, FollowFromTheIncrementsThatPass) {
   EXPECT_EQ(cycle.turns.size(), 2U);
   EXPECT_EQ(cycle.start->index, 0);
   EXPECT_DOUBLE_EQ(*cycle.loop_energy, 4e-4);
-  // The force passes 1 % of its maximum, 0.2 N, at 0.5 um.
+  // The force exceeds 1 % of its maximum, 0.2 N, at 0.5 um.
   EXPECT_DOUBLE_EQ(*cycle.take_up, 0.5e-6);
   const double stiffness = 19.8 / 19.5e-6;
   EXPECT_DOUBLE_EQ(*cycle.loaded_stiffness, stiffness);
@@ -119,7 +119,7 @@ TEST(CycleQuantities, TakeTheWayToAnIncrementIntoAccount) {
   EXPECT_DOUBLE_EQ(*cycle.take_up, 2e-6 + 0.2 / 8.0 * 4e-6);
 }
 
-/// A swing from +10 to -10 um, with 30 and 10 N there.
+/// A fully reversed cycle from +10 to -10 um, with 30 and 10 N there.
 TEST(CycleQuantities, OfASwingCompareItsTurningPoints) {
   Cycle cycle;
   cycle.course = Course::swing;
@@ -196,7 +196,7 @@ TEST(CycleQuantities, KeepTheStatusOfTheIncrementThatFailed) {
   quantities.add(next, false, false);
   quantities.finish();
   EXPECT_EQ(cycle.status, Status::no_modes);
-  EXPECT_EQ(cycle.cost.iterations, 7);  // what failed was paid for, too
+  EXPECT_EQ(cycle.cost.iterations, 7);  // includes failed increments
   EXPECT_EQ(cycle.loop_energy, std::nullopt);
 }
 
@@ -222,7 +222,7 @@ TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
   Case input = case_with_given_constants();
   const SharedFoils foils = make_bearing_foils(input);
   const Vector clear = Vector::Constant(26, input.bearing.radial_clearance);
-  // Towards crest 5 exactly: the clearance; half-way between two crests: a little more.
+  // Exactly towards crest 5: the clearance; half-way between two crests: slightly more.
   const double pitch_angle = input.bump_foil.pitch.values.front() / input.bearing.radius;
   EXPECT_NEAR(*first_contact_displacement(clear, foils->normals, unit_vector(pi - 4.5 * pitch_angle)), 31.8e-6, 1e-18);
   EXPECT_NEAR(*first_contact_displacement(clear, foils->normals, unit_vector(pi - 5.0 * pitch_angle)),
@@ -231,7 +231,7 @@ TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
 
 TEST(FirstContact, IsAbsentWhereNoCrestFacesTheDirection) {
   Case input = case_with_given_constants();
-  input.bump_foil.bumps = 6;  // 82 degrees from the weld on
+  input.bump_foil.bumps = 6;  // 82 degrees, starting at the weld
   const SharedFoils foils = make_bearing_foils(input);
   const Vector clear = Vector::Constant(6, foils->clearance);
   EXPECT_EQ(first_contact_displacement(clear, foils->normals, unit_vector(0.0)), std::nullopt);
@@ -292,7 +292,7 @@ TEST(StressPeaks, NamePlaceAndTimeOfTheLargest) {
   EXPECT_EQ(top.stress, 9.0);
   EXPECT_EQ(top.place, StressPlace::crest);
   EXPECT_EQ(top.bump, 1);
-  EXPECT_EQ(top.increment, 1);  // where it acts first
+  EXPECT_EQ(top.increment, 1);  // first occurrence
   EXPECT_EQ(top.displacement, 1e-6);
   EXPECT_EQ(top_peak({low})->place, StressPlace::weld);
   EXPECT_EQ(top_peak({low})->bump, -1);
@@ -303,7 +303,7 @@ TEST(StressPeaks, NamePlaceAndTimeOfTheLargest) {
   EXPECT_EQ(top_foil_peak(of_pads.fields, of_pads.increments)->pad, 2);
 
   const StressPeak crest = bump_peak({low}).value();
-  EXPECT_EQ(crest.place, StressPlace::crest);  // not the arc, which is no larger
+  EXPECT_EQ(crest.place, StressPlace::crest);  // not the arc, whose stress is not higher
   EXPECT_EQ(crest.bump, 1);
   const StressPeak foot = bump_peak({low, high}).value();
   EXPECT_EQ(foot.place, StressPlace::foot);

@@ -34,14 +34,14 @@ CycleResult short_run(int directions) {
   return run_cycles(input);
 }
 
-/// A cycle that ended before it began.
+/// A cycle that ended before its first increment.
 Cycle ended_row(Status status) {
   Cycle cycle;
   cycle.status = status;
   return cycle;
 }
 
-/// The last word of the line that begins with `name`.
+/// The last word of the line that starts with `name`.
 std::string last_cell(const std::string& text, const std::string& name) {
   for (const std::string& line : lines_of(text)) {
     if (line.starts_with(name)) return line.substr(line.rfind(' ') + 1);
@@ -144,7 +144,7 @@ TEST(CycleTable, TellsPadsApart) {
             number_text(std::hypot(turn.pad_forces_x[1], turn.pad_forces_y[1]), 1.0));
   EXPECT_NE(text.find("of pad 2"), std::string::npos);
   EXPECT_EQ(text.find("of pad 3"), std::string::npos);
-  EXPECT_NE(text.find(" weld of pad 2\n"), std::string::npos);  // however wide
+  EXPECT_NE(text.find(" weld of pad 2\n"), std::string::npos);  // any width
   EXPECT_EQ(last_cell(text, "on bump"), "2");
   const StressPeak at_weld{.stress = 1e6, .place = StressPlace::weld, .pad = 1};
   EXPECT_EQ(place_text(input, at_weld), "weld of pad 2");

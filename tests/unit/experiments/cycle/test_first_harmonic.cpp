@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Points of one loop about `middle`, from there up, down and back, so many per quarter. The second argument of `force`
-/// says whether the displacement rises.
+/// Points of one loop about `middle`, from there up, down and back, `steps` per quarter. The second argument of `force`
+/// is true while the displacement increases.
 std::vector<LoopPoint> loop_of(const std::function<Eigen::Vector2d(double, bool)>& force, double middle,
                                double amplitude, int steps) {
   std::vector<LoopPoint> loop;
@@ -31,7 +31,7 @@ TEST(FirstHarmonic, OfASpringIsTheSpring) {
   const auto spring = [](double x, bool) { return Eigen::Vector2d(50.0 + 3e6 * x, -20.0 - 1e6 * x); };
   for (const double amplitude : {1e-9, 1e-5}) {
     const FirstHarmonic harmonic = first_harmonic(loop_of(spring, 40e-6, amplitude, 7));
-    // The displacement is known to 1e-16 of 40 um, the force to that of 50 N.
+    // Displacements have round-off of 1e-16 of 40 um, forces of 50 N.
     const double rounding = 1e-14 * (50.0 / amplitude + 3e6 * 40e-6 / amplitude);
     EXPECT_NEAR(harmonic.stiffness.x(), 3e6, rounding);
     EXPECT_NEAR(harmonic.stiffness.y(), -1e6, rounding);
@@ -41,7 +41,7 @@ TEST(FirstHarmonic, OfASpringIsTheSpring) {
 }
 
 TEST(FirstHarmonic, OfASliderBehindASpringIsTheClassicOne) {
-  // Force k, until the slider yields at f: Caughey's bilinear hysteresis without its second spring. With
+  // Force k until the slider yields at f: Caughey's bilinear hysteresis without its second spring. With
   // cos(theta) = 1 - 2 (f/k)/X the stiffness is (k/pi)(theta - sin(2 theta)/2), the loop 4 f (X - f/k).
   const double k = 2e6;
   const double f = 3.0;
@@ -52,7 +52,7 @@ TEST(FirstHarmonic, OfASliderBehindASpringIsTheClassicOne) {
       {0.0, {f, 0.0}}};
   const FirstHarmonic harmonic = first_harmonic(corners);
   const double theta = std::acos(1.0 - 2.0 * slip / X);
-  // Roundings.
+  // Round-off.
   EXPECT_NEAR(harmonic.stiffness.x(), k / pi * (theta - 0.5 * std::sin(2.0 * theta)), 1e-13 * k);
   EXPECT_NEAR(harmonic.loss.x(), 4.0 * f * (X - slip) / (pi * X * X), 1e-13 * k);
   EXPECT_EQ(harmonic.stiffness.y(), 0.0);
@@ -61,9 +61,9 @@ TEST(FirstHarmonic, OfASliderBehindASpringIsTheClassicOne) {
 TEST(FirstHarmonic, OfASliderAloneIsASquareWave) {
   const auto slider = [](double, bool rising) { return Eigen::Vector2d(0.0, rising ? 5.0 : -5.0); };
   const FirstHarmonic harmonic = first_harmonic(loop_of(slider, 0.0, 2e-6, 3));
-  EXPECT_NEAR(harmonic.stiffness.norm(), 0.0, 1e-9);  // N/m, roundings of 5 N over 2 um
+  EXPECT_NEAR(harmonic.stiffness.norm(), 0.0, 1e-9);  // N/m, round-off of 5 N over 2 um
   EXPECT_NEAR(harmonic.loss.y(), 4.0 * 5.0 / (pi * 2e-6), 1e-7);
-  // Of its norm 8/pi^2 is in the first harmonic, squared.
+  // The first harmonic contains 8/pi^2 of the squared norm.
   EXPECT_NEAR(harmonic.residual, std::sqrt(pi * pi / 8.0 - 1.0), 1e-12);
 }
 
@@ -75,7 +75,7 @@ TEST(FirstHarmonic, ConvergesOnACurvedLoopAsTheSquareOfTheIncrement) {
     const FirstHarmonic harmonic = first_harmonic(loop_of(cube, 0.0, 2.0, steps));
     const double error = std::abs(harmonic.stiffness.x() - 3.0);
     if (last > 0.0) {
-      EXPECT_NEAR(last / error, 4.0, 0.2) << steps;  // in the limit
+      EXPECT_NEAR(last / error, 4.0, 0.2) << steps;  // asymptotically
     }
     EXPECT_NEAR(harmonic.residual, 1.0 / 3.0, 2.0 / (steps * steps));
     last = error;
@@ -83,7 +83,7 @@ TEST(FirstHarmonic, ConvergesOnACurvedLoopAsTheSquareOfTheIncrement) {
   EXPECT_LT(last, 3e-3);
 }
 
-/// Worked out by hand: F = K x + (H/omega) dx/dt on a circle.
+/// By hand: F = K x + (H/omega) dx/dt on a circle.
 TEST(OrbitHarmonic, OfLinearFoilsHasTheColumnsOfBothMatrices) {
   Eigen::Matrix2d K, H;
   K << 3.0, 0.5, -0.2, 2.0;
@@ -98,7 +98,7 @@ TEST(OrbitHarmonic, OfLinearFoilsHasTheColumnsOfBothMatrices) {
       forces.push_back(radius * (K * x + H * rate) + Eigen::Vector2d(100.0, -50.0));
     }
     const FirstHarmonic found = orbit_harmonic(forces, radius);
-    EXPECT_LT((found.stiffness - (K.col(0) + sense * H.col(1))).norm(), 1e-7);  // roundings of 100 N over 2e-6 m
+    EXPECT_LT((found.stiffness - (K.col(0) + sense * H.col(1))).norm(), 1e-7);  // round-off of 100 N over 2e-6 m
     EXPECT_LT((found.loss - (H.col(0) - sense * K.col(1))).norm(), 1e-7);
     EXPECT_LT(found.residual, 1e-7);
   }

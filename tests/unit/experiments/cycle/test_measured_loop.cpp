@@ -21,7 +21,7 @@ TEST(MeasuredLoop, OfATriangleHasTheQuantitiesOfTheClosedForm) {
   EXPECT_DOUBLE_EQ(cycle.amplitude, 10e-6);
   EXPECT_DOUBLE_EQ(cycle.turning_point->max_force, 100.0);
   EXPECT_NEAR(cycle.loop_energy.value(), 1e-4, 1e-18);  // half of 2 um times 100 N
-  EXPECT_NEAR(cycle.take_up.value(), 0.1e-6, 1e-18);    // where 1 N is passed
+  EXPECT_NEAR(cycle.take_up.value(), 0.1e-6, 1e-18);    // where the force exceeds 1 N
   EXPECT_NEAR(cycle.loaded_stiffness.value(), 1e7, 1e-6);
   EXPECT_NEAR(cycle.secant_stiffness.value(), 1e7, 1e-6);
   EXPECT_NEAR(cycle.loss_factor.value(), 1e-4 / (std::numbers::pi * 1e7 * std::pow(4.95e-6, 2)), 1e-12);
@@ -34,13 +34,13 @@ TEST(MeasuredLoop, OfATriangleHasTheQuantitiesOfTheClosedForm) {
 }
 
 TEST(MeasuredLoop, ToBothSidesIsASwing) {
-  // An ellipse F = K x + C y, by its parameter: the loop energy is pi X C.
+  // A parametric ellipse, F = K x + C y: the loop energy is pi X C.
   constexpr double amplitude = 20e-6, stiffness = 5e6, across = 30.0;
   constexpr int count = 4000;
   Points points;
   for (int i = 0; i <= 5 * count / 4; ++i) {
     const double t = 2.0 * std::numbers::pi * i / count;
-    // From the middle to the right end, then once round.
+    // From the middle to the right end, then one turn.
     if (i < count / 4) {
       points.push_back({amplitude * std::sin(t), stiffness * amplitude * std::sin(t)});
     } else {
@@ -50,7 +50,8 @@ TEST(MeasuredLoop, ToBothSidesIsASwing) {
   const Cycle cycle = measured_cycle(points, {});
   EXPECT_EQ(cycle.course, Course::swing);
   EXPECT_NEAR(cycle.loaded_stiffness.value(), stiffness, 1e-3);
-  // The line to the start goes back over the way from it. A polygon of n corners lacks 2/3 (pi / n)^2 of the ellipse.
+  // The closing line retraces the path from the start. The area of a polygon with n corners is 2/3 (pi / n)^2 less than
+  // that of the ellipse.
   const double energy = std::numbers::pi * amplitude * across;
   EXPECT_NEAR(cycle.loop_energy.value(), energy, 1e-6 * energy);
   EXPECT_EQ(cycle.increments.back().branch, Branch::loading);
@@ -70,13 +71,13 @@ TEST(MeasuredLoop, OfComputedPointsHasTheirQuantities) {
   EXPECT_NEAR(measured.loop_energy.value(), computed.loop_energy.value(), 1e-12 * *computed.loop_energy);
   EXPECT_EQ(measured.turning_point->max_force, computed.turning_point->max_force);
   EXPECT_EQ(measured.steps, computed.steps);
-  // Before the first touch the computed one knows where the force begins, points do not: a step of 2 um of 45.
+  // The displacement of first contact is known for the computed loop, but not for points: a step of 2 um of 45.
   EXPECT_NEAR(measured.loaded_stiffness.value(), computed.loaded_stiffness.value(), 0.02 * *computed.loaded_stiffness);
   EXPECT_NEAR(measured.clearances[0].displacement.value(), computed.clearances[0].displacement.value(), 2e-6);
 }
 
-/// Straight ways between displacements, 100 points each, with the force of a loop of half width `width`: what a rig
-/// records of several cycles. Noise of +-1 % of 10 um lies on the displacements.
+/// A rig recording of several cycles: straight paths between displacements, 100 points each, with the force of a loop
+/// of half width `width`. The displacements have noise of +-1 % of 10 um.
 Points recorded(const std::vector<double>& turns, double noise = 0.1e-6) {
   constexpr double stiffness = 5e6, width = 4.0;
   Points points;
@@ -84,7 +85,7 @@ Points recorded(const std::vector<double>& turns, double noise = 0.1e-6) {
     const double way = turns[i] - turns[i - 1];
     for (int k = 0; k < 100; ++k) {
       const double displacement = turns[i - 1] + way * k / 100.0;
-      // Friction turns round over a fifth of the way.
+      // Friction reverses over a fifth of the path.
       const double friction = i == 1 ? 0.0 : width * (way > 0 ? 1.0 : -1.0) * std::min(1.0, k / 10.0 - 1.0);
       points.push_back({displacement + (k % 2 == 0 ? noise : -noise), stiffness * displacement + friction});
     }
@@ -107,12 +108,12 @@ TEST(MeasuredLoop, OfSeveralCyclesTheLastWholeOneIsTaken) {
                                           {{0, 10, 2}, 1, 0, 2, false},
                                           {{0, 10, 0, 10, 0, 10, 0}, 3, 0, 0, false},
                                           {{0, 10, 0, 10, 0, 10}, 2, 0, 0, true},      // half a cycle more
-                                          {{0, 10, 0, 10, 0, 10, 5}, 2, 0, 0, true},   // not back yet
-                                          {{0, 10, 1, 11, 2, 12, 3}, 3, 2, 3, false},  // drifts
-                                          {{0, 4, 0, 7, 0, 10, 0}, 3, 0, 0, false},    // grows
-                                          {{5, 10, 0, 10, 0}, 2, 0, 0, false},         // begins on a way up
-                                          {{5, 0, 10, 0}, 1, 0, 0, false},             // and on a way down
-                                          {{0, 10, -10, 10}, 1, 0, 10, false},         // to both sides, from the middle
+                                          {{0, 10, 0, 10, 0, 10, 5}, 2, 0, 0, true},   // not yet back
+                                          {{0, 10, 1, 11, 2, 12, 3}, 3, 2, 3, false},  // drift
+                                          {{0, 4, 0, 7, 0, 10, 0}, 3, 0, 0, false},    // growing
+                                          {{5, 10, 0, 10, 0}, 2, 0, 0, false},         // starts on a rising path
+                                          {{5, 0, 10, 0}, 1, 0, 0, false},             // starts on a falling path
+                                          {{0, 10, -10, 10}, 1, 0, 10, false},         // both sides, from the middle
                                           {{0, 10, -10, 0}, 1, 0, 0, false},
                                           {{0, 10, -10, 10, 0}, 1, 0, 10, true},
                                           {{0, 10, -10, 10, -10, 10, -10, 0}, 3, -10, -10, true},
@@ -138,7 +139,7 @@ TEST(MeasuredLoop, OfSeveralCyclesHasTheEnergyOfOne) {
   const auto energy = [](const std::vector<double>& turns) {
     return measured_cycle(last_cycle(recorded(turns, 0.0))->points, {}).loop_energy.value();
   };
-  // Two ways of 10 um at 4 N, less a fifth: friction turns round in a straight line over a fifth of the way.
+  // Two paths of 10 um at 4 N, minus a fifth: friction reverses linearly over a fifth of the path.
   const double two = energy({0, 10e-6, 0, 10e-6, 0});
   EXPECT_NEAR(two, 0.8 * 2 * 4.0 * 10e-6, 1e-9 * two);
   EXPECT_NEAR(energy({0, 10e-6, 0, 10e-6, 0, 10e-6, 0}), two, 1e-9 * two);
@@ -160,7 +161,7 @@ TEST(MeasuredLoop, GoesThereAndBack) {
   EXPECT_TRUE(last_cycle({{0.0, 0.0}, {1e-6, 1.0}, {0.0, 0.0}}));
   EXPECT_FALSE(last_cycle({}));
   EXPECT_FALSE(last_cycle({{0.0, 0.0}, {1e-6, 1.0}}));
-  EXPECT_FALSE(last_cycle({{0.0, 0.0}, {1e-6, 1.0}, {0.95e-6, 0.9}, {0.98e-6, 0.9}}));  // noise is no way back
+  EXPECT_FALSE(last_cycle({{0.0, 0.0}, {1e-6, 1.0}, {0.95e-6, 0.9}, {0.98e-6, 0.9}}));  // noise is not a reversal
   EXPECT_FALSE(last_cycle({{1e-6, 1.0}, {0.0, 0.0}, {0.5e-6, 1.0}}));
   EXPECT_FALSE(last_cycle({{-2e-6, 1.0}, {-1e-6, 0.0}, {-2e-6, 1.0}}));
 }

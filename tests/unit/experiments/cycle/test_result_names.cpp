@@ -28,7 +28,7 @@ TEST(ResultNames, AreThoseOfTheEnumerators) {
   EXPECT_EQ(name_of(Experiment::strip), "strip");
 }
 
-/// The page counts the flags of contacts in a list of its own, in words for readers.
+/// The page has its own list of contact states, in plain words.
 TEST(ResultNames, OfContactsAreInTheOrderThatThePageHas) {
   std::string list;
   for (const std::string_view name : enum_names<ContactMode>) {

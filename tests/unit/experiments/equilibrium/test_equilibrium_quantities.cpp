@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-/// A bearing and a state of it that was set by hand: pressure 1.5 pa in two columns, all else at rest.
+/// A bearing with a prescribed state: pressure 1.5 pa in two columns, all else at rest.
 struct Example {
   FilmBearing bearing{film_reference_bearing({.columns_per_pitch = 4, .rows = 4})};
   RunningState state{};
@@ -55,7 +55,7 @@ TEST(RunningQuantities, AreWhatTheyAreCalled) {
   EXPECT_EQ(example.value("load_y"), -1.0);
   EXPECT_EQ(example.value("x"), 10e-6);
   EXPECT_NEAR(example.value("eccentricity_ratio"), 10.0 / 31.8, 1e-12);
-  EXPECT_NEAR(example.value("h_min"), 21.8e-6, 1e-8);  // the nearest column is a degree or so off
+  EXPECT_NEAR(example.value("h_min"), 21.8e-6, 1e-8);  // the nearest column is about a degree away
   EXPECT_NEAR(example.value("h_min_theta"), 180.0, 2.0);
   EXPECT_NEAR(example.value("p_max"), 1.5 * 101325.0, 1e-6);
   EXPECT_NEAR(example.value("p_min"), 101325.0, 1e-6);
@@ -71,7 +71,7 @@ TEST(RunningQuantities, AreWhatTheyAreCalled) {
   EXPECT_TRUE(std::isnan(example.value("kxx_stuck")));
 }
 
-/// From the force, towards the displacement, positive in the sense of rotation.
+/// From the force to the displacement, positive in the sense of rotation.
 TEST(RunningQuantities, AttitudeAngleTurnsWithTheJournal) {
   Example example;
   const Eigen::Vector2d force = example.state.outcome->force;
@@ -98,7 +98,7 @@ TEST(RunningQuantities, KnowOfFailedStatesWhatWasAskedForAlone) {
   EXPECT_NE(opened.find("with the clearance at 33.8 um, closing to 31.8 um"), std::string::npos) << opened;
 }
 
-/// Gas enters where the foil of the first pad is free, and where that of the second is welded.
+/// Gas enters at the free end of the first pad, and at the weld of the second.
 TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
   input.bump_foil.bumps = 8;
@@ -109,7 +109,7 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
   state.report.status = Status::converged;
   state.last = resting(bearing, Eigen::Vector2d(10e-6, 0.0), 1000.0);
-  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);   // neither presses any
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);   // neither is in contact
   state.last->contacts.normal_force[2 * 4] = 1.0;        // bump 5 of pad 1
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 8);   // all of pad 2
   state.last->contacts.normal_force[2 * (9 + 4)] = 1.0;  // bump 5 of pad 2
@@ -139,7 +139,7 @@ TEST(RunningQuantities, PlaceMotionsOnTheirPad) {
 TEST(ColumnQuantities, IntegrateOverTheWidth) {
   const Example example;
   for (const ColumnQuantity& quantity : column_quantities()) {
-    if (quantity.is(tag::of_width)) continue;  // of foils that vary over the width
+    if (quantity.is(tag::of_width)) continue;  // only for foils that vary over the width
     const Vector values = quantity.value(example.bearing, *example.state.last);
     ASSERT_EQ(values.size(), 105);
     if (quantity.name == "line_load") {

@@ -34,7 +34,7 @@ TEST(WhirlQuantities, AreTheRealAndTheImaginaryPart) {
   EXPECT_EQ(last.long_name, "dF_y/d(dy/dt) at the frequency, full stick");
 }
 
-/// Forces and moments by displacements and slopes: the unit of each follows.
+/// Forces and moments per displacement and slope determine the units.
 TEST(WhirlQuantities, AreSixteenOfEachWhereTheJournalMayTilt) {
   const std::vector<WhirlQuantity>& all = whirl_quantities(4);
   ASSERT_EQ(all.size(), 64U);
@@ -55,7 +55,7 @@ TEST(WhirlQuantities, AreSixteenOfEachWhereTheJournalMayTilt) {
   EXPECT_EQ(found->long_name, "dM_y/d(da/dt) at the frequency, sliding contacts keep sliding");
 }
 
-/// Two states, of which the second was not found.
+/// Two states, the second of which was not found.
 EquilibriumResult whirling_example(bool tabulated) {
   EquilibriumResult result;
   result.bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));

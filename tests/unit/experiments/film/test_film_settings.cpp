@@ -1,4 +1,4 @@
-// What is wrong with a running bearing.
+// Validation of running bearings.
 
 #include "bumpfoil/model/validation.hpp"
 
@@ -44,7 +44,7 @@ TEST(FindFaults, JudgesRoughSurfaces) {
   wrong.sigma = 0.0;
   wrong.friction = nan;
   EXPECT_EQ(rough(wrong), (Keys{"asperity.sigma", "asperity.friction", "asperity.radius"}));
-  // A journal that stands still is carried by peaks alone.
+  // At zero speed the journal is carried by asperities only.
   const auto resting = [&](const std::optional<AsperitySettings>& settings) {
     return faulty_keys([&](Case& input) {
       input.asperity = settings;
@@ -55,7 +55,7 @@ TEST(FindFaults, JudgesRoughSurfaces) {
   EXPECT_EQ(resting(by_factor), Keys{});
 }
 
-/// A foil that varies over the width is computed under films over foils.
+/// Foils that vary over the width are available under films.
 TEST(FindFaults, JudgesTheModesOverTheWidth) {
   const auto with_modes = [](
                               int modes, const std::function<void(Case&)>& change = [](Case&) {}) {
@@ -102,7 +102,7 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
   EXPECT_TRUE(find_faults(input, {"cycle"}).empty());
 }
 
-/// A journal that is tilted, or free to tilt, is computed by `equilibrium` and, where the tilt is given, by `film`.
+/// A tilted journal is computed by `equilibrium` and `film`, one that is free to tilt only by `equilibrium`.
 TEST(FindFaults, JudgesTheTilt) {
   const auto width = [](const std::function<void(WidthSettings&)>& change, const std::string& command) {
     Case input = reference_case();
@@ -125,11 +125,11 @@ TEST(FindFaults, JudgesTheTilt) {
       return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
     EXPECT_FALSE(blames(width(tilt, command), "width.tilt")) << command;
-    EXPECT_TRUE(blames(width(moment, command), "width.moment")) << command;  // the rotor puts moments on bearings
+    EXPECT_TRUE(blames(width(moment, command), "width.moment")) << command;  // the rotor determines the moments
   }
-  EXPECT_EQ(width(tilt, "montecarlo"), Keys{});             // what is run for each bearing is judged by itself
-  EXPECT_EQ(width(moment, "cycle"), Keys{"width.moment"});  // of foils that do not answer to it
-  EXPECT_EQ(width(tilt, "cycle"), Keys{"width.tilt"});      // of foils that do not answer to it
+  EXPECT_EQ(width(tilt, "montecarlo"), Keys{});             // the command of each bearing is checked separately
+  EXPECT_EQ(width(moment, "cycle"), Keys{"width.moment"});  // these foils do not respond to a moment
+  EXPECT_EQ(width(tilt, "cycle"), Keys{"width.tilt"});      // these foils do not respond to a tilt
   for (const char* const command : {"cycle", "path", "vibration"}) {
     const auto dry = [&](const std::function<void(Case&)>& change) {
       Case input = reference_case();
@@ -205,13 +205,13 @@ TEST(FindFaults, JudgesTheMeshOfTheFilm) {
   }
   EXPECT_EQ(film([](FilmSettings& f) { f.rows = 1; }), Keys{"film.rows"});
   const auto finest = [](Case& input) { input.film = {.columns_per_pitch = 100, .rows = 200}; };
-  EXPECT_EQ(faulty_keys(finest), Keys{});  // nothing is to run
+  EXPECT_EQ(faulty_keys(finest), Keys{});  // no command to run
   EXPECT_EQ(faulty_keys([&](Case& input) {
               finest(input);
               input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
             }),
             Keys{"film.columns_per_pitch"});
-  // Just as fine as fits: 2 GB are 26 bumps on 46 x 200.
+  // Near the memory limit: 26 bumps on 46 x 200 need 2 GB.
   for (const auto& [columns, faulty] : {std::pair{42, false}, std::pair{46, true}}) {
     const Keys keys = faulty_keys([&](Case& input) {
       input.film = {.columns_per_pitch = columns, .rows = 200};

@@ -20,7 +20,7 @@ Case wall_case() {
   return input;
 }
 
-/// The films are those of the solver for rigid walls, and forces are in the plane of the bearing.
+/// The films are those of the solver for rigid walls; forces are in the coordinates of the bearing.
 TEST(WallFilm, IsThatOfTheRigidBearing) {
   const Case input = wall_case();
   const EquilibriumResult result = run_wall_films(input);
@@ -39,7 +39,7 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
   }
 }
 
-/// What feeds the free end is above ambient there, and carries a part of the load.
+/// The supply pressure at the free end exceeds ambient pressure and carries part of the load.
 TEST(WallFilm, IsFedAtItsFreeEnd) {
   Case input = wall_case();
   const double outflow = run_wall_films(input).states[0].outcome->flows.end;
@@ -54,8 +54,8 @@ TEST(WallFilm, IsFedAtItsFreeEnd) {
   EXPECT_THROW(run_wall_films(input), Error);
 }
 
-/// Around a journal in the centre gas flows from side to side, at ambient pressure 2 pi R h^3 (p_l^2 - p_r^2) / (24 mu
-/// L p_a), and with it p^2 falls linearly.
+/// Gas flows from side to side around a centred journal, at ambient pressure
+/// 2 pi R h^3 (p_l^2 - p_r^2) / (24 mu L p_a); p^2 falls linearly.
 TEST(WallFilm, LetsGasFlowFromSideToSide) {
   Case input = wall_case();
   input.film.closed = true;
@@ -76,15 +76,15 @@ TEST(WallFilm, LetsGasFlowFromSideToSide) {
   EXPECT_NEAR(P(0, 5), 1.3, 1e-15);
   EXPECT_NEAR(P(6, 5) * P(6, 5), 0.5 * (1.3 * 1.3 + 1.1 * 1.1), 1e-9);
   EXPECT_NEAR(P(12, 5), 1.1, 1e-15);
-  // The same at both sides: half the width is enough.
+  // Equal pressures at both sides: half the width is sufficient.
   input.film.side_pressure = {1.3 * ambient, 1.3 * ambient};
   const EquilibriumResult fed = run_wall_films(input);
   EXPECT_FALSE(fed.bearing->tilts());
   EXPECT_NEAR(fed.states.front().last->film.pressure.minCoeff(), 1.3, 1e-9);
 }
 
-/// Through a gap from h_l to h_r over the width p^2 falls as the integral of 1/h^3 along it, which is L (h_l + h_r) /
-/// (2 h_l^2 h_r^2) where h is linear.
+/// In a gap from h_l to h_r over the width, p^2 falls with the integral of 1/h^3, which is
+/// L (h_l + h_r) / (2 h_l^2 h_r^2) for linear h.
 TEST(WallFilm, LetsGasFlowThroughAConicalGap) {
   Case input = wall_case();
   input.film.closed = true;
@@ -103,14 +103,14 @@ TEST(WallFilm, LetsGasFlowThroughAConicalGap) {
     input.film.rows = refined ? 12 : 6;
     const EquilibriumResult result = run_wall_films(input);
     ASSERT_TRUE(result.converged());
-    EXPECT_TRUE(result.bearing->tilts());  // all of the width
+    EXPECT_TRUE(result.bearing->tilts());  // whole width
     error[refined] = result.states.front().outcome->flows.right_side / flow - 1.0;
   }
   EXPECT_LT(std::abs(error[1]), 3e-3);
   EXPECT_NEAR(error[0] / error[1], 4.0, 0.2);  // second order
 }
 
-/// What the stiffness says of a small further tilt, and of the place, is what films find that are tilted so.
+/// Forces and moments under a small additional tilt agree with the stiffness.
 TEST(WallFilm, IsTiltedByMoments) {
   Case input = wall_case();
   input.equilibrium->positions = {{12e-6, 3e-6}};
@@ -124,7 +124,7 @@ TEST(WallFilm, IsTiltedByMoments) {
   const RunningState state = outcome(slope, 0.5 * slope);
   ASSERT_TRUE(state.found() && state.stiffness);
   EXPECT_GT(state.outcome->moment.x(), 0.0);  // against the tilt
-  // In the balance of moments about the axis what the tilt adds is 1.6e-3 of the torque.
+  // The contribution of the tilt to the balance of moments about the axis is 1.6e-3 of the torque.
   EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 2e-4 * state.outcome->torque);
   EXPECT_LT((outcome(-slope, -0.5 * slope).outcome->moment + state.outcome->moment).norm(),
             1e-9 * state.outcome->moment.norm());
@@ -145,7 +145,7 @@ TEST(WallFilm, HasSmoothWalls) {
   EXPECT_THROW(run_wall_films(input), Error);
 }
 
-/// Found before it is run, as `bumpfoil check` promises.
+/// Reported before a run, as `bumpfoil check` promises.
 TEST(WallFilm, HasNeitherPadsNorEdgesThatAreNotThere) {
   const auto faults = [](const auto& change) {
     Case input = wall_case();
@@ -163,7 +163,7 @@ TEST(WallFilm, HasNeitherPadsNorEdgesThatAreNotThere) {
             2U);
 }
 
-/// The foils that the wall stands for end where their pitches add up to, whatever each is.
+/// The wall ends where the foils that it replaces end, at the sum of their pitches, which may vary.
 TEST(WallFilm, IsAsLongAsTheFoils) {
   Case input = wall_case();
   input.bump_foil.pitch = PerBump(4.3e-3, 4.8e-3, Grading::linear);
@@ -171,7 +171,7 @@ TEST(WallFilm, IsAsLongAsTheFoils) {
   EXPECT_NEAR(bearing.pads.front().foil.mesh.angles().tail(1)[0], 26.0 * 4.55e-3 / input.bearing.radius, 1e-12);
 }
 
-/// On a closed bearing no place of the circumference differs from another.
+/// A closed bearing is axisymmetric.
 TEST(WallFilm, ClosedWallTurnsWithItsLoad) {
   Case input = wall_case();
   input.film.closed = true;
@@ -180,7 +180,7 @@ TEST(WallFilm, ClosedWallTurnsWithItsLoad) {
   ASSERT_TRUE(result.converged());
   const Eigen::Vector2d along_x = result.states[0].outcome->force;
   const Eigen::Vector2d along_y = result.states[1].outcome->force;
-  // 104 columns are a multiple of four: the mesh turns into itself.
+  // 104 columns are a multiple of four: a quarter turn maps the mesh onto itself.
   EXPECT_NEAR(along_y.x(), -along_x.y(), 1e-7);
   EXPECT_NEAR(along_y.y(), along_x.x(), 1e-7);
   EXPECT_GT(result.states[0].outcome->attitude_angle, 0.5);
@@ -197,7 +197,7 @@ TEST(WallFilm, SpringsYield) {
     const RunningState& state = result.states[0];
     EXPECT_LT(state.outcome->force.norm(), 0.97 * rigid);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 2e-3 * state.outcome->torque);
-    // H - H_rigid = (p - pa)/k, at the mid-plane of a column, or on the mean over it.
+    // H - H_rigid = (p - pa)/k, at the mid-plane of a column, or with the mean over it.
     const FilmBearing& bearing = *result.bearing;
     const Matrix yield =
         bearing.scales.thickness * (state.last->film.thickness - bearing.undeformed_thickness(state.asked.journal));

@@ -8,20 +8,20 @@ namespace bumpfoil {
 namespace {
 
 TEST(FitStatistics, KnowStudentsT) {
-  EXPECT_NEAR(student_975(5), 2.5706, 3e-3);  // tables of two-sided 5 %
+  EXPECT_NEAR(student_975(5), 2.5706, 3e-3);  // from tables, two-sided 5 %
   EXPECT_NEAR(student_975(10), 2.2281, 1e-3);
   EXPECT_NEAR(student_975(30), 2.0423, 1e-4);
   EXPECT_NEAR(student_975(100000), 1.95996, 1e-4);
 }
 
 TEST(FitStatistics, CallChiSquareExcessiveBeyondFourDeviations) {
-  // Upper tail of 3.2e-5 of chi-square with 100 degrees of freedom: 166.
+  // Chi-square with 100 degrees of freedom has an upper tail of 3.2e-5 at 166.
   EXPECT_FALSE(is_excessive(164.0, 100));
   EXPECT_TRUE(is_excessive(168.0, 100));
 }
 
 TEST(FitStatistics, GiveTheCovarianceOfALine) {
-  // Through 0, 1, 2, 3 with variance 1: that of the slope is 1 / sum (x - mean)^2.
+  // A line through 0, 1, 2, 3 with variance 1: the variance of the slope is 1 / sum (x - mean)^2.
   Eigen::MatrixXd line(4, 2);
   line << 1, 0, 1, 1, 1, 2, 1, 3;
   const FitEstimate estimate{line, Eigen::VectorXd::Ones(4), Eigen::VectorXd::Ones(4), {false, false}};
@@ -33,7 +33,7 @@ TEST(FitStatistics, GiveTheCovarianceOfALine) {
 
 TEST(FitStatistics, DoNotKnowWhatIsHeldOrNotTold) {
   Eigen::MatrixXd sensitivities(3, 3);
-  sensitivities << 1, 0, 1, 2, 1, 2, 3, 0, 3;  // the first and the last change the same
+  sensitivities << 1, 0, 1, 2, 1, 2, 3, 0, 3;  // the first and the last have the same effect
   FitEstimate estimate{sensitivities, Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(3), {false, false, false}};
   Eigen::MatrixXd covariance = covariance_of(estimate);
   EXPECT_TRUE(std::isnan(covariance(0, 0)));

@@ -10,7 +10,7 @@ namespace {
 
 const auto never_stops = [] { return true; };
 
-/// A datum at 0.2 that counts linearly beyond 1, and a prior at 0.9 that does not.
+/// A datum at 0.2 with a linear loss beyond 1, and a prior at 0.9 without.
 LeastSquares datum_and_prior() {
   const auto residuals = [](const Eigen::VectorXd& x) -> std::optional<Eigen::VectorXd> {
     return Eigen::Vector2d(100.0 * (x[0] - 0.2), 10.0 * (x[0] - 0.9));

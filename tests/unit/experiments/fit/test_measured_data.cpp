@@ -19,7 +19,7 @@ using test_support::few_bumps;
 
 constexpr double to_middle = 0.75 * 3.141592653589793;
 
-/// Rows in no order, of which two are about one load along one direction.
+/// Unsorted rows, two of which have the same load and direction.
 struct VibrationRow {
   Eigen::Vector2d load;
   double direction, amplitude;
@@ -46,7 +46,8 @@ FitData measured_rows(const std::vector<VibrationRow>& rows) {
   return data;
 }
 
-/// What foils answer alone, each row by itself: stiffnesses, then loss factors, as the columns are.
+/// The response of foils without a machine, each row separately: stiffnesses, then loss factors, in the order of
+/// columns.
 std::vector<double> vibrations_alone(Case input, const std::vector<VibrationRow>& rows) {
   std::vector<double> stiffnesses;
   std::vector<double> loss_factors;
@@ -87,7 +88,7 @@ TEST(MeasuredData, VibrationsAreThoseOfTheirRows) {
 
 TEST(MeasuredData, VibrationsAreAboutTheLoadOfTheirColumnsThenOfTheDataThenOfTheCase) {
   Case input = few_bumps(0.15, 28e-6);
-  input.bump_foil.bumps = 26;  // on all sides
+  input.bump_foil.bumps = 26;  // bumps on all sides
   const Eigen::Vector2d of_case = 70.0 * unit_vector(to_middle);
   input.vibration =
       VibrationSettings{.loads = {of_case}, .directions = {0.0}, .amplitudes = {1e-6}, .frequencies = {1.0}};
@@ -110,8 +111,7 @@ TEST(MeasuredData, VibrationsAreAboutTheLoadOfTheirColumnsThenOfTheDataThenOfThe
   expect_answers(answer_of(), vibrations_alone(input, {{50.0 * unit_vector(to_middle), 2.0, 1e-6}}), 1e-9);
 }
 
-/// Foils and machine share the displacement: their compliances add up, and so do their energies, of which the machine
-/// has none.
+/// Foils and machine act in series: their compliances and energies add up; the machine dissipates nothing.
 TEST(MeasuredData, VibrationsAreReadThroughTheMachine) {
   const Case input = few_bumps(0.15, 28e-6);
   constexpr double machine = 20e6;
@@ -130,7 +130,7 @@ TEST(MeasuredData, VibrationsAreReadThroughTheMachine) {
   expect_answers(answer->fitted, expected, 1e-5);
 }
 
-/// Speeds and loads in no order, of a running bearing with settings that are not those of the data.
+/// Unsorted speeds and loads of a running bearing whose own settings differ from those of the data.
 struct MeasuredPlaces {
   std::vector<double> speeds, loads, frequencies;
 };
@@ -161,7 +161,7 @@ FitData measured_states(const MeasuredPlaces& table) {
   return data;
 }
 
-/// What states along one path have in these columns.
+/// Values of these columns for the states along one path.
 std::vector<std::vector<double>> states_along(Case input, const std::vector<double>& speeds,
                                               const std::vector<double>& loads, double frequency, bool stuck) {
   input.solver.name = SolverName::newton;
@@ -181,7 +181,7 @@ std::vector<std::vector<double>> states_along(Case input, const std::vector<doub
   return states;
 }
 
-/// Answers of all rows, in the order of columns. @param states  of each row
+/// Values of all rows, in the order of columns. @param states  of each row
 std::vector<double> by_columns(const std::vector<std::vector<double>>& states) {
   std::vector<double> all;
   for (std::size_t q = 0; q < running_columns.size(); ++q) {
@@ -213,7 +213,7 @@ TEST(MeasuredData, EquilibriaAreThoseOfTheirRowsOnARampOfLoads) {
   EXPECT_EQ(data->measured().series.size(), 2U);
 }
 
-/// Each frequency has a path of its own; contacts hold.
+/// Each frequency has its own path; contacts stick.
 TEST(MeasuredData, EquilibriaAreThoseOfTheirRowsOnARampOfSpeeds) {
   const Case input = measured_bearing(FilmPath::speed_ramp);
   FitData table = measured_states({{4000.0, 5000.0, 5000.0}, {50.0, 50.0, 50.0}, {300.0, 300.0, 900.0}});
@@ -236,7 +236,7 @@ TEST(MeasuredData, EquilibriaAreDrawnOverWhatDiffersMost) {
   EXPECT_EQ(data->measured().series.size(), 1U);
 }
 
-/// A bearing that does not carry the load has no state there, and none is made up.
+/// If the bearing cannot carry the load, there is no state, and no values are invented.
 TEST(MeasuredData, EquilibriaThatAreNotFoundAreNone) {
   Case input = measured_bearing(FilmPath::load_ramp);
   const auto data = measured_equilibria(measured_states({{5000.0}, {1e6}, {}}));

@@ -22,7 +22,7 @@ TEST(Properties, ReferenceTopFoilNearlyFloatsAtItsFreeEnd) {
 TEST(Properties, SingleBumpStiffnessesAreInTheirOrder) {
   const Properties properties = compute_properties(reference_case());
   EXPECT_NEAR(properties.bumps.front().shallow_bump, 0.840e6, 0.0005e6);  // known to three digits
-  // Friction of the feet helps against the load and holds back while it falls; held feet are stiffest.
+  // Foot friction stiffens loading and softens unloading; fixed feet are stiffest.
   EXPECT_LT(properties.bumps.front().unloading_bump.value(), properties.bumps.front().sliding_bump.value());
   EXPECT_LT(properties.bumps.front().sliding_bump.value(), properties.bumps.front().loading_bump.value());
   EXPECT_LT(properties.bumps.front().loading_bump.value(), properties.bumps.front().guided_bump);
@@ -31,14 +31,14 @@ TEST(Properties, SingleBumpStiffnessesAreInTheirOrder) {
 TEST(Properties, RangeOfOneBumpIsThatOfItsMatrix) {
   Case input = reference_case();
   input.bump_foil.bumps = 1;
-  // Rods of 2 MN/m at 45 degrees and springs of 1 MN/m make [Arghir2019, Eq. A1], cut to one bump,
+  // Rods of 2 MN/m at 45 degrees and springs of 1 MN/m give [Arghir2019, Eq. A1], reduced to one bump,
   // (3 0 -1 -1; 0 2 -1 -1; -1 -1 2 1; -1 -1 1 1) MN/m. Zeros of its characteristic polynomial by bisection:
   constexpr double softest = 0.1096314723;
   constexpr double stiffest = 4.5905642515;
   input.bump_foil.truss = {.k1 = 2e6, .k2 = 1e6, .k3 = 1e6, .k4 = 1e6, .theta_d = 0.25 * std::numbers::pi};
   const std::optional<StiffnessRange> range = compute_properties(input).bump_foil;
   ASSERT_TRUE(range.has_value());
-  EXPECT_NEAR(range->softest, 1e6 * softest, 1e-3);  // the digits that are written here
+  EXPECT_NEAR(range->softest, 1e6 * softest, 1e-3);  // digits given above
   EXPECT_NEAR(range->stiffest, 1e6 * stiffest, 1e-3);
 }
 
@@ -74,7 +74,7 @@ TEST(Properties, AreThoseOfEachStripWithBumpsOfItsOwn) {
   EXPECT_EQ(strip.strip, 2);
   EXPECT_DOUBLE_EQ(strip.width, (input.bearing.axial_length - 4e-3) / 3.0);
   ASSERT_EQ(strip.bumps.size(), 1U);
-  // The bearing as wide as the strip.
+  // A bearing as wide as the strip.
   Case narrow = reference_case();
   narrow.bearing.axial_length = strip.width;
   narrow.bump_foil.thickness = 0.127e-3;
@@ -87,7 +87,7 @@ TEST(Properties, AreThoseOfEachStripWithBumpsOfItsOwn) {
 
 TEST(Properties, LeavesOutWhatTakesTooLong) {
   Case input = reference_case();
-  input.bump_foil.bumps = 3000;  // more unknowns than dense eigenvalues are computed for
+  input.bump_foil.bumps = 3000;  // more unknowns than the limit for dense eigenvalues
   input.bearing.radius *= 3000.0 / 26.0;
   const Properties properties = compute_properties(input);
   EXPECT_FALSE(properties.top_foil.has_value());

@@ -1,4 +1,4 @@
-// Cases of a strip between plates that belongs to no bearing: neither radius nor clearance.
+// Cases of a strip between plates without a bearing: neither radius nor clearance.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -70,7 +70,7 @@ TEST(StripAlone, HasProperties) {
   EXPECT_EQ(properties.bumps.front().identified.k3, expected.bumps.front().identified.k3);
   ASSERT_TRUE(properties.bump_foil);
   EXPECT_EQ(properties.bump_foil->stiffest, expected.bump_foil->stiffest);
-  // That of a foil all around is of a bearing.
+  // The top foil around the circumference exists for bearings only.
   EXPECT_TRUE(expected.top_foil);
   EXPECT_FALSE(properties.top_foil);
 }

@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-/// One load is within reach, one is not.
+/// One load is reachable, the other is not.
 Case filed_vibration_case() {
   Case input = reference_case();
   input.vibration = VibrationSettings{.loads = {{0.0, -50.0}, {0.0, -1e8}},
@@ -108,7 +108,7 @@ TEST(VibrationFiles, TabulateVibrationsAndSaysWhatFailed) {
   EXPECT_EQ(table[5][column("status")], "load_out_of_reach");
   EXPECT_EQ(table[5][column("loop_energy_J")], "");
   const std::vector<std::string> failures = failure_lines(run().input, run().result);
-  ASSERT_EQ(failures.size(), 1U);  // not once more for each vibration
+  ASSERT_EQ(failures.size(), 1U);  // not repeated for each vibration
   EXPECT_EQ(failures[0], "load (0, -1e+08) N was not reached: the load is not met before the bumps are pressed flat");
   const std::vector<Vibration>& vibrations = run().result.vibrations;
   const auto unsettled = std::count_if(vibrations.begin(), vibrations.end(), [](const Vibration& one) {
@@ -218,12 +218,12 @@ TEST(VibrationFiles, AreReadByReports) {
 TEST(RossToml, ReadsBackAsTheArgumentsOfABearing) {
   const toml::table document = toml::parse(run().file("coefficients.toml"));
   const toml::array& bearings = *document.get_as<toml::array>("bearing");
-  ASSERT_EQ(bearings.size(), 2U);  // about the load that was reached
+  ASSERT_EQ(bearings.size(), 2U);  // those about the load that was reached
   const toml::table& bearing = *bearings[1].as_table();
   EXPECT_EQ(bearing["load_N"][1].value<double>(), -50.0);
   EXPECT_EQ(bearing["amplitude_m"].value<double>(), 2e-6);
   const toml::table& element = *bearing["element"].as_table();
-  // Nothing that a constructor would not take.
+  // Only arguments that constructors accept.
   EXPECT_EQ(element.size(), 9U);
   const LinearFoils& foils = run().foils[1];
   const toml::array& frequencies = *element["frequency"].as_array();
@@ -231,7 +231,7 @@ TEST(RossToml, ReadsBackAsTheArgumentsOfABearing) {
   double last = 0.0;
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
     const double frequency = frequencies[i].value<double>().value();
-    EXPECT_GT(frequency, last);  // as interpolation needs it
+    EXPECT_GT(frequency, last);  // ascending for interpolation
     last = frequency;
     EXPECT_TRUE(frequencies[i].is_floating_point());
     EXPECT_EQ(element["kxx"][i].value<double>(), foils.stiffness(0, 0));
@@ -252,7 +252,7 @@ TEST(ExportedFrequencies, AreFiveAtLeast) {
   const std::vector<double> enough{5.0, 3.0, 1.0, 2.0, 4.0};
   EXPECT_EQ(exported_frequencies(enough), (std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0}));
   const std::vector<double> one = exported_frequencies({300.0});
-  ASSERT_EQ(one.size(), 9U);  // the one of the case is among the nine
+  ASSERT_EQ(one.size(), 9U);  // that of the case is among the nine
   EXPECT_EQ(one[0], 150.0);
   EXPECT_EQ(one[4], 300.0);
   EXPECT_NEAR(one[8], 600.0, 1e-9);  // a root and its power
@@ -281,7 +281,7 @@ TEST(VibrationFiles, OfOrbitsHaveASenseForADirection) {
   EXPECT_EQ(table[3][2], "clockwise");
   const json vibrations = json::parse(folder.read("summary.json")).at("vibrations");
   EXPECT_EQ(vibrations[2].at("sense"), "clockwise");
-  // The mean force outward of both senses is the mean of the direct stiffnesses.
+  // The outward force averaged over both senses is the mean of the direct stiffnesses.
   const double mean = 0.5 * (vibrations[0].at("stiffness_direct_N_per_m").get<double>() +
                              vibrations[2].at("stiffness_direct_N_per_m").get<double>());
   EXPECT_NEAR(mean, 0.5 * foils[0].stiffness.trace(), 1e-9 * mean);
