@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
@@ -108,6 +109,17 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
   EXPECT_EQ(state.at("cyy_whirl_stuck_N_s_per_m"), whirl.stuck_impedance->imag()(1, 1) / whirl.frequency);
 }
 
+/// All values of a variable, one after the other.
+Vector values_of(const netCDF::NcFile& file, const std::string& name) {
+  Eigen::Index size = 1;
+  for (const netCDF::NcDim& dimension : file.getVar(name).getDims()) {
+    size *= static_cast<Eigen::Index>(dimension.getSize());
+  }
+  Vector values(size);
+  file.getVar(name).getVar(values.data());
+  return values;
+}
+
 /// A journal that is tilted has moments, sixteen stiffnesses and dampings, and films from side to side.
 TEST(EquilibriumFiles, TellOfTiltedJournals) {
   Case input = small_case();
@@ -132,7 +144,20 @@ TEST(EquilibriumFiles, TellOfTiltedJournals) {
   file.getVar("z").getVar(z.data());
   EXPECT_EQ(z.front(), -0.5 * input.bearing.axial_length);
   EXPECT_EQ(file.getVar("film_thickness").getDimCount(), 3);
-  EXPECT_FALSE(file.getVar("film_top_slope").isNull());
+
+  // Tilted the other way all is mirrored: the linear part over the width changes its sign, the parabola does not.
+  input.width.tilt = {-1e-4, 0.0};
+  const EquilibriumResult other = run_equilibrium(input, {}, {}, &judges);
+  const netCDF::NcFile mirrored(
+      folder.write("mirrored.nc", equilibrium_files(input, other, RunStatus::complete, {})[3].contents),
+      netCDF::NcFile::read);
+  for (const auto& [name, sign] : {std::pair("film_top_slope", -1.0), std::pair("film_top_parabola", 1.0)}) {
+    const Vector mode = values_of(file, name);
+    const double largest = mode.cwiseAbs().maxCoeff();
+    EXPECT_GT(largest, 1e-7) << name;
+    // Far above the tolerances of the iterations.
+    EXPECT_LT((values_of(mirrored, name) - sign * mode).cwiseAbs().maxCoeff(), 1e-6 * largest) << name;
+  }
 }
 
 TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {

@@ -58,6 +58,8 @@ TEST(Properties, AreThoseOfEachShapeOfBumps) {
   EXPECT_EQ(std::pair(uniform[0].from, uniform[0].to), std::pair(1, 26));
   EXPECT_EQ(bumps[1].identified.k1, uniform[0].identified.k1);
   EXPECT_EQ(bumps[1].sliding_bump, uniform[0].sliding_bump);
+  EXPECT_GT(bumps[1].identified.k1, bumps[0].identified.k1);
+  EXPECT_GT(bumps[0].identified.k1, 0.0);
 }
 
 TEST(Properties, AreThoseOfEachStripWithBumpsOfItsOwn) {
