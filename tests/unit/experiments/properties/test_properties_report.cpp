@@ -33,7 +33,9 @@ TEST(PropertiesTable, HasALineForEachShapeOfBumps) {
   const Properties properties = compute_properties(input);
   const std::string text = properties_table(input, properties);
   for (const char* line :
-       {"\n1 to 2        4.5720  0.40600   1.0160   0.10200", "\n3 to 5        4.5720  0.38100   1.0160   0.12700",
+       {"\n1 to 2        4.5720  0.40600   1.0160   0.10200",
+        "\n3 to 5        4.5720  0.38100   1.0160   0.12700     245.40     12.441     2.1011     21.270   15.267     "
+        "3.8442     1.6081\n",
         "\n6 to 26       4.5720  0.40600   1.0160   0.10200"}) {
     EXPECT_NE(text.find(line), std::string::npos) << text;
   }
