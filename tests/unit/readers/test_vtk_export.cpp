@@ -97,7 +97,7 @@ TEST(VtkExport, DrawsDryFoilsAsTheyAreTilted) {
     EXPECT_NEAR(outward(0) + outward(8), 2.0 * outward(4), 1e-15);  // linear over the width
     steepest = std::max(steepest, outward(8) - outward(0));
   }
-  EXPECT_GT(steepest, 1e-6);                    // towards the side where the journal is farther out
+  EXPECT_GT(steepest, 1e-6);                    // on the side that the journal presses outward
   EXPECT_LT(steepest, 1e-4 * 38.1e-3 + 1e-12);  // limited by the tilt
 }
 
