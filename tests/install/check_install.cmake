@@ -55,6 +55,7 @@ if(HAS_REPORT)
 endif()
 
 list(JOIN FLAGS " " flags)
+string(REPLACE "," ";" COMPILERS "${COMPILERS}")
 foreach(compiler IN LISTS COMPILERS)
   file(REMOVE_RECURSE ${WORK_DIR}/consumer)
   run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/consumer -G Ninja -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
