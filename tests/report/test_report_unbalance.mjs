@@ -86,7 +86,6 @@ test('lines are solid where contacts stick and dashed where they slide, and mark
 test('the polar plot is in true shape', () =>
   withReport('orbits.html', async (page) => {
     const panel = panelOf(page, 'Polar plot');
-    await plotsIn(panel);
     const plot = await plotsIn(panel);
     // The circles of its guides, of many points, are as high as they are wide.
     const sizes = await plot.locator('path').evaluateAll((paths) => paths.filter((path) => path.getAttribute('d').split('L').length > 70).map((path) => path.getBBox()).map(({ width, height }) => [width, height]));

@@ -19,10 +19,8 @@ export interface RenderApi {
   value(dimension: number): number;
 }
 
-type Rendered = object | undefined;
-
 interface Series {
-  renderItem?: (...given: unknown[]) => Rendered;
+  renderItem?: (...given: unknown[]) => object | undefined;
 }
 
 /** What is under the pointer stays where it is: lifted above the rest, a picture would hide the lines on it, and a click whose
