@@ -148,11 +148,10 @@ compilers: ## build the program by g++ and clang++, -O2 and -O3, with and withou
 	    -DCMAKE_CXX_FLAGS_RELEASE="$$3 -DNDEBUG" -DBUMPFOIL_BUILD_DESIGNER=OFF -DBUMPFOIL_BUILD_REPORT=OFF > /dev/null
 	  cmake --build "build/compilers/$$1" --parallel $(JOBS) --target bumpfoil
 	}
-	baseline="'-D__builtin_cpu_supports(x)=0'"
 	build_by gcc g++ -O2
-	build_by gcc-baseline g++ "-O3 $$baseline"
+	build_by gcc-baseline g++ "-O3 -DBUMPFOIL_BASELINE_ONLY"
 	build_by clang clang++ -O3
-	build_by clang-baseline clang++ "-O2 $$baseline"
+	build_by clang-baseline clang++ "-O2 -DBUMPFOIL_BASELINE_ONLY"
 	for other in gcc-baseline clang clang-baseline; do
 	  /usr/bin/python3 -B scripts/compare_programs.py build/compilers/{gcc,"$$other"}/bumpfoil --drawn 0 --zero 1e-9
 	done

@@ -5,7 +5,7 @@ namespace {
 
 std::vector<VectorInstructions> find_vector_instructions() {
   std::vector<VectorInstructions> found{VectorInstructions::baseline};
-#ifdef __x86_64__
+#ifdef BUMPFOIL_WIDE_VECTORS
   // These also check the operating system, which must save the wider registers.
   const auto has = [](int answer) { return answer != 0; };
   if (!has(__builtin_cpu_supports("avx2")) || !has(__builtin_cpu_supports("fma"))) return found;

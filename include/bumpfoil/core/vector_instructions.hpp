@@ -21,10 +21,16 @@
 #define BUMPFOIL_INDEPENDENT _Pragma("GCC ivdep")
 #endif
 
+/// Defined where there are instructions to choose from. Builds that are compared with others, or measured for coverage,
+/// define BUMPFOIL_BASELINE_ONLY.
+#if defined(__x86_64__) && !defined(BUMPFOIL_BASELINE_ONLY)
+#define BUMPFOIL_WIDE_VECTORS
+#endif
+
 // Clang has no option for the width that loops are given; vectors that are spelled out need none.
-#if defined(__x86_64__) && defined(__clang__)
+#ifdef __clang__
 #define BUMPFOIL_TARGET_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")))
-#elif defined(__x86_64__)
+#else
 #define BUMPFOIL_TARGET_AVX512 \
   __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma,prefer-vector-width=512")))
 #endif
@@ -53,7 +59,7 @@ template <int N>
 using Lanes = std::integral_constant<int, N>;
 
 namespace detail {
-#ifdef __x86_64__
+#ifdef BUMPFOIL_WIDE_VECTORS
 template <typename Body>
 __attribute__((target("avx2,fma"))) auto call_with_avx2(Body& body) {
   return body(Lanes<4>());
@@ -73,7 +79,7 @@ BUMPFOIL_TARGET_AVX512 auto call_with_avx512(Body& body) {
 /// @param body  a lambda that is BUMPFOIL_ALWAYS_INLINE, as must be all that it calls
 template <typename Body>
 auto with_vectors([[maybe_unused]] VectorInstructions instructions, Body&& body) {
-#ifdef __x86_64__
+#ifdef BUMPFOIL_WIDE_VECTORS
   if (instructions == VectorInstructions::avx512) return detail::call_with_avx512(body);
   if (instructions == VectorInstructions::avx2) return detail::call_with_avx2(body);
 #endif

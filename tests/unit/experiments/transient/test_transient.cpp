@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -255,6 +256,37 @@ TEST(Transient, TellsRubsApart) {
   ASSERT_FALSE(lines.empty());
   EXPECT_EQ(lines.back(),
             "journals touch foils in 1 intervals: from 0.04 s on asperities of bearing 1 carry up to 0.99 N");
+}
+
+/// The table shows all of a few turns and some of many, from the first to the last.
+TEST(Transient, ShowsTurnsAndRubsInATable) {
+  TransientReading reading(synthetic(0.5, 2e-6));
+  const auto lines = [&reading] {
+    std::vector<std::string> found;
+    std::istringstream table(transient_table(reading));
+    for (std::string line; std::getline(table, line);) found.push_back(line);
+    return found;
+  };
+  const std::string fourth =
+      "          4        128       9.55          0          2          2         98       0.01          0";
+  const std::vector<std::string> few = lines();
+  ASSERT_EQ(few.size(), 13U);
+  EXPECT_EQ(few[6], fourth);
+  EXPECT_EQ(few[11], "rub, bearing 1: from 40 to 49 ms, 0.99 N at most");
+  EXPECT_EQ(few[12].find("energy of these revolutions, mJ: forces 0, films 0, "), 0U) << few[12];
+  // The motion at half the rotation frequency is unknown in the first turn.
+  EXPECT_EQ(few[3].substr(44, 11), "          -");
+  reading.turns.insert(reading.turns.begin(), 40, reading.turns[3]);
+  reading.turns.back().number = 48;
+  reading.rubs.assign(12, reading.rubs.front());
+  const std::vector<std::string> many = lines();
+  ASSERT_EQ(many.size(), 3U + 24U + 10U + 3U);
+  EXPECT_EQ(many[3], fourth);
+  EXPECT_EQ(many[26].substr(0, 11), "         48");
+  EXPECT_EQ(many[27], "all 48 revolutions are in the files");
+  EXPECT_EQ(many[38], "2 more rubs are in summary.json");
+  reading.turns.clear();
+  EXPECT_EQ(lines()[3], "no whole revolution");
 }
 
 /// Warnings name the bearing concerned.
