@@ -73,7 +73,8 @@ void require_finite(const std::vector<double>& numbers) {
   for (const double number : numbers) require(std::isfinite(number), "a number that is none");
 }
 
-/// A valid case is written so that reading it again gives the same bits; what was remarked on defaults is explicit then.
+/// A valid case is written so that reading it again gives the same bits. Remarks on defaults are not: they are explicit
+/// then.
 void expect_case(std::string_view text, const std::vector<std::string>& overrides) {
   reads([&] {
     Case input = parse_case(text, "/dev/null/case.toml", {.overrides = overrides, .commands = {}});

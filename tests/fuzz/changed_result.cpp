@@ -34,7 +34,8 @@ std::vector<SmallRun> make_small_runs() {
   return runs;
 }
 
-/// Copies its values, so that they can be changed; uncompressed, since netCDF refuses to compress what lost its dimensions.
+/// Copies its values, so that they can be changed. It is written whole and uncompressed: it may have lost its
+/// dimensions.
 void change(Variable& variable, const Dataset& dataset, DrawsOfBytes& draws) {
   std::vector<double> values = variable.values ? variable.values() : std::vector<double>{};
   constexpr std::array numbers{std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, 0.5, 3.0, 1e300, -1e300, 127.0};
@@ -64,6 +65,7 @@ void change(Variable& variable, const Dataset& dataset, DrawsOfBytes& draws) {
   for (const std::string& name : variable.dims) size *= dataset.dimension(name).size;
   values.resize(size);
   variable.values = [values] { return values; };
+  variable.rows = {};
   variable.compressed = false;
 }
 
