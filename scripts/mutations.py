@@ -305,15 +305,20 @@ def page_of(results, reasons):
         rows.append([len(own), len(caught), sum("again" in one for one in caught), len(own) - len(caught)])
         yield "| " + " | ".join(map(str, [module, *rows[-1]])) + " |"
     yield "| all | " + " | ".join(str(sum(numbers)) for numbers in zip(*rows)) + " |"
-    left = sum(one["verdict"] == OPEN for one in last.values())
-    yield f"\nChanges that no test detects; for {left} of these only the short tests of their module were run:\n"
+    lasting = [one for one in last.values() if one["verdict"] in ("survived", OPEN)]
+    why = [reasons.get(one["file"], {}).get(f"{one['code']} {one['change']}", "**Open.**") for one in lasting]
+    tried, caught = sum(row[0] for row in rows), sum(row[1] for row in rows)
+    equivalent = sum(not reason.startswith(("Could change a result", "**Open")) for reason in why)
+    share = 100 * caught / (tried - equivalent)
+    yield f"\nOf those not caught {equivalent} are equivalent mutants: a converged run gives the same result, after more or fewer"
+    yield f"steps. Of the other {tried - equivalent} changes {share:.1f} % are caught.\n"
+    left = sum(one["verdict"] == OPEN for one in lasting)
+    yield f"Changes that no test detects; for {left} of these only the short tests of their module were run:\n"
     yield "| where | line | change | why |\n|---|---|---|---|"
-    for one in last.values():
-        if one["verdict"] in ("survived", OPEN):
-            # Neither a column nor a link.
-            code, change = (text.replace("|", "\\|").replace("](", "] (") for text in (one["code"], one["change"]))
-            why = reasons.get(one["file"], {}).get(f"{one['code']} {one['change']}", "**Open.**")
-            yield f"| `{one['file']}:{one['line']}` | `{code}` | `{change}` | {why} |"
+    for one, reason in zip(lasting, why):
+        # Neither a column nor a link.
+        code, change = (text.replace("|", "\\|").replace("](", "] (") for text in (one["code"], one["change"]))
+        yield f"| `{one['file']}:{one['line']}` | `{code}` | `{change}` | {reason} |"
 
 
 def main():
