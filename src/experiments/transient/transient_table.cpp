@@ -41,7 +41,7 @@ std::string turn_line(const TransientTurn& revolution) {
     thinnest = std::min(thinnest, bearing.thinnest);
     load = std::max(load, bearing.asperity_load);
   }
-  return turn_cell(static_cast<double>(revolution.number), 1.0) + turn_cell(revolution.time, 1e-3) +
+  return fmt::format("{:>{}}", revolution.number, turn_cell_width) + turn_cell(revolution.time, 1e-3) +
          turn_cell(revolution.speed, shown::revolutions.size) +
          turn_cell(place.orbit.once.cwiseAbs().maxCoeff(), 1e-6) +
          turn_cell(place.half ? place.half->cwiseAbs().maxCoeff() : absent, 1e-6) +
