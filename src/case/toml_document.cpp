@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/printable.hpp"
 #include "core/collect_faults.hpp"
 #include "core/number_text.hpp"
 
@@ -168,6 +169,10 @@ toml::table parse_override_value(const std::string& key, const std::string& valu
   if (is_beyond<std::int64_t>(value) || is_beyond<double>(value)) {
     throw Error(ErrorKind::input, {{std::string(command_line), 0, key, value, "is out of range",
                                     "give a number that the program can hold"}});
+  }
+  if (!is_utf8(value)) {
+    throw Error(ErrorKind::input, {{std::string(command_line), 0, key, value, "is not UTF-8 text",
+                                    "use a terminal or script whose character encoding is UTF-8"}});
   }
   toml::table bare = *parse_single("''");
   *bare.get("v")->as_string() = value;

@@ -12,16 +12,20 @@ namespace {
 
 struct CodeRange {
   char32_t first, last;
+
+  [[nodiscard]] bool holds(char32_t code) const { return first <= code && code <= last; }
 };
+constexpr CodeRange surrogates{0xd800, 0xdfff};  // not characters
+constexpr CodeRange too_large{0x110000, std::numeric_limits<char32_t>::max()};
 constexpr std::array<CodeRange, 9> unprintable{{{0x00, 0x1f},
                                                 {0x7f, 0x9f},
                                                 {0x61c, 0x61c},
                                                 {0x200e, 0x200f},
                                                 {0x2028, 0x202e},
                                                 {0x2066, 0x2069},
-                                                {0xd800, 0xdfff},  // surrogates: not characters
+                                                surrogates,
                                                 {0xfeff, 0xfeff},
-                                                {0x110000, std::numeric_limits<char32_t>::max()}}};
+                                                too_large}};
 
 /// The first character of a text: its code, above all valid ones if it is not UTF-8, and its size in bytes.
 struct Character {
@@ -30,12 +34,12 @@ struct Character {
 
   [[nodiscard]] bool is_printable() const {
     return std::none_of(unprintable.begin(), unprintable.end(),
-                        [this](const CodeRange& range) { return range.first <= code && code <= range.last; });
+                        [this](const CodeRange& range) { return range.holds(code); });
   }
 };
 
 Character first_character(std::string_view text) {
-  constexpr Character invalid{std::numeric_limits<char32_t>::max(), 1};
+  constexpr Character invalid{too_large.last, 1};
   const auto first = static_cast<unsigned char>(text.front());
   if (first < 0x80) return {first, 1};
   const std::size_t size = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
@@ -56,6 +60,15 @@ void append_bytes(std::string& out, std::string_view bytes) {
 }
 
 }  // namespace
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const Character character = first_character(text);
+    if (surrogates.holds(character.code) || too_large.holds(character.code)) return false;
+    text.remove_prefix(character.size);
+  }
+  return true;
+}
 
 std::string printable(std::string_view text, std::size_t limit) {
   std::string out;

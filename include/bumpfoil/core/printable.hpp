@@ -9,6 +9,9 @@ namespace bumpfoil {
 /// Longest path that the systems we run on accept: a shortened one could not be opened by a click.
 inline constexpr std::size_t longest_path = 4096;
 
+/// Whether a text is UTF-8, as all texts in files of results must be.
+bool is_utf8(std::string_view text);
+
 /// Text of unknown origin (file names, titles, attributes, what a user typed) made safe to print: what would steer a
 /// terminal or disguise what stands around it is written as `\xNN`, byte for byte. That is
 ///

@@ -82,6 +82,12 @@ TEST(Overrides, AreToldThatNumbersAreMetres) {
   EXPECT_EQ(refusal({"bearing.radial_clearance=31.8 m"}).find("numbers are"), std::string::npos);
 }
 
+/// Results hold the title, and their files are UTF-8.
+TEST(Overrides, AreUtf8) {
+  EXPECT_EQ(refusal({"title=Rig \xb5"}),
+            "--set: title = Rig \\xb5: is not UTF-8 text; use a terminal or script whose character encoding is UTF-8");
+}
+
 TEST(Overrides, WithNumbersThatAreNone) {
   for (const std::string number : {"99999999999999999999", "-99999999999999999999", "1e400"}) {
     EXPECT_EQ(refusal({"bump_foil.bumps=" + number}),

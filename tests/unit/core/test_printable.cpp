@@ -39,7 +39,10 @@ TEST(Printable, EscapesWhatIsNoUtf8) {
   for (const std::string text : {"\x80", "\xff", "\xc2", "\xe2\x80", "\xc1\x9b", "\xe0\x82\x9b", "\xed\xa0\x80",
                                  "\xf4\x90\x80\x80", "\xf8\x88"}) {
     EXPECT_EQ(printable(text).size(), 4 * text.size()) << printable(text);
+    EXPECT_FALSE(is_utf8("a" + text)) << printable(text);
   }
+  for (const std::string text : {"", "a\n\x1b", "\xc2\xb5m", "\xe2\x80\xae", "\xf0\x9f\x98\x80"})
+    EXPECT_TRUE(is_utf8(text));
   EXPECT_EQ(printable("\xe2\x80z\x9b\xc2\xb5"), "\\xe2\\x80z\\x9b\xc2\xb5");
 }
 
