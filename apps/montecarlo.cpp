@@ -148,6 +148,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
                              .share = share});
     shares = helpers.shares_text(log.rows() - before, "samples");
   }
+  if (finished && session.no_times) log.rewrite_evenly();
 
   const EnsembleStatistics statistics = make_ensemble_statistics(input, layout, log);
   const RunStatus status = status_of(statistics, !finished);

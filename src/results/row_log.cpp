@@ -26,6 +26,9 @@ constexpr std::string_view signature = "bumpfoil-rows/1\n";
 constexpr std::size_t checksum_size = blank_checksum.size();
 constexpr std::size_t head_size = sizeof(std::uint64_t) + checksum_size;
 
+/// Rows of a block where all have one size.
+constexpr std::size_t even_block = 1000;
+
 /// The checksum includes the size.
 std::string head_of(std::string_view bytes) {
   const std::uint64_t size = bytes.size();
@@ -157,6 +160,30 @@ void RowLog::append(std::span<const double> rows) {
   }
   open_->add(record_of(bytes));
   open_->add_block(bytes.size());
+}
+
+void RowLog::rewrite_evenly() {
+  const std::size_t width = open_->width;
+  const fs::path fresh = fs::path(open_->path) += ".new";
+  try {
+    RowLog even(fresh, identity_of(open_->path).value(), width);
+    for (std::size_t first = 0; first < rows(); first += even_block) {
+      const std::size_t count = std::min(even_block, rows() - first);
+      std::vector<double> block(count * width);
+      for (std::size_t place = 0; place < width; ++place) {
+        const std::vector<double> values = column(place, first, count);
+        for (std::size_t row = 0; row < count; ++row) block[row * width + place] = values[row];
+      }
+      even.append(block);
+    }
+    fs::rename(fresh, open_->path);
+    even.open_->path = open_->path;
+    open_ = std::move(even.open_);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(fresh, ignored);
+    throw;
+  }
 }
 
 std::vector<double> RowLog::column(std::size_t column, std::size_t first, std::size_t count) const {

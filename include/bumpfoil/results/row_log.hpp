@@ -40,6 +40,10 @@ class RowLog {
   /// Adds whole rows, one after the other, and flushes them.
   void append(std::span<const double> rows);
 
+  /// Writes the file anew in blocks of one size: the same rows then are the same bytes, however fast they came. If it
+  /// fails, the log stays what it was.
+  void rewrite_evenly();
+
   /// Entries `first` to `first + count` of a column.
   [[nodiscard]] std::vector<double> column(std::size_t column, std::size_t first, std::size_t count) const;
 

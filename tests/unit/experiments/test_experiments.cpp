@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
+#include <string>
 
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "support/bearing_cases.hpp"
 
@@ -44,6 +50,24 @@ TEST(Experiments, EndWhenTheirProgressSaysSo) {
   input.cycle.steps = 5;
   const Outcome outcome = experiment_named("cycle").run(input, [](double) { return false; });
   EXPECT_EQ(outcome.status, RunStatus::interrupted);
+}
+
+/// A point of a sweep has the same columns in all of its rows, and lists in JSON.
+TEST(Experiments, GiveASweepRowsAndLists) {
+  for (const char* const command : {"stability", "unbalance", "transient", "vibration"}) {
+    SCOPED_TRACE(command);
+    const ExperimentInfo& experiment = experiment_named(command);
+    const Case input = parse_case(case_template("gen1"), "gen1.toml",
+                                  {.overrides = experiment.small_runs.front(), .commands = {command}});
+    const SweptResult swept = experiment.run(input, {}).swept(false);
+    const std::string header = swept.rows.substr(0, swept.rows.find('\n'));
+    const auto columns = std::count(header.begin(), header.end(), ',');
+    EXPECT_GT(columns, 3);
+    std::istringstream lines(swept.rows);
+    for (std::string line; std::getline(lines, line);) EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns);
+    EXPECT_TRUE(nlohmann::json::parse(swept.lists).is_object());
+    EXPECT_FALSE(swept.dataset.variables.empty());
+  }
 }
 
 }  // namespace

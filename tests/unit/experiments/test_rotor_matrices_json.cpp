@@ -90,6 +90,19 @@ TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
             (Faults{"Q: unknown key", "M[2]: has 5 numbers, but there are 4 rows", "K[3]: is not a list of numbers",
                     "bearing[1].z: is missing", "bearing[2].why: unknown key",
                     "bearing[2].x: is no number of a row, from 0", "station[1].y: is no number of a row, from 0"}));
+  // Lists that are none or too long.
+  file = rotor_file();
+  file["M"] = 3;
+  file["C"] = std::vector<Json>(most_rotor_unknowns + 1, Json::array());
+  file["K"] = Json{{1.0, "stiff"}, 7};
+  file["bearing"] = "two";
+  file["station"] = {1};
+  EXPECT_EQ(faults_of(file.dump()),
+            (Faults{"M: is not a list of rows", "C: has 301 rows", "K[1]: is not a list of numbers",
+                    "K[2]: is not a list of numbers", "bearing: is no list", "station[1]: is no object"}));
+  file = rotor_file();
+  file["station"] = std::vector<Json>(most_rotor_unknowns + 1);
+  EXPECT_EQ(faults_of(file.dump()), Faults{"station: has 301 entries"});
   // Properties of complete matrices.
   file = rotor_file();
   file["M"][0][2] = 7.0;

@@ -48,6 +48,27 @@ TEST_F(RowLogs, AreCutBackToWholeBlocks) {
   EXPECT_EQ(RowLog::open(path_, 2, 2).rows(), 0U);
 }
 
+/// However many rows came at a time.
+TEST_F(RowLogs, AreTheSameBytesInEvenBlocks) {
+  constexpr int count = 2500;
+  std::vector<double> rows;
+  for (int i = 0; i < count; ++i) rows.insert(rows.end(), {1.0 * i, i % 7 == 0 ? NAN : -2.0 * i});
+  RowLog whole(path_, "identity", 2);
+  whole.append(rows);
+  RowLog pieces(folder_.path() / "pieces", "identity", 2);
+  for (std::size_t i = 0; i < rows.size(); i += 2 * 625) pieces.append({&rows[i], 2 * 625});
+  EXPECT_NE(folder_.read("pieces"), folder_.read("log"));
+  whole.rewrite_evenly();
+  pieces.rewrite_evenly();
+  EXPECT_EQ(folder_.read("pieces"), folder_.read("log"));
+  pieces.append(std::vector{7.0, 8.0});
+  const RowLog again = RowLog::open(folder_.path() / "pieces", 2);
+  ASSERT_EQ(again.rows(), count + 1U);
+  EXPECT_EQ(again.column(0, 999, 2), (std::vector{999.0, 1000.0}));
+  EXPECT_EQ(again.column(1, 2499, 2), (std::vector{-4998.0, 8.0}));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "log.new"));
+}
+
 TEST_F(RowLogs, TornAnywhereHoldWhatIsWhole) {
   write_two_blocks();
   const std::string whole = folder_.read("log");
