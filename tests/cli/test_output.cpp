@@ -91,6 +91,7 @@ bool is_tame(std::string_view text) {
 TEST_F(Output, TextsOfOthersDoNotSteerTheTerminal) {
   const std::string hostile = "x\x1b]0;owned\x07\x1b[2J\x9b 31m\xc2\x9b 31m\xe2\x80\xae\x7f\n\xff";
   setenv("hostile", hostile.c_str(), 1);
+  setenv("utf8", "x\x1b]0;owned\x07\x1b[2J\xc2\x9b 31m\xe2\x80\xae\x7f\n", 1);
   // TOML holds valid UTF-8, and control characters by their numbers alone.
   folder_.write("title.toml", "title = \"x\\u001b[2J \\u009b31m \\u202e \xc2\x9b \xe2\x80\xae\"\n" +
                                   folder_.read("case.toml").substr(folder_.read("case.toml").find("\n[bearing]")));
@@ -124,9 +125,10 @@ TEST_F(Output, TextsOfOthersDoNotSteerTheTerminal) {
            {"$bumpfoil check case.toml --set \"solver.name=$hostile\"", 2},
            {"$bumpfoil check case.toml --set \"cycle.directions=['$hostile']\"", 2},
            {"$bumpfoil check case.toml --set \"title.$hostile=1\"", 2},
-           {"$bumpfoil check case.toml --set \"bump_foil.height_errors_file=$hostile.csv\"", 4},
-           {"printf 'bump,height_error_m\\n1,%s\\n' \"$hostile\" > \"$hostile.csv\";"
-            "$bumpfoil check case.toml --set \"bump_foil.height_errors_file=$hostile.csv\"",
+           {"$bumpfoil check case.toml --set \"bump_foil.height_errors_file=$hostile.csv\"", 2},
+           {"$bumpfoil check case.toml --set \"bump_foil.height_errors_file=$utf8.csv\"", 4},
+           {"printf 'bump,height_error_m\\n1,%s\\n' \"$hostile\" > \"$utf8.csv\";"
+            "$bumpfoil check case.toml --set \"bump_foil.height_errors_file=$utf8.csv\"",
             2},
            {"$bumpfoil \"$hostile\"", 2},
            {"$bumpfoil check case.toml \"--$hostile\"", 2},
