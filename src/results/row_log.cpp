@@ -176,7 +176,7 @@ void RowLog::rewrite_evenly() {
       }
       even.append(block);
     }
-    fs::rename(fresh, open_->path);
+    rename_file(fresh, open_->path);
     even.open_->path = open_->path;
     open_ = std::move(even.open_);
   } catch (...) {
