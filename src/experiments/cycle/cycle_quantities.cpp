@@ -8,12 +8,19 @@
 namespace bumpfoil {
 namespace {
 
+/// Whether a peak is higher than one before by more than round-off, so that every compiler finds the same place: the
+/// end of an arc is a crest, and symmetric bumps have equal stresses.
+bool is_higher(double later, double before) {
+  constexpr double round_off = 1e-10;
+  return later > before + round_off * std::abs(before);
+}
+
 /// Updates the peak with the stresses at one kind of location, `per_bump` columns for each bump. 0 per bump: one column
 /// for the weld of each pad.
 void raise(std::optional<StressPeak>& peak, const Increment& increment, const FieldMatrix& stress, Eigen::Index row,
            StressPlace place, int per_bump) {
   for (Eigen::Index i = 0; i < stress.cols(); ++i) {
-    if (peak && !(stress(row, i) > peak->stress)) continue;
+    if (peak && !is_higher(stress(row, i), peak->stress)) continue;
     peak = StressPeak{.stress = stress(row, i),
                       .place = place,
                       .bump = per_bump > 0 ? static_cast<int>(i) / per_bump : -1,
@@ -32,7 +39,7 @@ double crossing(const LoadingCurve::Point& from, const LoadingCurve::Point& to, 
 /// The higher of two peaks; of equal ones the first.
 template <typename Peak>
 void take_higher(std::optional<Peak>& peak, const std::optional<Peak>& later, double Peak::*height) {
-  if (!peak || (later && (*later).*height > (*peak).*height)) peak = later;
+  if (!peak || (later && is_higher((*later).*height, (*peak).*height))) peak = later;
 }
 
 /// The force passes this fraction of its maximum at the take-up point.
@@ -110,7 +117,7 @@ std::optional<CompressionPeak> compression_peak(const FieldMatrix& compression,
   for (Eigen::Index row = 0; row < compression.rows(); ++row) {
     const Increment& increment = increments[static_cast<std::size_t>(row)];
     for (Eigen::Index bump = 0; bump < compression.cols(); ++bump) {
-      if (peak && !(compression(row, bump) > peak->compression)) continue;
+      if (peak && !is_higher(compression(row, bump), peak->compression)) continue;
       peak = CompressionPeak{.compression = compression(row, bump),
                              .bump = static_cast<int>(bump),
                              .increment = increment.index,
