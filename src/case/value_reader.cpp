@@ -42,7 +42,13 @@ std::string_view kind_of(const toml::node& node) {
   }
 }
 
-/// Advice for a text that is not a number, such as "0,2".
+/// What to add to "write a number" where the value met is in quotes. On the command line a text needs none, and has
+/// none.
+std::string_view without_quotes(const toml::node& node) {
+  return node.is_string() && !is_override(node) ? " without quotes" : "";
+}
+
+/// Advice for a value that is not a number, such as "0,2".
 std::string number_advice(const toml::node& node) {
   std::string text = node.value_or(std::string());
   const std::size_t comma = text.find(',');
@@ -52,10 +58,10 @@ std::string number_advice(const toml::node& node) {
     const auto [end, status] = read_number(text, number);
     if (status == std::errc{} && end == text.data() + text.size()) return "write a decimal point: " + text;
   }
-  return "write a number without quotes, such as 0.1";
+  return fmt::format("write a number{}, such as 0.1", without_quotes(node));
 }
 
-constexpr Dimension dimension_of(Control control) {
+constexpr Dimension controlled_dimension(Control control) {
   return control == Control::displacement ? Dimension::length : Dimension::force;
 }
 
@@ -83,14 +89,14 @@ void ValueReader::operator()(bool* value) const {
   if (const auto* flag = node.as_boolean()) {
     *value = flag->get();
   } else {
-    refuse("true or false", "write true or false without quotes");
+    refuse("true or false", fmt::format("write true or false{}", without_quotes(node)));
   }
 }
 
 void ValueReader::operator()(int* value) const {
   const auto* number = node.as_integer();
   if (number == nullptr) {
-    refuse("a whole number", "write a whole number without quotes, such as 26");
+    refuse("a whole number", fmt::format("write a whole number{}, such as 26", without_quotes(node)));
   } else if (number->get() < std::numeric_limits<int>::min() || number->get() > std::numeric_limits<int>::max()) {
     log.fault(path, "is out of range", number->get() > 0 ? "give a smaller number" : "give a larger number");
   } else {
@@ -205,15 +211,15 @@ std::optional<Control> control_of(const toml::node& node) {
   const auto* text = node.as_string();
   if (text == nullptr) return std::nullopt;
   for (const Control control : {Control::displacement, Control::load}) {
-    if (std::holds_alternative<double>(parse_quantity(text->get(), dimension_of(control)))) return control;
+    if (std::holds_alternative<double>(parse_quantity(text->get(), controlled_dimension(control)))) return control;
   }
   return std::nullopt;
 }
 
 void read_target(ReadingLog& log, const std::string& path, const toml::node& node, Control control, double& value) {
   const Control other = control == Control::displacement ? Control::load : Control::displacement;
-  ValueReader{log, path, node, dimension_of(control),
-              fmt::format(", or {}", example_quantity(dimension_of(other)))}(&value);
+  ValueReader{log, path, node, controlled_dimension(control),
+              fmt::format(", or {}", example_quantity(controlled_dimension(other)))}(&value);
 }
 
 const toml::array* plane_vector(ReadingLog& log, const std::string& path, const toml::node& node,

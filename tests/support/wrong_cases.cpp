@@ -58,8 +58,10 @@ void add_keys_and_types(std::vector<WrongCase>& table) {
   add(edit("value where a table is due", "[solver]\nname = \"newton\"", "[solver.name]\nx = 1",
            {"solver.name: is a table, expected a word in quotes"}));
   add(edit("list of tables", "[friction]", "[[friction]]", {"friction: is a list, expected a table"}, 1));
-  add(edit("number as text", "bumps = 26", "bumps = \"26\"", {"bump_foil.bumps = 26: is a text", "whole number"}));
-  add(edit("broken number of bumps", "bumps = 26", "bumps = 26.5", {"bump_foil.bumps = 26.5", "whole number"}));
+  add(edit("number as text", "bumps = 26", "bumps = \"26\"",
+           {"bump_foil.bumps = 26: is a text", "a whole number without quotes"}));
+  add(edit("broken number of bumps", "bumps = 26", "bumps = 26.5",
+           {"bump_foil.bumps = 26.5", "write a whole number, such as 26"}));
   add(edit("whole steps as float", "steps = 100", "steps = 100.0", {"cycle.steps = 100", "expected a whole number"}));
   add(edit("bumps beyond int", "bumps = 26", "bumps = 3000000000", {"bump_foil.bumps = 3000000000: is out of range"}));
   add(edit("bumps below int", "bumps = 26", "bumps = -3000000000", {"is out of range; give a larger number"}));

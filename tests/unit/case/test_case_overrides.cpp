@@ -95,9 +95,9 @@ TEST(Overrides, WithNumbersThatAreNone) {
   }
   // Invalid TOML is a text; the message does not call it one if it was not quoted.
   EXPECT_EQ(refusal({"bump_foil.bumps=026"}),
-            "--set: bump_foil.bumps = 026: is not a whole number; write a whole number without quotes, such as 26");
+            "--set: bump_foil.bumps = 026: is not a whole number; write a whole number, such as 26");
   EXPECT_EQ(refusal({"friction.coefficient=.1"}),
-            "--set: friction.coefficient = .1: is not a number; write a number without quotes, such as 0.1");
+            "--set: friction.coefficient = .1: is not a number; write a number, such as 0.1");
   EXPECT_EQ(refusal({"friction.coefficient=0,2"}),
             "--set: friction.coefficient = 0,2: is not a number; write a decimal point: 0.2");
   EXPECT_NE(refusal({"friction.coefficient=0,2,3"}).find("such as 0.1"), std::string::npos);

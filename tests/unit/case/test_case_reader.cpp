@@ -463,7 +463,7 @@ TEST(ParseCase, FrictionMayDifferPerInterface) {
   const CaseRequest both{.overrides = {"friction.top_bump=0.1", "friction.bump_sleeve=0"}, .commands = {}};
   EXPECT_EQ(parse_case(text, "case.toml", both).friction, (Friction{.top_bump = 0.1, .bump_sleeve = 0.0}));
   EXPECT_EQ(refusal({"friction.coefficient=none"}),  // said once
-            "--set: friction.coefficient = none: is not a number; write a number without quotes, such as 0.1");
+            "--set: friction.coefficient = none: is not a number; write a number, such as 0.1");
 }
 
 TEST(ParseCase, ReadsWindowsLineEndsAndByteOrderMark) {
