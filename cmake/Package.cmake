@@ -26,7 +26,8 @@ if(BUMPFOIL_BUILD_PYTHON)
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS
          ", python3-matplotlib, python3-netcdf4, python3-pandas, python3-xarray")
 endif()
-# Compiled files of Python come and go with the package.
+# Compiled files of Python come and go with the package. Scripts of a tarball may be writable by their group.
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/postinst
     ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/finish_package.cmake)
