@@ -39,14 +39,18 @@ std::vector<SmallRun> make_small_runs() {
 void change(Variable& variable, const Dataset& dataset, DrawsOfBytes& draws) {
   std::vector<double> values = variable.values ? variable.values() : std::vector<double>{};
   constexpr std::array numbers{std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, 0.5, 3.0, 1e300, -1e300, 127.0};
+  // Flags are bytes in the file: netCDF would refuse to write larger ones.
+  const auto number = [&] {
+    const double drawn = numbers.at(static_cast<std::size_t>(draws.whole(0, 7)));
+    return variable.meaning.form.kind == Form::real ? drawn : std::clamp(drawn, -127.0, 127.0);
+  };
   switch (draws.whole(0, 4)) {
     case 0:
-      values.assign(values.size(), numbers.at(static_cast<std::size_t>(draws.whole(0, 7))));
+      values.assign(values.size(), number());
       break;
     case 1:
       if (!values.empty()) {
-        values[static_cast<std::size_t>(draws.whole(0, static_cast<int>(values.size()) - 1))] =
-            numbers.at(static_cast<std::size_t>(draws.whole(0, 7)));
+        values[static_cast<std::size_t>(draws.whole(0, static_cast<int>(values.size()) - 1))] = number();
       }
       break;
     case 2:
