@@ -8,7 +8,7 @@ SHELL := /bin/bash
 JOBS := $(shell nproc)
 define BUILD
 cmake --log-level=WARNING --preset $(1) $(2) > /dev/null
-cmake --build --preset $(1) --parallel $(JOBS)
+cmake --build --preset $(1) --parallel $(JOBS) $(if $(3),--target $(3))
 endef
 
 help: ## list the commands
@@ -18,7 +18,7 @@ help: ## list the commands
 # folder of build has.
 demo: ## install what is missing, build, run the reference bearing in four directions, make its report
 	@scripts/require_packages.sh build
-	$(call BUILD,release,$(if $(wildcard build/release/CMakeCache.txt),,-DBUMPFOIL_BUILD_DESIGNER=OFF))
+	$(call BUILD,release,$(if $(wildcard build/release/CMakeCache.txt),,-DBUMPFOIL_BUILD_DESIGNER=OFF),bumpfoil)
 	echo
 	build/release/bumpfoil cycle examples/gen1.toml -o results/demo --force
 	build/release/bumpfoil report results/demo --force --quiet
@@ -97,14 +97,14 @@ test-long: ## the tests that take minutes and are left out of `make test`
 	ctest --preset long --parallel $(JOBS)
 
 test-sanitized: ## the tests of the code again, under the address and undefined-behaviour sanitizers
-	@scripts/require_packages.sh build plot test
+	@scripts/require_packages.sh build plot test fuzz
 	$(call BUILD,dev)
 	ctest --preset dev --parallel $(JOBS)
 
 test-sanitized-python: ## the tests of the Python package under the address and undefined-behaviour sanitizers
 	@scripts/require_packages.sh build plot python test
-	$(call BUILD,dev,-DBUMPFOIL_BUILD_PYTHON=ON)
-	ctest --test-dir build/dev --output-on-failure --parallel $(JOBS) -R '^python\.'
+	$(call BUILD,dev-python)
+	ctest --preset dev-python --parallel $(JOBS)
 
 # Where tasks of oneTBB begin and end the sanitizer sees only of one that was built with it.
 test-threads: ## the tests of what runs on several threads, under the thread sanitizer
@@ -114,10 +114,10 @@ test-threads: ## the tests of what runs on several threads, under the thread san
 	ctest --preset threads
 
 FUZZ_MINUTES := 1
-fuzz: ## feed every fuzzer of tests/fuzz/ by clang and its sanitizers for FUZZ_MINUTES=1; what they find is in results/fuzz
+fuzz: ## feed every fuzzer of tests/fuzz/ by clang and its sanitizers for FUZZ_MINUTES=1 each; what they find is in results/fuzz
 	@scripts/require_packages.sh build plot test fuzz
-	$(call BUILD,fuzz)
-	scripts/fuzz.sh build/fuzz/fuzz_bytes results/fuzz "$(FUZZ_MINUTES)"
+	$(call BUILD,dev,,fuzz_bytes)
+	scripts/fuzz.sh build/dev/fuzz_bytes results/fuzz "$(FUZZ_MINUTES)"
 
 mutations: ## change one token of the sources at a time and see whether tests notice; MUTATIONS="--module contact --count 20"
 	@scripts/require_packages.sh build plot test

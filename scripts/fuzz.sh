@@ -1,6 +1,6 @@
 #!/bin/bash
 # Feeds each target of tests/fuzz/ for some minutes, from what is committed and what was found before; as many at a time
-# as there are cores.
+# as there are cores. The seed is always the same, so that findings are found again.
 # Usage: scripts/fuzz.sh FUZZER FOLDER MINUTES [TARGET...]    exits non-zero if anything was found
 set -uo pipefail
 
@@ -13,7 +13,7 @@ feed() {
   local target="$1" log="$folder/$1.log" found=0
   mkdir -p "$folder/$target"
   FUZZ_TARGET="$target" nice -n 15 "$fuzzer" -max_total_time="$seconds" -timeout=300 -rss_limit_mb=3000 \
-    -print_final_stats=1 -artifact_prefix="$folder/$target." "$folder/$target" "tests/fuzz/corpus/$target" \
+    -print_final_stats=1 -seed=1 -artifact_prefix="$folder/$target." "$folder/$target" "tests/fuzz/corpus/$target" \
     > "$log" 2>&1 || found=1
   if (( found )); then echo "$target: FOUND, see $log"; fi
   echo "$target: $(awk '/number_of_executed_units/ {print $2}' "$log") executions," \

@@ -13,7 +13,7 @@ constexpr int most_guesses = 50;
 /// First trial length of a move, as fraction of the reach, and the growth factor of later ones. A trial only needs to
 /// reach the next contact change; following more is wasted.
 constexpr double first_length = 1e-3;
-constexpr double growth = 4.0;
+constexpr double trial_growth = 4.0;
 /// A smaller fraction of a move counts as zero.
 constexpr double no_part = 1e-9;
 /// Directions within this angle are equal, rad: round-off turns them by less, contact changes by more.
@@ -121,7 +121,7 @@ bool LoadFollower::take_piece(const Eigen::Vector2d& lacking) {
     if ((rise - part * tried * lacking).norm() <= tolerance_) {
       piece_.cost = {};  // counted already
       append(stepper_.foils(), piece_, step_);
-      longest_ = growth * (part * move.norm());
+      longest_ = trial_growth * (part * move.norm());
       return true;
     }
     bracket.add(move, rise, lacking);

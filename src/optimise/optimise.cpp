@@ -32,7 +32,7 @@ constexpr double near_step = 0.08;
 /// Minimum distance between starts in at least one key, if possible.
 constexpr double least_apart = 0.15;
 /// Searches satisfy their constraints with this fraction of their tolerance as margin, so that they end within limits.
-constexpr double part_of_tolerance = 0.1;
+constexpr double kept_part_of_tolerance = 0.1;
 /// A limit is active if its margin is below this fraction of its bound.
 constexpr double active_part = 0.01;
 
@@ -192,7 +192,7 @@ class Optimiser {
     KnownPoints own;
     double worst = 0.0;
     std::optional<OptimisePoint> best_met;
-    const double kept = part_of_tolerance * settings_.tolerance;
+    const double kept = kept_part_of_tolerance * settings_.tolerance;
     const auto evaluate = [&](const Eigen::VectorXd& x, double& aim, Eigen::VectorXd& limits) {
       const KeyValues values = box_.values_at(x);
       const OptimisePoint* point = known_.find(values);

@@ -12,7 +12,7 @@ namespace {
 
 /// Number of points of an arc on either side of its crest, and of the journal over a pad.
 constexpr int half_arc = 4;
-constexpr std::size_t journal_points = 73;
+constexpr std::size_t journal_arc_points = 73;
 /// Number of lines over the width of foils that vary without a film.
 constexpr int dry_lines = 9;
 
@@ -411,10 +411,10 @@ std::vector<ShapedGrid> FoilShapes::foils(std::size_t state, const ShapedPad& pa
 }
 
 ShapedGrid FoilShapes::journal(std::size_t state, const ShapedPad& pad) const {
-  ShapedGrid grid{.part = ShapedPart::journal, .columns = journal_points, .points = {}};
+  ShapedGrid grid{.part = ShapedPart::journal, .columns = journal_arc_points, .points = {}};
   for (const double z : {pad.z - half_foil_, pad.z + half_foil_}) {
-    for (std::size_t k = 0; k < journal_points; ++k) {
-      const double along = pad.length * static_cast<double>(k) / (journal_points - 1);
+    for (std::size_t k = 0; k < journal_arc_points; ++k) {
+      const double along = pad.length * static_cast<double>(k) / (journal_arc_points - 1);
       const double polar = pad.weld + pad.sense * along;
       const double radius = journal_radius(state, polar, z);
       grid.points.push_back({.along = along, .radius = radius, .z = z, .outward = radius - (radius_ - clearance_)});

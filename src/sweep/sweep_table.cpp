@@ -19,7 +19,7 @@ namespace {
 /// Maximum number of values listed.
 constexpr std::size_t most_listed = 50;
 /// Maximum number of parts of a result shown.
-constexpr std::size_t most_parts = 24;
+constexpr std::size_t most_shown_parts = 24;
 constexpr std::size_t number_width = 12;
 
 /// A quantity of the table.
@@ -158,10 +158,10 @@ std::string sweep_table(const Sweep& sweep, const std::vector<SweepPoint>& point
   for (const auto& [name, place] : layout.parts) {
     const Block block(sweep, points, layout, place);
     if (!block.begun()) continue;
-    if (++shown > most_parts) continue;
+    if (++shown > most_shown_parts) continue;
     out += fmt::format("{}{}\n{}", out.empty() ? "" : "\n", name, listed ? block.lines() : block.extremes());
   }
-  if (shown > most_parts) out += fmt::format("\n{} more are in the files only\n", shown - most_parts);
+  if (shown > most_shown_parts) out += fmt::format("\n{} more are in the files only\n", shown - most_shown_parts);
   return out;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Sanitizers have their own allocator: nothing is counted there.
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(BUMPFOIL_SANITIZED)
 #define BUMPFOIL_COUNTS_ALLOCATIONS 1
 
 #include <atomic>

@@ -12,10 +12,10 @@ namespace bumpfoil {
 namespace {
 
 constexpr std::size_t most_speeds_shown = 40;
-constexpr std::size_t cell_width = 12;
+constexpr std::size_t whirl_column_width = 12;
 
 std::string right_aligned(std::string_view text) {
-  return fmt::format("{:>{}}", text, cell_width);
+  return fmt::format("{:>{}}", text, whirl_column_width);
 }
 
 std::string shown_number(double number, double size = 1.0) {

@@ -219,7 +219,8 @@ TEST(CaseTemplate, ShowsWhatThePresetHoldsAndWhatItAssumes) {
 TEST(CaseTemplate, RemarksAreOnKeysThatThePresetHolds) {
   for (const Preset& preset : presets()) {
     const std::vector<ListedKey> keys = list_keys(preset.input);
-    for (const auto& [path, remark] : preset.remarks) {
+    for (const auto& remark : preset.remarks) {
+      const std::string path(remark.first);
       const auto found = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
       ASSERT_NE(found, keys.end()) << path;
       EXPECT_TRUE(found->live) << path;

@@ -38,7 +38,7 @@ TEST(RunFlow, NothingGoesOutBeyondTheWindow) {
   range = flow.take(3);
   EXPECT_EQ(range.first, 3U);
   EXPECT_EQ(range.count, 1U);
-  for (const std::size_t number : {1, 2, 3}) flow.put(number, {});
+  for (const std::size_t number : {1U, 2U, 3U}) flow.put(number, {});
   flow.leave(9);
   EXPECT_EQ(flow.take(3).count, 0U);  // the first is missing
   flow.put(0, {1.0});

@@ -212,12 +212,12 @@ TEST(FindFaults, JudgesTheMeshOfTheFilm) {
             }),
             Keys{"film.columns_per_pitch"});
   // Near the memory limit: 26 bumps on 46 x 200 need 2 GB.
-  for (const auto& [columns, faulty] : {std::pair{42, false}, std::pair{46, true}}) {
+  for (const int columns : {42, 46}) {
     const Keys keys = faulty_keys([&](Case& input) {
       input.film = {.columns_per_pitch = columns, .rows = 200};
       input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
     });
-    EXPECT_EQ(keys.empty(), !faulty) << columns;
+    EXPECT_EQ(keys.empty(), columns == 42) << columns;
   }
   EXPECT_EQ(film([](FilmSettings& f) { f.wall = FilmWall::springs; }), Keys{"film.wall_stiffness"});
   EXPECT_EQ(film([](FilmSettings& f) { f.wall_stiffness = 0.0; }), Keys{"film.wall_stiffness"});
