@@ -11,7 +11,7 @@ namespace bumpfoil {
 namespace {
 
 /// Number of points of an arc on either side of its crest, and of the journal over a pad.
-constexpr int half_arc = 4;
+constexpr int half_arc_points = 4;
 constexpr std::size_t journal_arc_points = 73;
 /// Number of lines over the width of foils that vary without a film.
 constexpr int dry_lines = 9;
@@ -334,7 +334,7 @@ std::vector<ShapedPoint> FoilShapes::bump_foil_at(std::size_t state, const Shape
     const double crest_u = across("crest_u", "", state, bump, z);
     const double crest_v = across("crest_v", "", state, bump, z);
     const double crest = crest_radius(state, pad, bump, z);
-    for (int k = -half_arc; k <= half_arc; ++k) {
+    for (int k = -half_arc_points; k <= half_arc_points; ++k) {
       // The first bump of a truss starts at the weld, without a foot.
       const bool start = k < 0;
       const bool held = !two_feet && start && i == 0;
@@ -342,7 +342,7 @@ std::vector<ShapedPoint> FoilShapes::bump_foil_at(std::size_t state, const Shape
       const double foot_u = held ? 0.0 : across("foot_u", "", state, foot, z);
       const double foot_v = held ? 0.0 : across("foot_v", "", state, foot, z);
       const double low = foot_radius(state, pad, bump, foot_v);
-      const double distance = half_lengths_[bump] * k / half_arc;
+      const double distance = half_lengths_[bump] * k / half_arc_points;
       const double height = std::sqrt(arc_radius * arc_radius - distance * distance) - (arc_radius - rise);
       const double part = height / rise;
       const double forward = foot_u + part * (crest_u - foot_u);
