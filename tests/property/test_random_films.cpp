@@ -35,7 +35,9 @@ struct RandomFilm {
     for (int b = 0; b < input.bump_foil.bumps; ++b) input.bump_foil.height_errors.push_back(uniform(-2e-6, 2e-6));
     // The tallest bumps narrow the bearing.
     const double room = 0.7 * (input.bearing.radial_clearance - 2e-6);
-    position = uniform(0.0, room) * unit_vector(uniform(0.0, 2.0 * std::numbers::pi));
+    // In this order with every compiler.
+    const double angle = uniform(0.0, 2.0 * std::numbers::pi);
+    position = uniform(0.0, room) * unit_vector(angle);
     speed = speed_of_rpm(uniform(5e3, 60e3)) * (uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0);
   }
 
