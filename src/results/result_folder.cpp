@@ -83,8 +83,9 @@ void ResultFolder::discard(const std::string& name) {
 
 void ResultFolder::publish(const std::function<void()>& before) {
   if (!claimed_->claim.is_held()) {
-    throw Error(ErrorKind::file, {{path_.string(), 0, "", "", "another run has meanwhile taken over this folder",
-                                   "use a separate folder for each run"}});
+    throw Error(ErrorKind::file, {{path_.string(), 0, "", "",
+                                   "another run has meanwhile taken over this folder, or its .bumpfoil was removed",
+                                   "use a separate folder for each run, and leave it alone until the run ends"}});
   }
   check_places();
   std::vector<std::string> stale(result_names.begin(), result_names.end());
