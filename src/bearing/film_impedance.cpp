@@ -11,7 +11,7 @@ namespace {
 
 /// Accepted residual of the storage equation relative to its right-hand side, which is far larger than the storage of
 /// slow motion.
-constexpr double tolerance = 1e-12;
+constexpr double krylov_tolerance = 1e-12;
 /// Maximum dimension of the space: 23 suffice for 20 frequencies up to twice that of rotation, on 6 x 16.
 constexpr int most_directions = 300;
 /// The shift relative to the largest rate: dimensions are fewest from 0.15 to 0.3, and 20 % more at 1.
@@ -103,7 +103,7 @@ class Reduction {
   /// Whether the residual is small at all requested s.
   [[nodiscard]] bool solves() {
     return std::all_of(last_.begin(), last_.end(), [&](LastCoordinate& of_one) {
-      return std::abs(of_one.excess() * of_one.of(space_.hessenberg())) * space_.next() <= tolerance * start_;
+      return std::abs(of_one.excess() * of_one.of(space_.hessenberg())) * space_.next() <= krylov_tolerance * start_;
     });
   }
   [[nodiscard]] ReducedForces forces() const {

@@ -13,10 +13,9 @@
 namespace bumpfoil {
 namespace {
 
-using enum Presence;
-using enum Dimension;
-
 void describe(CaseVisitor& keys, Waviness& waves) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"harmonic", required, "Waves", "around the circumference", "3"}, &waves.harmonic);
   keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
   keys.value({"phase", defaulted, "Phase", "harmonic times the angle of a crest of the waves, from X towards Y",
@@ -32,6 +31,8 @@ void describe_profile(CaseVisitor& keys, const Key& waviness, const Key& deviati
 }
 
 void describe(CaseVisitor& keys, Bearing& bearing) {
+  using enum Presence;
+  using enum Dimension;
   // A strip has no radius of its own, and no clearance to the plate.
   std::optional<double> radius;
   std::optional<double> clearance;
@@ -92,6 +93,8 @@ void describe(CaseVisitor& keys, Bearing& bearing) {
 }
 
 void describe(CaseVisitor& keys, TrussOverrides& truss) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"k1", optional, "k₁", "rods between crest and feet", "150 MN/m", stiffness}, &truss.k1);
   keys.value({"k2", optional, "k₂", "between neighbouring feet", "5.43 MN/m", stiffness}, &truss.k2);
   keys.value({"k3", optional, "k₃", "between neighbouring crests", "1.36 MN/m", stiffness}, &truss.k3);
@@ -102,6 +105,8 @@ void describe(CaseVisitor& keys, TrussOverrides& truss) {
 
 /// @param of_strip  its pitches and heights apply to all strips
 void describe(CaseVisitor& keys, BumpSection& section, bool of_strip) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"from", required, "From bump", "first bump; bumps count from 1 at the weld", "1"}, &section.from);
   keys.value({"to", required, "To bump", "last bump", "5"}, &section.to);
   if (!of_strip) keys.value({"pitch", optional, "Pitch", "", "4.572 mm", length}, &section.pitch);
@@ -111,12 +116,16 @@ void describe(CaseVisitor& keys, BumpSection& section, bool of_strip) {
 }
 
 void describe(CaseVisitor& keys, Shim& shim) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"from", required, "From bump", "first bump on it; bumps count from 1 at the weld", "10"}, &shim.from);
   keys.value({"to", required, "To bump", "last bump on it", "12"}, &shim.to);
   keys.value({"thickness", required, "Thickness", "", "20 um", length}, &shim.thickness);
 }
 
 void describe(CaseVisitor& keys, FoilStrip& strip) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"stagger", defaulted, "Stagger", "of its weld and bumps along the foil, in pitches: a multiple of 1/6"},
              &strip.stagger);
   keys.value(
@@ -134,6 +143,8 @@ void describe(CaseVisitor& keys, FoilStrip& strip) {
 }
 
 void describe(CaseVisitor& keys, BumpFoil& foil) {
+  using enum Presence;
+  using enum Dimension;
   keys.choice({.name = "model",
                .presence = defaulted,
                .title = "Model",
@@ -211,6 +222,8 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
 }
 
 void describe(CaseVisitor& keys, TopFoil& foil) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"thickness", required, "Thickness", "", "0.102 mm", length}, &foil.thickness);
   keys.value({"youngs_modulus", defaulted, "Young’s modulus", "", "214 GPa", pressure, "bump_foil.youngs_modulus"},
              &foil.youngs_modulus);
@@ -235,6 +248,8 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
 }
 
 void describe(CaseVisitor& keys, const PadDesign& common, Pad& pad) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"weld_angle", optional, "Weld angle",
               "from the X axis towards Y; by default pads start at equal angles, the first at bearing.weld_angle",
               "180 deg", angle},
@@ -259,6 +274,7 @@ void describe(CaseVisitor& keys, const PadDesign& common, Pad& pad) {
 }
 
 void describe(CaseVisitor& keys, Friction& friction) {
+  using enum Presence;
   keys.once_or_each({"coefficient", required, "Both coefficients", "at both interfaces; 0 for none"},
                     {{{"top_bump", required, "Top foil on bumps", "or one for each interface: with the top foil"},
                       &friction.top_bump},
@@ -266,6 +282,8 @@ void describe(CaseVisitor& keys, Friction& friction) {
 }
 
 void describe(CaseVisitor& keys, SolverSettings& solver) {
+  using enum Presence;
+  using enum Dimension;
   keys.choice({"name", defaulted, "Name",
                "exact contact and friction; \"events\" follows the path from one contact change to the next, and is "
                "the default of montecarlo for cycles with small displacements; \"uzawa\" is the method of the 2019 "
@@ -292,12 +310,13 @@ struct Deviation {
   std::optional<Dimension> dimension;
   std::string_view sigma, lower, upper, values;
 };
-constexpr Deviation of_height{length, "10 um", "-20 um", "20 um", "[\"3 um\", \"-8 um\", ...]"};
-constexpr Deviation of_thickness{length, "2 um", "-5 um", "5 um", "[\"1 um\", \"-2 um\", ...]"};
-constexpr Deviation of_radius{length, "50 um", "-100 um", "100 um", "[\"40 um\", \"-20 um\", ...]"};
+constexpr Deviation of_height{Dimension::length, "10 um", "-20 um", "20 um", "[\"3 um\", \"-8 um\", ...]"};
+constexpr Deviation of_thickness{Dimension::length, "2 um", "-5 um", "5 um", "[\"1 um\", \"-2 um\", ...]"};
+constexpr Deviation of_radius{Dimension::length, "50 um", "-100 um", "100 um", "[\"40 um\", \"-20 um\", ...]"};
 constexpr Deviation of_friction{{}, "0.02", "-0.05", "0.05", "[0.01, -0.02, ...]"};
 
 void describe(CaseVisitor& keys, Distribution& distribution, const Deviation& deviation) {
+  using enum Presence;
   keys.choice(
       {"distribution", defaulted, "Distribution", "of the deviation; or \"truncated_normal\", \"uniform\", \"table\""},
       distribution.kind);
@@ -324,6 +343,8 @@ void describe(CaseVisitor& keys, Distribution& distribution, const Deviation& de
 }
 
 void describe(CaseVisitor& keys, HeightScatter& heights) {
+  using enum Presence;
+  using enum Dimension;
   describe(keys, heights.distribution, of_height);
   keys.value(
       {"correlation_length", defaulted, "Correlation length",
@@ -332,11 +353,14 @@ void describe(CaseVisitor& keys, HeightScatter& heights) {
 }
 
 void describe(CaseVisitor& keys, WavinessScatter& waves) {
+  using enum Presence;
+  using enum Dimension;
   keys.value({"harmonic", required, "Waves", "around the circumference; with a random phase", "3"}, &waves.harmonic);
   keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
 }
 
 void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
+  using enum Presence;
   keys.choice({"command", defaulted, "Command",
                "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\", "
                "\"unbalance\" or \"transient\": a rotor whose bearings all have the deviations that are drawn"},
@@ -374,6 +398,7 @@ void table(CaseVisitor& keys, const Key& key, Table& members) {
 }  // namespace
 
 void describe_own_design(CaseVisitor& keys, const BearingDesign& common, RotorBearing& own) {
+  using enum Presence;
   const auto own_part = [&keys](std::string_view name, std::string_view title, std::string_view text,
                                 const auto& members, auto& held) {
     own_table(keys, {name, inherited, title, text}, members, held,
@@ -391,6 +416,7 @@ void describe_own_design(CaseVisitor& keys, const BearingDesign& common, RotorBe
 }
 
 void describe(CaseVisitor& keys, Case& input) {
+  using enum Presence;
   keys.value({"title", defaulted, "Title"}, &input.title);
   table(keys, {"bearing", required, "Bearing"}, input.bearing);
   table(keys, {"bump_foil", required, "Bump foil"}, input.bump_foil);
