@@ -30,7 +30,7 @@ Vector random_start(Eigen::Index size) {
 
 /// The rightmost pole of the region in which all poles have converged, if this region is large enough.
 std::optional<FilmPole> rightmost_known(const KrylovSpace& space, double frequency) {
-  const Eigen::EigenSolver<Matrix> ritz(space.hessenberg());
+  const Eigen::EigenSolver<Matrix> ritz(Matrix(space.hessenberg()));
   if (ritz.info() != Eigen::Success) return std::nullopt;
   const auto& theta = ritz.eigenvalues();
   const Eigen::MatrixXcd vectors = ritz.eigenvectors();  // of unit length

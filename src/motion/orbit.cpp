@@ -1,7 +1,6 @@
 #include "bumpfoil/motion/orbit.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/bearing/film_bearing.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "core/least_squares.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -163,10 +163,8 @@ bool has_films(const MachineState& state) {
 Eigen::VectorXd extrapolating_weights(const Eigen::MatrixXd& differences) {
   Eigen::MatrixXd rows(differences.rows() + 1, differences.cols());
   rows << differences / differences.cwiseAbs().maxCoeff(), Eigen::RowVectorXd::Ones(differences.cols());
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(no_difference);
-  decomposition.compute(rows);
-  const Eigen::VectorXd weights = decomposition.solve(Eigen::VectorXd::Unit(rows.rows(), rows.rows() - 1));
+  const Eigen::VectorXd weights =
+      least_squares(rows, Eigen::VectorXd::Unit(rows.rows(), rows.rows() - 1), no_difference);
   return weights / weights.sum();
 }
 
@@ -179,11 +177,9 @@ bool tell_multipliers(const Eigen::MatrixXd& differences, double tolerance) {
 std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences, double tolerance) {
   const Eigen::Index n = differences.cols() - 1;
   const double largest = differences.cwiseAbs().maxCoeff();
-  const Eigen::MatrixXd scaled = differences / largest;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(std::max(no_difference, noisy_tolerances * tolerance / largest));
-  decomposition.compute(scaled.leftCols(n).transpose());
-  const Eigen::MatrixXd map = decomposition.solve(scaled.rightCols(n).transpose());
+  const Eigen::MatrixXd scaled = differences.transpose() / largest;
+  const Eigen::MatrixXd map = least_squares(scaled.topRows(n), scaled.bottomRows(n),
+                                            std::max(no_difference, noisy_tolerances * tolerance / largest));
   const Eigen::VectorXcd values = map.eigenvalues();
   std::vector<Complex> found(values.begin(), values.end());
   std::sort(found.begin(), found.end(), [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
@@ -195,14 +191,18 @@ std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences, double t
 Eigen::VectorXcd disturbing_motion(const MachineStepper& stepper) {
   const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
   Eigen::MatrixXd places(2 * static_cast<Eigen::Index>(bearings.size()), stepper.rotor().size());
-  Eigen::VectorXcd motions(places.rows());
+  Eigen::MatrixXd motions(places.rows(), 2);  // real and imaginary parts
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const Eigen::Index at = 2 * static_cast<Eigen::Index>(i);
     const double size = disturbance * stepper.bearings()[i]->bearing().scales.thickness;
     places.middleRows(at, 2) = bearings[i].motion;
-    for (const Eigen::Index axis : {0, 1}) motions[at + axis] = std::polar(size, static_cast<double>(at + axis));
+    for (const Eigen::Index axis : {0, 1}) {
+      const auto phase = static_cast<double>(at + axis);
+      motions.row(at + axis) = size * Eigen::RowVector2d(std::cos(phase), std::sin(phase));
+    }
   }
-  return places.completeOrthogonalDecomposition().pseudoInverse() * motions;
+  const Eigen::MatrixXd motion = least_squares(places, motions);
+  return motion.col(0) + Complex(0.0, 1.0) * motion.col(1);
 }
 
 /// Restarts time integration from here.

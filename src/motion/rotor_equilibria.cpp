@@ -1,6 +1,5 @@
 #include "bumpfoil/motion/rotor_equilibria.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "bumpfoil/motion/start.hpp"
+#include "core/least_squares.hpp"
 #include "motion/rotor_journals.hpp"
 
 namespace bumpfoil {
@@ -65,8 +65,7 @@ FilmReport RotorEquilibria::join(double speed, std::vector<BearingState>& states
   const double largest = rotor_.stiffness.cwiseAbs().maxCoeff();
   law.place = Eigen::VectorXd::Zero(rotor_.size());
   if (largest > 0.0) {
-    const Eigen::MatrixXd K = rotor_.stiffness / largest;
-    law.place = K.completeOrthogonalDecomposition().solve(bending / largest);
+    law.place = least_squares(rotor_.stiffness / largest, bending / largest);
   }
   Eigen::VectorXd y = rotor_at_rest(rotor_, steppers_, states, weight_);
   std::vector<BearingState> guesses = states;

@@ -1,10 +1,10 @@
 #include "motion/rotor_journals.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/least_squares.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -56,7 +56,7 @@ Eigen::VectorXd rotor_at_rest(const Rotor& rotor, const std::vector<FilmStepper*
   }
   // A rigid motion does no work on the shaft: y cannot affect the residual of this balance.
   known.head(n) = largest > 0.0 ? Eigen::VectorXd(known.head(n) / unit) : Eigen::VectorXd::Zero(n);
-  return rows.completeOrthogonalDecomposition().solve(known);
+  return least_squares(rows, known);
 }
 
 }  // namespace bumpfoil

@@ -1,4 +1,3 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,6 +9,7 @@
 
 #include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "core/least_squares.hpp"
 #include "experiments/transient/ends_of_turns.hpp"
 #include "experiments/transient/step_row.hpp"
 
@@ -80,7 +80,7 @@ std::vector<Eigen::Vector2cd> harmonics_of(const Eigen::Matrix2Xd& places, doubl
       at += 2;
     }
   }
-  const Eigen::MatrixXd found = basis.householderQr().solve(places.transpose());
+  const Eigen::MatrixXd found = least_squares(basis, places.transpose());
   std::vector<Eigen::Vector2cd> amplitudes;
   for (Eigen::Index at = 2; at < basis.cols(); at += 2) {
     amplitudes.emplace_back(found.row(at).transpose() - Complex(0.0, 1.0) * found.row(at + 1).transpose());
