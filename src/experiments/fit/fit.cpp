@@ -25,7 +25,7 @@ constexpr std::size_t places_per_parameter = 4;
 /// A parameter closer to a bound, relative to the distance between bounds, is at it.
 constexpr double at_bound = 1e-6;
 /// Minima that differ by less, relative to the bounds, in every parameter are the same.
-constexpr double apart = 0.02;
+constexpr double distinct_distance = 0.02;
 /// A minimum whose chi-square exceeds the best by less (in units of chi-square per degree of freedom) is reported as
 /// nearly as deep.
 constexpr double nearly_as_deep = 9.0;
@@ -320,7 +320,7 @@ class Fit {
     for (const LeastSquaresMinimum& minimum : minima) {
       if (minimum.cost - minima.front().cost > nearly_as_deep * excess) break;
       const bool known = std::any_of(kept.begin(), kept.end(), [&](const Eigen::VectorXd& other) {
-        return (other - minimum.x).cwiseAbs().maxCoeff() < apart;
+        return (other - minimum.x).cwiseAbs().maxCoeff() < distinct_distance;
       });
       if (known) continue;
       kept.push_back(minimum.x);
