@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 # Clang passes over options that are for g++ alone.
-arguments=(--extra-arg=-Wno-unused-command-line-argument)
+arguments=(--extra-arg=-Wno-unused-command-line-argument --extra-arg=-Wno-unknown-warning-option)
 
 # Nothing is built: clang-tidy only needs to know how everything would be compiled. Headers take most of its time, so
 # that all sources are read in the batches of a unity build.
