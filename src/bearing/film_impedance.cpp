@@ -59,12 +59,11 @@ class LastCoordinate {
 
 /// Coordinates of the storage rates in the Krylov basis of C, in which C V = V H + next v_next e_last^T. H is upper
 /// Hessenberg: elimination with pivoting between two rows takes m^2 operations.
-/// @param start  norm of the right-hand side, which is the first direction
-Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, double start, std::complex<double> excess) {
+/// @param found  in: coordinates of the right-hand side
+Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, Eigen::VectorXcd found, std::complex<double> excess) {
   const Eigen::Index m = H.cols();
   Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> system = -excess * H;
   system.diagonal().array() += 1.0;
-  Eigen::VectorXcd found = Eigen::VectorXcd::Unit(m, 0) * start;
   for (Eigen::Index k = 0; k + 1 < m; ++k) {
     auto row = system.row(k).tail(m - k);
     auto below = system.row(k + 1).tail(m - k);
@@ -78,6 +77,11 @@ Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, double start, st
   }
   system.triangularView<Eigen::Upper>().solveInPlace(found);
   return found;
+}
+
+/// w of ReducedForces
+Eigen::VectorXcd stored_rates(const ReducedForces& reduced, std::complex<double> excess) {
+  return coordinates(reduced.hessenberg, Eigen::VectorXcd::Unit(reduced.hessenberg.rows(), 0) * reduced.start, excess);
 }
 
 /// The space of one motion while it grows.
@@ -121,7 +125,11 @@ class Reduction {
 }  // namespace
 
 JournalVectorC ReducedForces::at(std::complex<double> excess) const {
-  return moved + excess * (forces * coordinates(hessenberg, start, excess));
+  return moved + excess * (forces * stored_rates(*this, excess));
+}
+
+JournalVectorC ReducedForces::slope(std::complex<double> excess) const {
+  return forces * coordinates(hessenberg, stored_rates(*this, excess), excess);
 }
 
 JournalMatrixC FilmImpedance::at(std::complex<double> rate) const {
@@ -130,6 +138,14 @@ JournalMatrixC FilmImpedance::at(std::complex<double> rate) const {
   const std::complex<double> excess = squeeze_time * rate - shift;
   for (Eigen::Index i = 0; i < motions; ++i) impedance.col(i) = along[static_cast<std::size_t>(i)].at(excess);
   return impedance;
+}
+
+JournalMatrixC FilmImpedance::slope(std::complex<double> rate) const {
+  const auto motions = std::ssize(along);
+  JournalMatrixC slopes(motions, motions);
+  const std::complex<double> excess = squeeze_time * rate - shift;
+  for (Eigen::Index i = 0; i < motions; ++i) slopes.col(i) = along[static_cast<std::size_t>(i)].slope(excess);
+  return squeeze_time * slopes;
 }
 
 FilmImpedance linear_impedance(const JournalMatrix& stiffness, const JournalMatrix& damping, double unit) {

@@ -1,8 +1,9 @@
 #include "bearing/joint_newton.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -96,7 +97,7 @@ class JointNewton {
     if (lacking.norm() <= law_.round_off) return;
     rates_.clear();
     for (FilmNewton* film : films_) rates_.push_back(film->find_rates());
-    dy_ = law_.matrix(rates_).partialPivLu().solve(lacking);
+    dy_ = solve(law_.matrix(rates_), lacking);
     const double displacement = law_.displacement(dy_);
     if (displacement > law_.longest_step) dy_ *= law_.longest_step / displacement;
     for (std::size_t i = 0; i < films_.size(); ++i) films_[i]->move_journal(law_.journals[i].motion * dy_);

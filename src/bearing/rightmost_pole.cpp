@@ -1,6 +1,5 @@
 #include "bearing/rightmost_pole.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "bearing/krylov_space.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -30,10 +30,10 @@ Vector random_start(Eigen::Index size) {
 
 /// The rightmost pole of the region in which all poles have converged, if this region is large enough.
 std::optional<FilmPole> rightmost_known(const KrylovSpace& space, double frequency) {
-  const Eigen::EigenSolver<Matrix> ritz(Matrix(space.hessenberg()));
-  if (ritz.info() != Eigen::Success) return std::nullopt;
-  const auto& theta = ritz.eigenvalues();
-  const Eigen::MatrixXcd vectors = ritz.eigenvectors();  // of unit length
+  const std::optional<Eigenpairs> ritz = eigenpairs(space.hessenberg());
+  if (!ritz) return std::nullopt;
+  const Eigen::VectorXcd& theta = ritz->values;
+  const Eigen::MatrixXcd& vectors = ritz->vectors;
   std::vector<Eigen::Index> nearest(static_cast<std::size_t>(theta.size()));
   std::iota(nearest.begin(), nearest.end(), Eigen::Index{0});
   std::stable_sort(nearest.begin(), nearest.end(),

@@ -1,8 +1,8 @@
 #include "bumpfoil/motion/machine.hpp"
 
-#include <Eigen/LU>
 #include <utility>
 
+#include "core/linear_algebra.hpp"
 #include "motion/rotor_journals.hpp"
 
 namespace bumpfoil {
@@ -55,7 +55,7 @@ JointMove MachineStepper::move_of(const TimeStep& step, const BackwardDifference
   JointLaw& law = move.law;
   law.by_place = by_rate / rate.span + rotor_.stiffness;
   law.place =
-      law.by_place.partialPivLu().solve(forces + (rotor_.mass * reference.v + by_rate * reference.y) / rate.span);
+      solve(law.by_place, Eigen::VectorXd(forces + (rotor_.mass * reference.v + by_rate * reference.y) / rate.span));
   return move;
 }
 

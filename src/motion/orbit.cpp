@@ -1,6 +1,5 @@
 #include "bumpfoil/motion/orbit.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +10,7 @@
 #include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/bearing/film_bearing.hpp"
 #include "bumpfoil/core/assert.hpp"
-#include "core/least_squares.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -180,8 +179,9 @@ std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences, double t
   const Eigen::MatrixXd scaled = differences.transpose() / largest;
   const Eigen::MatrixXd map = least_squares(scaled.topRows(n), scaled.bottomRows(n),
                                             std::max(no_difference, noisy_tolerances * tolerance / largest));
-  const Eigen::VectorXcd values = map.eigenvalues();
-  std::vector<Complex> found(values.begin(), values.end());
+  const std::optional<Eigen::VectorXcd> values = eigenvalues(map);
+  if (!values) return {};
+  std::vector<Complex> found(values->begin(), values->end());
   std::sort(found.begin(), found.end(), [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
   std::erase_if(found, [&](Complex value) { return std::abs(value) < least_multiplier; });
   return found;

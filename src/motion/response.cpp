@@ -1,9 +1,9 @@
 #include "bumpfoil/motion/response.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 
@@ -15,10 +15,9 @@ std::optional<Eigen::VectorXcd> linear_response(const Rotor& rotor, const std::v
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const auto impedance = bearings[i].stepper.impedances(bearings[i].state, {rate}, stuck);
     if (!impedance) return std::nullopt;
-    const Eigen::MatrixXd B = rotor.bearings[i].journal();
-    D += B.transpose() * impedance->front() * B;
+    D += rotor.bearings[i].on_rotor(impedance->front());
   }
-  return Eigen::VectorXcd(D.partialPivLu().solve(force));
+  return solve(D, force);
 }
 
 EllipticOrbit elliptic_orbit(const Eigen::Vector2cd& amplitudes, double speed) {

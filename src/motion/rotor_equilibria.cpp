@@ -7,7 +7,7 @@
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "bumpfoil/motion/start.hpp"
-#include "core/least_squares.hpp"
+#include "core/linear_algebra.hpp"
 #include "motion/rotor_journals.hpp"
 
 namespace bumpfoil {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "bumpfoil/core/assert.hpp"
-#include "core/least_squares.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -1,7 +1,5 @@
 #include "bumpfoil/motion/whirl.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -56,12 +55,7 @@ class WhirlEquation {
   [[nodiscard]] ComplexMatrix rotor_slope(Complex s) const { return 2.0 * s * rotor_.mass + by_rate_; }
   [[nodiscard]] ComplexMatrix film_slope(Complex s) const {
     ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
-    for (std::size_t i = 0; i < bearings_.size(); ++i) {
-      const Eigen::MatrixXd B = rotor_.bearings[i].journal();
-      JournalMatrixC slope(B.rows(), B.rows());
-      for (Eigen::Index motion = 0; motion < B.rows(); ++motion) slope.col(motion) = slope_of(bearings_[i], motion, s);
-      sum += B.transpose() * slope * B;
-    }
+    for (std::size_t i = 0; i < bearings_.size(); ++i) sum += rotor_.bearings[i].on_rotor(bearings_[i].slope(s));
     return sum;
   }
 
@@ -104,12 +98,10 @@ class WhirlEquation {
       }
     }
     const double shift = bearings_.front().shift;
-    const Eigen::MatrixXd inverse = (A - shift * E).partialPivLu().solve(E);
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse, false);
+    const std::optional<Eigen::VectorXcd> inverses = eigenvalues(solve(A - shift * E, E));
     std::vector<Complex> rates;
-    if (solver.info() != Eigen::Success) return rates;
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const Complex theta = solver.eigenvalues()[i];
+    if (!inverses) return rates;
+    for (const Complex theta : *inverses) {
       if (theta != 0.0) rates.push_back((shift + 1.0 / theta) / unit);
     }
     return rates;
@@ -140,22 +132,9 @@ class WhirlEquation {
   [[nodiscard]] ComplexMatrix rotor_part(Complex s) const {
     return s * s * rotor_.mass + s * by_rate_ + rotor_.stiffness.cast<Complex>();
   }
-  /// dZ/ds for a motion of the journal: that of e forces w, (1 - e H) w = start e_1.
-  static JournalVectorC slope_of(const FilmImpedance& bearing, Eigen::Index motion, Complex s) {
-    const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(motion));
-    const Eigen::Index m = reduced.hessenberg.rows();
-    const Complex e = bearing.squeeze_time * s - bearing.shift;
-    const ComplexMatrix H = reduced.hessenberg.cast<Complex>();
-    const Eigen::PartialPivLU<ComplexMatrix> lu(ComplexMatrix::Identity(m, m) - e * H);
-    const Eigen::VectorXcd w = lu.solve(Eigen::VectorXcd::Unit(m, 0) * reduced.start);
-    return bearing.squeeze_time * (reduced.forces * (w + e * lu.solve(H * w)));
-  }
   [[nodiscard]] ComplexMatrix film_part(Complex s) const {
     ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
-    for (std::size_t i = 0; i < bearings_.size(); ++i) {
-      const Eigen::MatrixXd B = rotor_.bearings[i].journal();
-      sum += B.transpose() * bearings_[i].at(s) * B;
-    }
+    for (std::size_t i = 0; i < bearings_.size(); ++i) sum += rotor_.bearings[i].on_rotor(bearings_[i].at(s));
     return sum;
   }
 

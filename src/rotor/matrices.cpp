@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -45,9 +44,7 @@ Eigen::VectorXd diagonal_scale(const Eigen::MatrixXd& A) {
 double least_scaled_eigenvalue(const Eigen::MatrixXd& A) {
   if (A.rows() == 0) return 1.0;
   const Eigen::VectorXd scale = diagonal_scale(A);
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * A * scale.asDiagonal(),
-                                                        Eigen::EigenvaluesOnly)
-      .eigenvalues()[0];
+  return symmetric_eigenvalues(scale.asDiagonal() * A * scale.asDiagonal())[0];
 }
 
 /// Indices of the bearing unknowns, x and y of each bearing in turn, and of all others.
@@ -80,7 +77,7 @@ Eigen::MatrixXd rigid_motions(const RotorMatrices& matrices) {
   const Eigen::VectorXd scale = diagonal_scale(inner);
   const Eigen::MatrixXd scaled = scale.asDiagonal() * inner * scale.asDiagonal();
   const Eigen::MatrixXd pushed = scale.asDiagonal() * (K(rest, held) * places);
-  rigid(rest, Eigen::all) = -(scale.asDiagonal() * scaled.ldlt().solve(pushed));
+  rigid(rest, Eigen::all) = -(scale.asDiagonal() * solve_symmetric(scaled, pushed));
   return rigid;
 }
 

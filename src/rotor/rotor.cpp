@@ -1,14 +1,12 @@
 #include "bumpfoil/rotor/rotor.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -26,9 +24,8 @@ Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& A) {
 }
 
 /// Squares of natural frequencies, and the modes.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_of(const Eigen::MatrixXd& stiffness,
-                                                                   const Eigen::MatrixXd& mass) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric_part(stiffness), symmetric_part(mass));
+SymmetricModes modes_of(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass) {
+  return symmetric_modes(symmetric_part(stiffness), symmetric_part(mass));
 }
 
 /// Stacks matrices of all bearings.
@@ -50,6 +47,14 @@ Eigen::MatrixXd RotorStation::journal() const {
   Eigen::MatrixXd B(motion.rows() + tilt.rows(), motion.cols());
   B << motion, half_width * tilt;
   return B;
+}
+
+Eigen::MatrixXcd RotorStation::on_rotor(const Eigen::MatrixXcd& of_journal) const {
+  const Eigen::MatrixXd B = journal();
+  Eigen::MatrixXcd sum(B.cols(), B.cols());
+  sum.real() = transformed(of_journal.real(), B);
+  sum.imag() = transformed(of_journal.imag(), B);
+  return sum;
 }
 
 double Rotor::total_mass() const {
@@ -96,14 +101,14 @@ std::vector<Eigen::Vector2d> weights_on_bearings(const Rotor& rotor, const Eigen
   const Eigen::MatrixXd balance = (motions * rotor.rigid).transpose();
   BUMPFOIL_ASSERT(balance.rows() == balance.cols());
   const Eigen::VectorXd weight = rotor.rigid.transpose() * (rotor.mass * (rotor.rigid.leftCols(2) * gravity));
-  const Eigen::VectorXd forces = balance.partialPivLu().solve(weight);
+  const Eigen::VectorXd forces = solve(balance, weight);
   std::vector<Eigen::Vector2d> loads;
   for (Eigen::Index i = 0; i < forces.size(); i += 2) loads.emplace_back(forces.segment<2>(i));
   return loads;
 }
 
 Eigen::VectorXd free_frequencies(const Rotor& rotor) {
-  return modes_of(rotor.stiffness, rotor.mass).eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  return modes_of(rotor.stiffness, rotor.mass).squares.cwiseMax(0.0).cwiseSqrt();
 }
 
 ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
@@ -115,18 +120,17 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B.transpose());
   const Eigen::MatrixXd Q = qr.householderQ();
   const Eigen::MatrixXd R = qr.matrixQR().topRows(held).triangularView<Eigen::Upper>();
-  const Eigen::MatrixXd lift = Q.leftCols(held) * R.transpose().inverse();
+  const Eigen::MatrixXd lift = solve(R, Eigen::MatrixXd(Q.leftCols(held).transpose())).transpose();
   const Eigen::MatrixXd rest = Q.rightCols(n - held);
   const Eigen::MatrixXd inner_stiffness = transformed(rotor.stiffness, rest);
-  const auto modes = modes_of(inner_stiffness, transformed(rotor.mass, rest));
+  const SymmetricModes modes = modes_of(inner_stiffness, transformed(rotor.mass, rest));
   const double highest = kept * range;
-  const auto& squares = modes.eigenvalues();
-  const Eigen::Index count =
-      std::count_if(squares.begin(), squares.end(), [&](double square) { return square <= highest * highest; });
+  const Eigen::Index count = std::count_if(modes.squares.begin(), modes.squares.end(),
+                                           [&](double square) { return square <= highest * highest; });
   Eigen::MatrixXd T(n, held + count);
   // With the bearings displaced, the other unknowns follow statically.
-  T.leftCols(held) = lift - rest * inner_stiffness.ldlt().solve(rest.transpose() * rotor.stiffness * lift);
-  T.rightCols(count) = rest * modes.eigenvectors().leftCols(count);
+  T.leftCols(held) = lift - rest * solve_symmetric(inner_stiffness, rest.transpose() * rotor.stiffness * lift);
+  T.rightCols(count) = rest * modes.shapes.leftCols(count);
 
   ReducedRotor reduced;
   reduced.rotor.mass = transformed(rotor.mass, T);
@@ -141,7 +145,7 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   for (const RotorStation& bearing : rotor.bearings) reduced.rotor.bearings.push_back(placed(bearing));
   for (const RotorStation& station : rotor.stations) reduced.rotor.stations.push_back(placed(station));
   // Rigid motions are static responses to bearing motions: T represents them exactly.
-  reduced.rotor.rigid = T.colPivHouseholderQr().solve(rotor.rigid);
+  reduced.rotor.rigid = least_squares(T, rotor.rigid);
 
   const Eigen::VectorXd before = free_frequencies(rotor);
   const Eigen::VectorXd after = free_frequencies(reduced.rotor);

@@ -1,8 +1,9 @@
 #include "bumpfoil/structure/held_crests.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <vector>
+
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -43,7 +44,7 @@ Matrix held_crest_stiffness(const FoilStructure& structure, int pad) {
     add(structure.K.upper[at].transpose(), i + 1, i);
   }
   if (n == 0) return crests;
-  const Matrix released = turned.ldlt().solve(mixed);
+  const Matrix released = solve_symmetric(turned, mixed);
   return crests - mixed.transpose() * released;
 }
 

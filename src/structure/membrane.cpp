@@ -1,9 +1,9 @@
 #include "bumpfoil/structure/membrane.hpp"
 
-#include <Eigen/LU>
 #include <map>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -101,7 +101,7 @@ std::vector<MembraneRows> membrane_rows(const Membrane& membrane, const Vector& 
     if (i < last) row.after(F, F) -= to_after * shear;
     row.own(g, g).setIdentity();
     if (weld) {
-      row.own(g, F) = A.partialPivLu().solve(nu_B);
+      row.own(g, F) = solve(A, nu_B);
     } else {
       row.own(g, g) *= row.length;
       row.before(g, F).diagonal().setConstant(-to_before);

@@ -1,7 +1,8 @@
 #include "structure/planar_frame.hpp"
 
-#include <Eigen/Cholesky>
 #include <array>
+
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 
@@ -24,8 +25,7 @@ Matrix PlanarFrame::condense(const Unknowns& kept, const Unknowns& fixed) const 
     if (is_free[unknown]) free.push_back(static_cast<Eigen::Index>(unknown));
   }
   const Matrix coupling = K_(free, kept);
-  const Matrix K_free = K_(free, free);
-  return K_(kept, kept) - coupling.transpose() * K_free.ldlt().solve(coupling);
+  return K_(kept, kept) - coupling.transpose() * solve_symmetric(K_(free, free), coupling);
 }
 
 }  // namespace bumpfoil

@@ -1,6 +1,5 @@
 #include "bumpfoil/structure/top_foil_on_lines.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +12,7 @@
 #include "bumpfoil/structure/membrane.hpp"
 #include "bumpfoil/structure/section.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -62,7 +62,7 @@ void add_membrane(const Membrane& membrane, const Vector& intervals, const Width
   const auto u = Eigen::seqN(0, lines.count());
   const auto F = Eigen::seqN(2 * lines.count(), modes);
   const auto m = Eigen::seqN(2 * lines.count() + modes, modes);
-  const Matrix per_bow = membrane.by_bow.inverse();
+  const Matrix per_bow = solve(membrane.by_bow, Matrix(Matrix::Identity(modes, modes)));
   const Matrix of_load = membrane.poisson_ratio * per_bow * membrane.by_slope;  // g = per_bow m - of_load F
   const auto load = Eigen::seqN(0, modes);
   const auto bow = Eigen::seqN(modes, modes);
@@ -122,11 +122,13 @@ Equations condensed(const Equations& all, const std::vector<Eigen::Index>& kept)
   for (Eigen::Index i = 0; i < all.A.rows(); ++i) {
     if (!std::binary_search(kept.begin(), kept.end(), i)) other.push_back(i);
   }
-  const Eigen::PartialPivLU<Matrix> out(all.A(other, other));
   const Matrix across = all.A(other, kept);
   const Vector load = all.load(other);
-  const Vector answer = out.solve(load);
-  return {.A = all.A(kept, kept) - across.transpose() * out.solve(across),
+  Matrix right(load.size(), across.cols() + 1);
+  right << across, load;
+  const Matrix solved = solve(all.A(other, other), right);
+  const Vector answer = solved.rightCols<1>();
+  return {.A = all.A(kept, kept) - across.transpose() * solved.leftCols(across.cols()),
           .load = all.load(kept) - across.transpose() * answer,
           .energy = -0.5 * load.dot(answer)};
 }

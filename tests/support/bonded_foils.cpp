@@ -1,8 +1,9 @@
 #include "support/bonded_foils.hpp"
 
-#include <Eigen/LU>
 #include <cstddef>
 #include <vector>
+
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -125,7 +126,7 @@ BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& load
     if (!given[static_cast<std::size_t>(i)]) free.push_back(i);
   }
   const Vector right = -(load + A * z)(free);
-  const Vector found = Matrix(A(free, free)).partialPivLu().solve(right);
+  const Vector found = solve(A(free, free), right);
   z(free) = found;
   const Vector held = load + A * z;
   BondedAnswer answer{Matrix(foil.lines.count(), mesh.nodes()), Matrix(foil.lines.count(), bearing.bumps())};

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,6 +14,7 @@
 #include "bumpfoil/structure/membrane.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 #include "bumpfoil/structure/width_lines.hpp"
+#include "core/linear_algebra.hpp"
 #include "support/shell_cases.hpp"
 
 namespace bumpfoil {
@@ -72,7 +70,7 @@ Matrix crest_stiffness(const FoilDesign& foils, bool feet_slide, Joined joined) 
   K(of_slices, of_slices) += structure.K.dense();
   const Matrix out = K(others, others);
   const Matrix across = K(others, crests);
-  const Matrix answer = out.partialPivLu().solve(across);
+  const Matrix answer = solve(out, across);
   return K(crests, crests) - across.transpose() * answer;
 }
 
@@ -141,8 +139,7 @@ Displaced pressed(const Lobe& lobe, const Matrix& crests, double stretching = 1.
   const Vector scale = (Vector(4) << 1e-6, 1e-3, 1.0, 1e5).finished().replicate(1, size).transpose().reshaped();
   const Matrix scaled = A * scale.asDiagonal();
   const Vector rows_by = scaled.cwiseAbs().rowwise().maxCoeff().cwiseInverse();
-  const Vector solution =
-      scale.cwiseProduct((rows_by.asDiagonal() * scaled).fullPivLu().solve(rows_by.cwiseProduct(right)));
+  const Vector solution = scale.cwiseProduct(solve(rows_by.asDiagonal() * scaled, Vector(rows_by.cwiseProduct(right))));
   Displaced found{Vector::Zero(n + 1), Vector::Zero(n + 1)};
   found.w.tail(n) = solution.head(n);
   found.f.head(n) = solution.segment(2 * size, n) * R / (0.4 * a);
@@ -379,8 +376,8 @@ TEST(WidthOfTheTopFoil, BendsInModesThatTheMembraneJoins) {
                                             .feet_slide = reference.feet_slide,
                                             .sheet = SheetModel::elastic},
                                            5);
-    const Matrix crests = 1e6 * modes.colPivHouseholderQr().solve(found.crest_w.transpose());
-    const Matrix spans = 1e6 * modes.colPivHouseholderQr().solve(found.span_w.transpose());
+    const Matrix crests = 1e6 * least_squares(modes, found.crest_w.transpose());
+    const Matrix spans = 1e6 * least_squares(modes, found.span_w.transpose());
     for (int i = 0; i < 6; ++i) {
       EXPECT_NEAR(crests(1, 10 + i), reference.crest_w2[i], 4e-3);
       EXPECT_NEAR(crests(2, 10 + i), reference.crest_w4[i], 4e-3);
@@ -409,7 +406,7 @@ Vector loaded_crests(bool feet_slide) {
   Vector load = Vector::Zero(std::ssize(free));
   load(crests).setConstant(1e3 * foils.axial_length);
   const Matrix K = structure.K.dense()(free, free);
-  const Vector displaced = K.partialPivLu().solve(load);
+  const Vector displaced = solve(K, load);
   return displaced(crests);
 }
 
@@ -437,7 +434,7 @@ TEST(BumpFoilOverTheWidth, IsSlicesAsInShellsUnderLoadsThatAreUniformOrLinear) {
 TEST(BumpFoilOverTheWidth, IsHeldAsInShellsUnderAParabola) {
   const FoilDesign foils = frames(9);
   const Matrix K = held_crest_stiffness(make_foil_structure(foils), 0);
-  const Vector v = 1e6 * K.ldlt().solve(Vector::Constant(9, 1e3 * foils.axial_length));
+  const Vector v = 1e6 * solve_symmetric(K, Vector::Constant(9, 1e3 * foils.axial_length));
   constexpr double middle[3]{-0.76616, -0.78363, -0.80972};
   constexpr double near_edge[3]{1.1054, 1.1301, 1.1664};
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -451,7 +448,7 @@ TEST(BumpFoilOverTheWidth, IsHeldAsInShellsUnderAParabola) {
 TEST(BumpFoilOverTheWidth, GivesWayAsShellsDoUnderAParabolaOnFeetThatSlide) {
   const FoilDesign foils = frames(9);
   const Matrix K = crest_stiffness(foils, true, Joined::by_its_sheet);
-  const Vector v = 1e6 * K.ldlt().solve(Vector::Constant(9, 1e3 * foils.axial_length));
+  const Vector v = 1e6 * solve_symmetric(K, Vector::Constant(9, 1e3 * foils.axial_length));
   EXPECT_NEAR(v[0], 1.94, 0.1 * 1.94);
   EXPECT_NEAR(v[1], 1.62, 0.03 * 1.62);
   EXPECT_NEAR(v[4], 1.36, 0.03 * 1.36);

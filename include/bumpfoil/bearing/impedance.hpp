@@ -25,6 +25,8 @@ struct ReducedForces {
 
   /// Force per displacement. @param excess  e
   [[nodiscard]] JournalVectorC at(std::complex<double> excess) const;
+  /// Its derivative by e: forces (1 - e H)^-2 start e_1.
+  [[nodiscard]] JournalVectorC slope(std::complex<double> excess) const;
 };
 
 /// Z(s) = dF/dq of a state of a running bearing, N/m, at any rate s for which it was made. A plain value.
@@ -35,6 +37,8 @@ struct FilmImpedance {
 
   /// @param rate  s, 1/s
   [[nodiscard]] JournalMatrixC at(std::complex<double> rate) const;
+  /// dZ/ds, N s/m. @param rate  s, 1/s
+  [[nodiscard]] JournalMatrixC slope(std::complex<double> rate) const;
 };
 
 /// Springs and dampers in place of a film: Z(s) = K + s C.

@@ -17,6 +17,8 @@ struct RotorStation {
   /// B of a bearing: q = B y with the place q of the journal in it (m, JournalVector): displacements and, where the
   /// bearing resists inclinations, these times half the width.
   [[nodiscard]] Eigen::MatrixXd journal() const;
+  /// B^T Z B: what relates forces on the journal to its place q, for the unknowns of the rotor.
+  [[nodiscard]] Eigen::MatrixXcd on_rotor(const Eigen::MatrixXcd& of_journal) const;
 };
 
 /// A rotor that turns at Omega, as its small motions y(t) about the axis of rotation see it:

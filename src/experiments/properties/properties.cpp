@@ -1,6 +1,5 @@
 #include "bumpfoil/experiments/properties/properties.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cstddef>
 #include <vector>
 
@@ -10,16 +9,13 @@
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
 
 /// Dense eigenvalues of more unknowns take too long.
 constexpr Eigen::Index most_unknowns = 2000;
-
-Vector eigenvalues(const Matrix& symmetric) {
-  return Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
-}
 
 /// The soft end from the compliance, the stiff end from the stiffness, where each is accurate.
 std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
@@ -28,8 +24,8 @@ std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
   const TopFoilMoments form = make_top_foil_moments(beam);
   Matrix stiffness(form.size(), form.size());
   for (Eigen::Index j = 0; j < form.size(); ++j) stiffness.col(j) = top_foil_loads(form, Vector::Unit(form.size(), j));
-  return StiffnessRange{.softest = 1.0 / eigenvalues(top_foil_compliance(beam)).maxCoeff(),
-                        .stiffest = eigenvalues(stiffness).maxCoeff()};
+  return StiffnessRange{.softest = 1.0 / symmetric_eigenvalues(top_foil_compliance(beam)).maxCoeff(),
+                        .stiffest = symmetric_eigenvalues(stiffness).maxCoeff()};
 }
 
 std::optional<StiffnessRange> bump_foil_range(const PadDesign& pad, const FoilDesign& foils) {
@@ -41,7 +37,7 @@ std::optional<StiffnessRange> bump_foil_range(const PadDesign& pad, const FoilDe
     if (place != structure.dofs.top_u && place != structure.dofs.top_moment) kept.push_back(row);
   }
   if (std::ssize(kept) > most_unknowns) return std::nullopt;
-  const Vector values = eigenvalues(structure.K.dense()(kept, kept));
+  const Vector values = symmetric_eigenvalues(structure.K.dense()(kept, kept));
   return StiffnessRange{.softest = values.minCoeff(), .stiffest = values.maxCoeff()};
 }
 

@@ -9,7 +9,7 @@
 
 #include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "core/least_squares.hpp"
+#include "core/linear_algebra.hpp"
 #include "experiments/transient/ends_of_turns.hpp"
 #include "experiments/transient/step_row.hpp"
 

@@ -19,6 +19,21 @@ TEST(ReducedForces, AnswerAtAnyRate) {
   EXPECT_LT((reduced.at(0.0) - Eigen::Vector2cd(3.0, -1.0)).norm(), 1e-15);
 }
 
+/// Two directions, (1 - e H)^-1 by hand; central differences have an error of their step squared.
+TEST(ReducedForces, SlopeIsTheDerivative) {
+  ReducedForces reduced{.moved = Eigen::Vector2d(3.0, -1.0), .start = 2.0, .hessenberg = {}, .forces = Matrix(2, 2)};
+  reduced.hessenberg = Matrix(2, 2);
+  reduced.hessenberg << -0.5, 0.3, 2.0, -1.0;
+  reduced.forces << 4.0, 1.0, 0.0, -2.0;
+  const Complex e(0.4, 2.0);
+  const double step = 1e-5;
+  const FilmImpedance impedance{.shift = 0.0, .squeeze_time = 0.5, .along = {reduced, reduced}};
+  const Eigen::Vector2cd difference = (reduced.at(e + step) - reduced.at(e - step)) / (2.0 * step);
+  EXPECT_GT(difference.norm(), 0.1);
+  EXPECT_LT((reduced.slope(e) - difference).norm(), 1e-9);
+  EXPECT_LT((impedance.slope(2.0 * e).col(1) - 0.5 * difference).norm(), 1e-9);
+}
+
 TEST(FilmImpedance, HasAColumnForEachDirection) {
   ReducedForces along{.moved = Eigen::Vector2d(1.0, 2.0),
                       .start = 1.0,

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
 #include "bumpfoil/structure/top_foil.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -79,7 +79,7 @@ Matrix solve_condensed(const FoilFilm& foil, FoilFilmSystem& system, const Matri
     const bool is_U = j >= pressures && j < pressures + foil.lines.count();
     if (!is_U) keep_zero((blocks - 1) * n + j);  // at the free end only U is unknown
   }
-  const Vector solution = A.partialPivLu().solve(right);
+  const Vector solution = solve(A, right);
   return Eigen::Map<const Matrix>(solution.data(), n, blocks);
 }
 
@@ -142,7 +142,7 @@ FoilFilmState pressed(const FoilFilm& foil, double excess) {
   std::vector<Eigen::Index> held;
   for (const int column : foil.supports) held.push_back(column - 1);
   const Vector free = S * load;
-  const Vector reaction = S(held, held).partialPivLu().solve(-free(held));
+  const Vector reaction = solve(S(held, held), Vector(-free(held)));
   const Vector u = free + S(Eigen::all, held) * reaction;
   FoilFilmState state = undeformed(foil, mesh.field(1.0));
   state.lift.rightCols(mesh.columns) = u.transpose() / scales.thickness;

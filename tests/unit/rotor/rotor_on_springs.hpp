@@ -1,29 +1,27 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "bumpfoil/rotor/rotor.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 
 /// Positive imaginary parts of all eigenvalues of M y'' + Omega G y' + K y = 0, ascending, rad/s.
 inline std::vector<double> whirl_frequencies(const Rotor& rotor, double speed) {
   const Eigen::Index n = rotor.size();
-  const auto mass = rotor.mass.partialPivLu();
   // In units of the highest frequency: both halves of the matrix then have the same magnitude.
-  const Eigen::MatrixXd squares = mass.solve(rotor.stiffness);
+  const Eigen::MatrixXd squares = solve(rotor.mass, rotor.stiffness);
   const double unit = std::sqrt(squares.norm());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   A.topRightCorner(n, n) = unit * Eigen::MatrixXd::Identity(n, n);
   A.bottomLeftCorner(n, n) = -squares / unit;
-  A.bottomRightCorner(n, n) = -mass.solve(speed * rotor.gyroscopic + rotor.damping);
+  A.bottomRightCorner(n, n) = -solve(rotor.mass, Eigen::MatrixXd(speed * rotor.gyroscopic + rotor.damping));
   std::vector<double> frequencies;
-  const Eigen::VectorXcd rates = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues();
+  const Eigen::VectorXcd rates = eigenvalues(A).value();
   for (const std::complex<double> s : rates) {
     if (s.imag() > 1e-6) frequencies.push_back(s.imag());
   }

@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "bumpfoil/rotor/shaft.hpp"
+#include "core/linear_algebra.hpp"
 #include "unit/rotor/rotor_on_springs.hpp"
 
 namespace bumpfoil {
@@ -127,6 +129,21 @@ TEST(ReducedRotor, WhirlsAsTheWholeOneDoes) {
 }
 
 /// Under static loads at the bearings, stations move as those of the full model: no interior forces excite the modes.
+/// A force of the bearing does the same work on the journal as on the rotor.
+TEST(RotorStation, PutsWhatABearingDoesOnTheRotor) {
+  RotorStation station = make_rigid_rotor(rigid_design()).bearings.back();
+  station.half_width = 0.02;
+  const Eigen::VectorXcd y =
+      Eigen::VectorXd::LinSpaced(4, 1.0, -2.0) + std::complex<double>(0.0, 1.0) * Eigen::VectorXd::Ones(4);
+  Eigen::MatrixXcd Z(4, 4);
+  for (Eigen::Index i = 0; i < 16; ++i) Z.data()[i] = std::polar(1.0 + static_cast<double>(i), static_cast<double>(i));
+  const Eigen::VectorXcd q = station.journal() * y;
+  const Eigen::VectorXcd force = Z * q;
+  const Eigen::VectorXcd on_rotor = station.on_rotor(Z) * y;
+  EXPECT_LT(std::abs(y.dot(on_rotor) - q.dot(force)), 1e-13 * std::abs(q.dot(force)));
+  EXPECT_GT(std::abs(q.dot(force).imag()), 1.0);
+}
+
 TEST(ReducedRotor, BendsUnderStaticLoadsAsTheWholeOneDoes) {
   ShaftDesign design = shaft_design();
   design.bearings = {0.03, 0.15, 0.27};
@@ -134,7 +151,7 @@ TEST(ReducedRotor, BendsUnderStaticLoadsAsTheWholeOneDoes) {
   const Rotor reduced = on_springs(reduce_rotor(make_flexible_rotor(design), 5000.0).rotor, 2e7, 3e7);
   const auto bent = [](const Rotor& rotor) -> Eigen::VectorXd {
     const Eigen::VectorXd load = rotor.bearings[1].motion.transpose() * Eigen::Vector2d(100.0, -50.0);
-    return rotor.stations.back().motion * rotor.stiffness.ldlt().solve(load);
+    return rotor.stations.back().motion * solve_symmetric(rotor.stiffness, load);
   };
   EXPECT_LT((bent(reduced) - bent(whole)).norm(), 1e-9 * bent(whole).norm());
 }

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <vector>
 
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -43,7 +43,7 @@ Vector loaded_crests(const FoilDesign& foils, const std::vector<int>& loaded) {
   Vector load = Vector::Zero(std::ssize(free));
   for (const int bump : loaded) load[crests[static_cast<std::size_t>(bump)]] = square * 1e3 * foils.axial_length;
   const Matrix unknown = K(free, free);
-  const Vector moved = unknown.partialPivLu().solve(load);
+  const Vector moved = solve(unknown, load);
   return moved(crests);
 }
 

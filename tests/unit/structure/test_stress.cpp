@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -23,7 +23,7 @@ Vector under_top_loads(const Case& input, const Vector& loads) {
   const FoilStructure structure = make_foil_structure(make_bearing_design(input));
   Vector right = Vector::Zero(structure.K.rows());
   right(Eigen::seqN(structure.dofs.top_u, structure.bumps(), structure.dofs.size)) = loads;
-  return structure.K.dense().partialPivLu().solve(right);
+  return solve(structure.K.dense(), right);
 }
 
 TEST(FoilStress, OfTheTopFoilIsThatOfAStaticallyDeterminateCantilever) {

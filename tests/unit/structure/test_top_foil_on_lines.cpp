@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <array>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -35,7 +35,7 @@ Matrix of_crests(const BlockTridiagonal& K, Eigen::Index lines, Eigen::Index str
   const Matrix all = K.dense();
   const Matrix across = all(other, kept);
   const Matrix out = all(other, other);
-  return all(kept, kept) - across.transpose() * out.partialPivLu().solve(across);
+  return all(kept, kept) - across.transpose() * solve(out, across);
 }
 
 /// Loads of a formed foil condensed to the crests.
@@ -44,7 +44,7 @@ Vector pressed_by(const TopFoilOnLines& foil, Eigen::Index lines) {
   const Matrix all = foil.K.dense();
   const Matrix out = all(other, other);
   const Vector load = foil.forming(other);
-  return foil.forming(kept) - all(kept, other) * out.partialPivLu().solve(load);
+  return foil.forming(kept) - all(kept, other) * solve(out, load);
 }
 
 FoilDesign some_formed_foils(int bumps) {

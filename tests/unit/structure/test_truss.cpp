@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -122,10 +123,10 @@ TEST(Truss, IsTheHessianOfItsEnergy) {
 
 TEST(Truss, IsPositiveDefiniteForAnyNumberOfBumps) {
   for (const int bumps : {1, 2, 5, 26}) {
-    const Eigen::SelfAdjointEigenSolver<Matrix> modes(assemble(bumps).dense());
-    EXPECT_GT(modes.eigenvalues().minCoeff(), 0.0) << bumps;
+    const Vector modes = symmetric_eigenvalues(assemble(bumps).dense());
+    EXPECT_GT(modes.minCoeff(), 0.0) << bumps;
     // cond(K) stays below 1e10: the open foil is soft, but far from singular.
-    EXPECT_GT(modes.eigenvalues().minCoeff(), 1e-10 * modes.eigenvalues().maxCoeff()) << bumps;
+    EXPECT_GT(modes.minCoeff(), 1e-10 * modes.maxCoeff()) << bumps;
   }
 }
 

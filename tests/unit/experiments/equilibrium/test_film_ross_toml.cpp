@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <set>
 
+#include "core/linear_algebra.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -181,7 +181,7 @@ std::complex<double> least_damped(double mass, const Eigen::Matrix2d& K, const E
   A.topRightCorner<2, 2>().setIdentity();
   A.bottomLeftCorner<2, 2>() = -K / mass;
   A.bottomRightCorner<2, 2>() = -C / mass;
-  const Eigen::Vector4cd values = A.eigenvalues();
+  const Eigen::VectorXcd values = eigenvalues(A).value();
   return *std::max_element(values.begin(), values.end(),
                            [](const auto& a, const auto& b) { return a.real() < b.real(); });
 }

@@ -1,0 +1,54 @@
+#include "core/linear_algebra.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace bumpfoil {
+
+Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.partialPivLu().solve(B);
+}
+
+Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+  return A.partialPivLu().solve(b);
+}
+
+Eigen::VectorXcd solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b) {
+  return A.partialPivLu().solve(b);
+}
+
+Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.ldlt().solve(B);
+}
+
+Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, std::optional<double> threshold) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  if (threshold) decomposition.setThreshold(*threshold);
+  decomposition.compute(A);
+  return decomposition.solve(B);
+}
+
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+SymmetricModes symmetric_modes(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(A, B);
+  return {.squares = solver.eigenvalues(), .shapes = solver.eigenvectors()};
+}
+
+std::optional<Eigen::VectorXcd> eigenvalues(const Eigen::MatrixXd& A) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
+  if (solver.info() != Eigen::Success) return std::nullopt;
+  return solver.eigenvalues();
+}
+
+std::optional<Eigenpairs> eigenpairs(const Eigen::MatrixXd& A) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  if (solver.info() != Eigen::Success) return std::nullopt;
+  return Eigenpairs{.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
+}
+
+}  // namespace bumpfoil

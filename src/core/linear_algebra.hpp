@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+/// Decompositions of dense matrices by Eigen, compiled here once: each takes seconds to compile. For what runs seldom;
+/// inner loops call Eigen themselves.
+namespace bumpfoil {
+
+/// X with A X = B, by elimination with row pivoting. @param A  square and regular
+Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+Eigen::VectorXcd solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b);
+
+/// X with A X = B for a symmetric semidefinite A, of which the lower triangle is read, by A = L D L^T.
+Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+/// The X that minimises |A X - B|, column by column; of several, the shortest.
+/// @param A          any shape and rank
+/// @param B          as many rows as A
+/// @param threshold  pivots below this fraction of the largest count as zero; by default round-off
+Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, std::optional<double> threshold = {});
+
+/// Those of a symmetric matrix, of which the lower triangle is read, ascending.
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A);
+
+/// A phi = square B phi
+struct SymmetricModes {
+  Eigen::VectorXd squares;  ///< ascending
+  Eigen::MatrixXd shapes;   ///< columns phi, phi^T B phi = 1
+};
+/// @param A  symmetric
+/// @param B  symmetric and positive definite
+SymmetricModes symmetric_modes(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+/// Those of any square matrix; nothing if the QR algorithm does not converge.
+std::optional<Eigen::VectorXcd> eigenvalues(const Eigen::MatrixXd& A);
+
+struct Eigenpairs {
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;  ///< columns of unit length
+};
+std::optional<Eigenpairs> eigenpairs(const Eigen::MatrixXd& A);
+
+}  // namespace bumpfoil
