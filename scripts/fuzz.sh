@@ -1,6 +1,6 @@
 #!/bin/bash
-# Feeds each target of tests/fuzz/ for some minutes, from what is committed and what was found before; as many at a time
-# as there are cores. The seed is always the same, so that findings are found again.
+# Feeds each target of tests/fuzz/ for some minutes, from what is committed and what was found before; twice as many at
+# a time as there are cores. The seed is always the same, so that findings are found again.
 # Usage: scripts/fuzz.sh FUZZER FOLDER MINUTES [TARGET...]    exits non-zero if anything was found
 set -uo pipefail
 
@@ -21,4 +21,4 @@ feed() {
   return $found
 }
 export -f feed
-printf '%s\0' "${targets[@]}" | xargs -0 -n 1 -P "$(nproc)" bash -c 'feed "$1"' feed
+printf '%s\0' "${targets[@]}" | xargs -0 -n 1 -P "$(( 2 * $(nproc) ))" bash -c 'feed "$1"' feed
