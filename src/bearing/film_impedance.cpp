@@ -84,6 +84,16 @@ Eigen::VectorXcd stored_rates(const ReducedForces& reduced, std::complex<double>
   return coordinates(reduced.hessenberg, Eigen::VectorXcd::Unit(reduced.hessenberg.rows(), 0) * reduced.start, excess);
 }
 
+/// What ReducedForces say of each motion, as columns.
+JournalMatrixC by_motion(const FilmImpedance& film, std::complex<double> rate,
+                         JournalVectorC (ReducedForces::*said)(std::complex<double>) const) {
+  const auto motions = std::ssize(film.along);
+  JournalMatrixC columns(motions, motions);
+  const std::complex<double> excess = film.squeeze_time * rate - film.shift;
+  for (Eigen::Index i = 0; i < motions; ++i) columns.col(i) = (film.along[static_cast<std::size_t>(i)].*said)(excess);
+  return columns;
+}
+
 /// The space of one motion while it grows.
 class Reduction {
  public:
@@ -133,19 +143,11 @@ JournalVectorC ReducedForces::slope(std::complex<double> excess) const {
 }
 
 JournalMatrixC FilmImpedance::at(std::complex<double> rate) const {
-  const auto motions = std::ssize(along);
-  JournalMatrixC impedance(motions, motions);
-  const std::complex<double> excess = squeeze_time * rate - shift;
-  for (Eigen::Index i = 0; i < motions; ++i) impedance.col(i) = along[static_cast<std::size_t>(i)].at(excess);
-  return impedance;
+  return by_motion(*this, rate, &ReducedForces::at);
 }
 
 JournalMatrixC FilmImpedance::slope(std::complex<double> rate) const {
-  const auto motions = std::ssize(along);
-  JournalMatrixC slopes(motions, motions);
-  const std::complex<double> excess = squeeze_time * rate - shift;
-  for (Eigen::Index i = 0; i < motions; ++i) slopes.col(i) = along[static_cast<std::size_t>(i)].slope(excess);
-  return squeeze_time * slopes;
+  return squeeze_time * by_motion(*this, rate, &ReducedForces::slope);
 }
 
 FilmImpedance linear_impedance(const JournalMatrix& stiffness, const JournalMatrix& damping, double unit) {

@@ -119,8 +119,7 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   if (n == held) return {rotor, 0.0};
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B.transpose());
   const Eigen::MatrixXd Q = qr.householderQ();
-  const Eigen::MatrixXd R = qr.matrixQR().topRows(held).triangularView<Eigen::Upper>();
-  const Eigen::MatrixXd lift = solve(R, Eigen::MatrixXd(Q.leftCols(held).transpose())).transpose();
+  const Eigen::MatrixXd lift = least_squares(B, Eigen::MatrixXd::Identity(held, held));  // the shortest
   const Eigen::MatrixXd rest = Q.rightCols(n - held);
   const Eigen::MatrixXd inner_stiffness = transformed(rotor.stiffness, rest);
   const SymmetricModes modes = modes_of(inner_stiffness, transformed(rotor.mass, rest));
