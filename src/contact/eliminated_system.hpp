@@ -10,7 +10,7 @@
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
-#include "bumpfoil/core/vector_instructions.hpp"
+#include "bumpfoil/core/dense_kernels.hpp"
 
 namespace bumpfoil {
 
@@ -127,26 +127,23 @@ struct Stiffness {
   template <typename Panel>
   void multiply_panel(const Panel& X, Panel& Y) const {
     static_assert(Panel::IsRowMajor);
-    with_widest_vectors([&](auto) BUMPFOIL_ALWAYS_INLINE {
-      const Eigen::Index columns = X.cols();
-      const auto add = [&](double factor, Eigen::Index from, double* row) BUMPFOIL_ALWAYS_INLINE {
-        if (factor == 0.0) return;  // most factors are zero
-        const double* other = X.data() + from * columns;
-        for (Eigen::Index c = 0; c < columns; ++c) row[c] += factor * other[c];
-      };
-      for (std::size_t b = 0; b < diagonal.size(); ++b) {
-        const Eigen::Index first = static_cast<Eigen::Index>(b) * block_size;
-        for (Eigen::Index r = 0; r < block_size; ++r) {
-          double* row = Y.data() + (first + r) * columns;
-          for (Eigen::Index c = 0; c < columns; ++c) row[c] = -row[c];
-          for (Eigen::Index k = 0; k < block_size; ++k) {
-            add(diagonal[b](r, k), first + k, row);
-            if (b + 1 < diagonal.size()) add(upper[b](r, k), first + block_size + k, row);
-            if (b > 0) add(lower.empty() ? upper[b - 1](k, r) : lower[b - 1](r, k), first - block_size + k, row);
-          }
-        }
+    const Eigen::Index columns = X.cols();
+    const Eigen::Index n = block_size;
+    const auto rows_of = [&](std::size_t b) { return static_cast<Eigen::Index>(b) * n * columns; };
+    for (std::size_t b = 0; b < diagonal.size(); ++b) {
+      for (Eigen::Index r = 0; r < n; ++r) {
+        double* row = Y.data() + rows_of(b) + r * columns;
+        for (Eigen::Index c = 0; c < columns; ++c) row[c] = -row[c];
+        // Rows of blocks, which are stored by columns; those below the diagonal may be columns of the ones above.
+        const auto add = [&](const double* factors, Eigen::Index step, std::size_t other) {
+          add_rows(1.0, factors, step, n, X.data() + rows_of(other), columns, row);
+        };
+        add(diagonal[b].data() + r, n, b);
+        if (b + 1 < diagonal.size()) add(upper[b].data() + r, n, b + 1);
+        if (b > 0 && lower.empty()) add(upper[b - 1].data() + r * n, 1, b - 1);
+        if (b > 0 && !lower.empty()) add(lower[b - 1].data() + r, n, b - 1);
       }
-    });
+    }
   }
 
   /// The block below the diagonal, in row b + 1.

@@ -61,7 +61,15 @@ class PenaltySystemOf final : public PenaltySystem {
 }  // namespace
 
 std::unique_ptr<PenaltySystem> make_penalty_system(const ContactProblem& problem) {
-  return make_for_block_size<PenaltySystemOf, PenaltySystem>(problem);
+  // The methods that take penalties are for foils without a film, on trusses and frames.
+  switch (problem.K.block_size()) {
+    case 6:
+      return std::make_unique<PenaltySystemOf<6>>(problem);
+    case 11:
+      return std::make_unique<PenaltySystemOf<11>>(problem);
+    default:
+      return std::make_unique<PenaltySystemOf<Eigen::Dynamic>>(problem);
+  }
 }
 
 }  // namespace bumpfoil

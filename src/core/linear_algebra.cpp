@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
 
 namespace bumpfoil {
 
@@ -28,6 +30,17 @@ Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B
   if (threshold) decomposition.setThreshold(*threshold);
   decomposition.compute(A);
   return decomposition.solve(B);
+}
+
+SingularVectors singular_vectors(const Eigen::MatrixXd& A) {
+  // By Jacobi rotations of the triangle that elimination leaves: A P = Q R.
+  const Eigen::Index n = A.cols();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
+  const Eigen::Index rows = std::min(A.rows(), n);
+  Eigen::MatrixXd R = Eigen::MatrixXd::Zero(n, n);
+  R.topRows(rows) = qr.matrixQR().topRows(rows).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(R, Eigen::ComputeFullV);
+  return {.values = svd.singularValues(), .right = qr.colsPermutation() * svd.matrixV()};
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A) {

@@ -21,6 +21,13 @@ Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd&
 /// @param threshold  pivots below this fraction of the largest count as zero; by default round-off
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, std::optional<double> threshold = {});
 
+/// Of A = U S V^T, as many as A has columns: any that A lacks rows for are zero.
+struct SingularVectors {
+  Eigen::VectorXd values;  ///< S, descending
+  Eigen::MatrixXd right;   ///< V
+};
+SingularVectors singular_vectors(const Eigen::MatrixXd& A);
+
 /// Those of a symmetric matrix, of which the lower triangle is read, ascending.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A);
 

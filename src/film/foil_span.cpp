@@ -5,6 +5,13 @@
 namespace bumpfoil {
 namespace {
 
+/// Fixed sizes are for wide vectors, where there are any to choose from: without them the generic size will do.
+#ifdef BUMPFOIL_WIDE_VECTORS
+constexpr VectorInstructions least_of_fixed_sizes = VectorInstructions::avx2;
+#else
+constexpr VectorInstructions least_of_fixed_sizes = VectorInstructions::baseline;
+#endif
+
 /// @tparam T  number of foil unknowns among the B of a column; both or neither may be Eigen::Dynamic
 template <int B, int T>
 class FoilSpanOf final : public FoilSpan {
@@ -17,6 +24,7 @@ class FoilSpanOf final : public FoilSpan {
         instructions_(instructions),
         columns_(static_cast<std::size_t>(columns)),
         pivots_(static_cast<std::size_t>(block_size)) {
+    BUMPFOIL_ASSERT(instructions >= least);
     for (Column& column : columns_) {
       column.to_before.resize(stride_, of_foil);
       column.to_after.resize(stride_, of_foil);
@@ -38,7 +46,7 @@ class FoilSpanOf final : public FoilSpan {
   ColumnCoupling& of_after() override { return of_after_; }
 
   bool eliminate(Condensed& condensed) override {
-    const bool regular = with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
+    const bool regular = with_vectors<least>(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
       return eliminate_with(DenseKernels<B, decltype(lanes)::value>(n_), condensed);
     });
     return regular;
@@ -46,7 +54,7 @@ class FoilSpanOf final : public FoilSpan {
 
   void condense(const Matrix& right, Eigen::Ref<Matrix> before, Eigen::Ref<Matrix> after) override {
     set_sides(after.cols());
-    with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
+    with_vectors<least>(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
       const DenseKernels<B, decltype(lanes)::value> kernels(n_);
       fill(left_);
       for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -80,7 +88,7 @@ class FoilSpanOf final : public FoilSpan {
       std::copy_n(before.col(s).data(), n_, left_.data() + s * stride_);
       std::copy_n(after.col(s).data(), n_, right_.data() + s * stride_);
     }
-    with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
+    with_vectors<least>(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
       const DenseKernels<B, decltype(lanes)::value> kernels(n_);
       const double* next = right_.data();
       for (std::size_t i = columns_.size(); i-- > 0;) {
@@ -101,6 +109,8 @@ class FoilSpanOf final : public FoilSpan {
   }
 
  private:
+  static constexpr VectorInstructions least = B == Eigen::Dynamic ? VectorInstructions::baseline : least_of_fixed_sizes;
+
   /// Blocks are stored by columns with leading dimension stride_.
   struct Column {
     ColumnCoupling to_before, to_after;
@@ -234,6 +244,7 @@ std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, int of_foi
   const auto make = [&]<int B, int T>() -> std::unique_ptr<FoilSpan> {
     return std::make_unique<FoilSpanOf<B, T>>(columns, block_size, of_foil, has_before, instructions);
   };
+  if (instructions < least_of_fixed_sizes) return make.operator()<Eigen::Dynamic, Eigen::Dynamic>();
   // Specialised sizes: eight or sixteen pressures with U and M of a foil uniform over the width, or of one with a
   // parabola; 31 on the whole width, with a slope and a parabola.
   const int pressures = block_size - of_foil;

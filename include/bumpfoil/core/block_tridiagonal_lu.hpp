@@ -81,41 +81,35 @@ class BlockTridiagonalLU {
     static_assert(Panel::IsRowMajor);
     const Eigen::Index n = size();
     BUMPFOIL_ASSERT(X.rows() == blocks() * n);
-    with_widest_vectors([&](auto) BUMPFOIL_ALWAYS_INLINE {
-      const Eigen::Index columns = X.cols();
-      // Row of X -= sum over k in [first, last) of factors[k] (row k behind `rows`); most couplings are zero.
-      const auto subtract = [columns](const double* factors, Eigen::Index first, Eigen::Index last, const double* rows,
-                                      double* row) BUMPFOIL_ALWAYS_INLINE {
-        for (Eigen::Index k = first; k < last; ++k) {
-          if (factors[k] == 0.0) continue;
-          for (Eigen::Index c = 0; c < columns; ++c) row[c] -= factors[k] * rows[k * columns + c];
-        }
-      };
-      double* part = X.data();
-      for (int i = 0; i < blocks(); ++i, part += n * columns) {
-        const double* coupling = lower_[place(i)].data();
-        const double* a = factors(i);
-        for (Eigen::Index r = 0; i > 0 && r < n; ++r) {
-          subtract(coupling + r * n, 0, n, part - n * columns, part + r * columns);
-        }
-        for (Eigen::Index k = 0; k < n; ++k) {
-          const Eigen::Index other = pivots(i)[k];
-          if (other != k) std::swap_ranges(part + k * columns, part + (k + 1) * columns, part + other * columns);
-        }
-        for (Eigen::Index r = 1; r < n; ++r) subtract(a + r * stride(), 0, r, part, part + r * columns);
-        for (Eigen::Index r = n - 1; r >= 0; --r) {
-          subtract(a + r * stride(), r + 1, n, part, part + r * columns);
-          for (Eigen::Index c = 0; c < columns; ++c) part[r * columns + c] *= a[r * stride() + r];
-        }
+    const Eigen::Index columns = X.cols();
+    // Row of X -= sum over k < count of factors[k] (row k behind `rows`).
+    const auto subtract = [columns](const double* factors, Eigen::Index count, const double* rows, double* row) {
+      add_rows(-1.0, factors, 1, count, rows, columns, row);
+    };
+    double* part = X.data();
+    for (int i = 0; i < blocks(); ++i, part += n * columns) {
+      const double* coupling = lower_[place(i)].data();
+      const double* a = factors(i);
+      for (Eigen::Index r = 0; i > 0 && r < n; ++r) {
+        subtract(coupling + r * n, n, part - n * columns, part + r * columns);
       }
+      for (Eigen::Index k = 0; k < n; ++k) {
+        const Eigen::Index other = pivots(i)[k];
+        if (other != k) std::swap_ranges(part + k * columns, part + (k + 1) * columns, part + other * columns);
+      }
+      for (Eigen::Index r = 1; r < n; ++r) subtract(a + r * stride(), r, part, part + r * columns);
+      for (Eigen::Index r = n - 1; r >= 0; --r) {
+        subtract(a + r * stride() + r + 1, n - r - 1, part + (r + 1) * columns, part + r * columns);
+        for (Eigen::Index c = 0; c < columns; ++c) part[r * columns + c] *= a[r * stride() + r];
+      }
+    }
+    part -= n * columns;
+    for (int i = blocks() - 1; i-- > 0;) {
       part -= n * columns;
-      for (int i = blocks() - 1; i-- > 0;) {
-        part -= n * columns;
-        for (Eigen::Index r = 0; r < n; ++r) {
-          subtract(reduced_upper(i) + r * stride(), 0, n, part + n * columns, part + r * columns);
-        }
+      for (Eigen::Index r = 0; r < n; ++r) {
+        subtract(reduced_upper(i) + r * stride(), n, part + n * columns, part + r * columns);
       }
-    });
+    }
   }
 
   /// Solves for as many right-hand sides as a block has columns, `right` in the rows of `block` and zero elsewhere.

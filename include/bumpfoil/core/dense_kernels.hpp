@@ -350,4 +350,11 @@ class DenseKernels {
   Eigen::Index n_;
 };
 
+/// row += sign * sum over k of factors[k * step] * (row k of `rows`), with the widest vectors of this processor.
+/// Factors that are zero, as most couplings are, cost nothing. For panels: many right-hand sides side by side.
+/// @param count    of factors, and of rows
+/// @param columns  numbers in a row
+void add_rows(double sign, const double* factors, Eigen::Index step, Eigen::Index count, const double* rows,
+              Eigen::Index columns, double* row);
+
 }  // namespace bumpfoil

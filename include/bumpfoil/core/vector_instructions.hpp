@@ -76,14 +76,21 @@ BUMPFOIL_TARGET_AVX512 auto call_with_avx512(Body& body) {
 ///
 ///     with_vectors(widest_vector_instructions(), [&](auto lanes) BUMPFOIL_ALWAYS_INLINE { ... });
 ///
-/// @param body  a lambda that is BUMPFOIL_ALWAYS_INLINE, as must be all that it calls
-template <typename Body>
+/// @tparam Least  the narrowest to be compiled, where there are any to choose from; `instructions` are none narrower
+/// @param body    a lambda that is BUMPFOIL_ALWAYS_INLINE, as must be all that it calls
+template <VectorInstructions Least = VectorInstructions::baseline, typename Body>
 auto with_vectors([[maybe_unused]] VectorInstructions instructions, Body&& body) {
 #ifdef BUMPFOIL_WIDE_VECTORS
   if (instructions == VectorInstructions::avx512) return detail::call_with_avx512(body);
-  if (instructions == VectorInstructions::avx2) return detail::call_with_avx2(body);
-#endif
+  if constexpr (Least == VectorInstructions::avx2) {
+    return detail::call_with_avx2(body);
+  } else {
+    if (instructions == VectorInstructions::avx2) return detail::call_with_avx2(body);
+    return body(Lanes<2>());
+  }
+#else
   return body(Lanes<2>());
+#endif
 }
 
 /// The same with the widest of this processor.

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "bumpfoil/results/dataset.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -72,21 +72,21 @@ Eigen::MatrixXd covariance_of(const FitEstimate& estimate) {
     lengths[k] = scaled.col(k).norm();
     if (lengths[k] > 0.0) scaled.col(k) /= lengths[k];
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& values = svd.singularValues();
-  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(size);
+  const auto [values, right] = singular_vectors(scaled);
+  Eigen::VectorXd inverse_squares = Eigen::VectorXd::Zero(size);
   std::vector<bool> told(open.size(), true);
   for (Eigen::Index s = 0; s < size; ++s) {
     if (values[s] > singular * values[0]) {
-      inverse[s] = 1.0 / values[s];
+      inverse_squares[s] = 1.0 / (values[s] * values[s]);
       continue;
     }
     for (Eigen::Index k = 0; k < size; ++k) {
-      if (std::abs(svd.matrixV()(k, s)) > singular) told[static_cast<std::size_t>(k)] = false;
+      if (std::abs(right(k, s)) > singular) told[static_cast<std::size_t>(k)] = false;
     }
   }
-  // Parameters by residuals: the pseudo-inverse of sqrt(W) J, times sqrt(W).
-  const Eigen::MatrixXd gains = svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose() * roots.asDiagonal();
+  // Parameters by residuals: the pseudo-inverse V S^-2 (A V)^T of A = sqrt(W) J, times sqrt(W).
+  const Eigen::MatrixXd left = scaled * right;
+  const Eigen::MatrixXd gains = right * inverse_squares.asDiagonal() * left.transpose() * roots.asDiagonal();
   const Eigen::MatrixXd inner = gains * estimate.variances.asDiagonal() * gains.transpose();
   for (Eigen::Index a = 0; a < size; ++a) {
     for (Eigen::Index b = 0; b < size; ++b) {
@@ -134,15 +134,14 @@ std::vector<std::string> hardly_told(const Eigen::MatrixXd& sensitivities, const
   for (std::size_t k = 0; k < seen.size(); ++k) {
     scaled.col(static_cast<Eigen::Index>(k)) = sensitivities.col(seen[k]) / lengths[seen[k]];
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-  const Eigen::VectorXd& values = svd.singularValues();
+  const auto [values, right] = singular_vectors(scaled);
   collinearity = 1.0 / std::max(values[values.size() - 1], singular);
   for (Eigen::Index s = values.size(); s-- > 0;) {
     if (values[s] * collinear > 1.0) break;
     Eigen::VectorXd change = Eigen::VectorXd::Zero(lengths.size());
     std::vector<std::size_t> which;
     for (std::size_t k = 0; k < seen.size(); ++k) {
-      const double part = svd.matrixV()(static_cast<Eigen::Index>(k), s);
+      const double part = right(static_cast<Eigen::Index>(k), s);
       if (std::abs(part) < least_part) continue;
       change[seen[k]] = part / lengths[seen[k]];
       which.push_back(static_cast<std::size_t>(seen[k]));

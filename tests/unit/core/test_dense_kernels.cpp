@@ -153,5 +153,19 @@ TEST(DenseKernels, TakeRowsFromTheBeginningOfALineOn) {
   EXPECT_EQ(row_stride<Eigen::Dynamic>(13), 13);
 }
 
+/// Rows that no vector divides, factors a step apart and some of them zero.
+TEST(DenseKernels, AddsRowsOfPanels) {
+  constexpr int columns = 11;
+  const RowMajor rows = RowMajor::Random(5, columns);
+  RowMajor factors = RowMajor::Random(5, 3);
+  factors(2, 1) = 0.0;
+  for (const double sign : {1.0, -1.0}) {
+    RowMajor row = RowMajor::Random(1, columns);
+    const RowMajor expected = row + sign * factors.col(1).transpose() * rows;
+    add_rows(sign, factors.data() + 1, factors.cols(), factors.rows(), rows.data(), columns, row.data());
+    expect_near(row, expected);
+  }
+}
+
 }  // namespace
 }  // namespace bumpfoil

@@ -39,6 +39,24 @@ TEST(LinearAlgebra, SolvesSymmetricEquationsFromTheLowerTriangle) {
   EXPECT_LT((solve_symmetric(square({2, 99, 1, 3}), B) - numbers({0.8, 1.4})).norm(), round_off);
 }
 
+/// Columns (3, 0, 4), (4, 0, -3) / 5 and (0, 2, 0): orthogonal, of lengths 5, 1 and 2.
+TEST(LinearAlgebra, GivesSingularValuesInOrderWithTheirVectors) {
+  Eigen::MatrixXd A(3, 3);
+  A << 3, 0.8, 0, 0, 0, 2, 4, -0.6, 0;
+  const auto [values, right] = singular_vectors(A);
+  EXPECT_LT((values - numbers({5, 2, 1})).norm(), round_off);
+  EXPECT_LT((right.cwiseAbs() - square({1, 0, 0, 0, 0, 1, 0, 1, 0})).norm(), round_off);
+}
+
+TEST(LinearAlgebra, GivesAsManySingularValuesAsColumns) {
+  Eigen::MatrixXd A(1, 2);
+  A << 3, 4;
+  const auto [values, right] = singular_vectors(A);
+  EXPECT_LT((values - numbers({5, 0})).norm(), round_off);
+  EXPECT_LT((right.col(0).cwiseAbs() - numbers({0.6, 0.8})).norm(), round_off);
+  EXPECT_NEAR((A * right.col(1)).norm(), 0.0, round_off);
+}
+
 TEST(LinearAlgebra, GivesEigenvaluesOfSymmetricMatricesInOrder) {
   EXPECT_LT((symmetric_eigenvalues(square({2, 1, 1, 2})) - numbers({1, 3})).norm(), round_off);
 }
