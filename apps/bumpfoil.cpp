@@ -7,8 +7,9 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "command_line.hpp"
-#include "commands.hpp"
 #include "output.hpp"
+#include "ranks.hpp"
+#include "shared_runs.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -40,9 +40,6 @@ void add_designer_command(CLI::App& program, Session& session);
 RunOfOrder samples_of_order(const std::string& order);
 RunOfOrder points_of_order(const std::string& order);
 
-/// Commands that share their runs with other ranks.
-std::vector<SharedCommand> shared_commands();
-
 /// Writes a text to a file and reports it; prints the text if no file is given.
 /// @throws Error (file) if the file exists, unless forced, or if writing fails
 void write_text(const std::filesystem::path& path, const std::string& text, bool force, const Session& session);

@@ -67,6 +67,9 @@ struct SharedCommand {
   RunOfOrder (*made_ready)(const std::string& order);
 };
 
+/// All of them.
+std::vector<SharedCommand> shared_commands();
+
 /// The other ranks' side: helps until the first rank has no more work.
 void help(const Ranks& ranks, const std::vector<SharedCommand>& commands);
 
