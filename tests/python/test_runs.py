@@ -285,6 +285,8 @@ def test_progress_is_shown_where_it_is_asked_for(capsys, monkeypatch):
 
 def test_interrupted_by_ctrl_c():
     case = bumpfoil.Case(GEN1, cycle={"steps": 60_000})
+    # As ever, unless these tests run in the background of a shell without job control.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
     begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):

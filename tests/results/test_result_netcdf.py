@@ -213,6 +213,8 @@ class Partial(unittest.TestCase):
     def test_an_interrupted_run_is_flagged(self):
         with tempfile.TemporaryDirectory() as directory:
             folder = Path(directory) / "results"
+            # As ever, unless these tests run in the background of a shell without job control.
+            signal.signal(signal.SIGINT, signal.default_int_handler)
             program = subprocess.Popen(
                 [PROGRAM, "cycle", CASE, "-o", folder, "--quiet", "--set", "cycle.steps=20000"],
                 stderr=subprocess.PIPE,
