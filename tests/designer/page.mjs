@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { run } from './support.mjs';
+import { reference, run } from './support.mjs';
 
 export const modules = createRequire(join(process.env.BUMPFOIL_WEB, 'package.json'));
 const { chromium } = modules('playwright-core');
@@ -45,8 +45,8 @@ export async function answeredIn(page, view, act = () => Promise.resolve()) {
   await page.waitForFunction(([one, before]) => Number(document.querySelector(one).dataset.answered ?? 0) > before, [view, count]);
 }
 
-/** The page, and everything that goes wrong or out while it is shown. */
-export async function withPage(check, { fragment = '', ...options } = {}) {
+/** A page that has answered, and everything that goes wrong or out while it is shown. */
+async function opened(fragment, options) {
   const context = await browser.newContext({ viewport: { width: 1366, height: 768 }, ...options });
   // Vibrations take seconds, and many of them beside other tests.
   context.setDefaultTimeout(120000);
@@ -59,9 +59,36 @@ export async function withPage(check, { fragment = '', ...options } = {}) {
   });
   await page.goto(pathToFileURL(file).href + fragment);
   await page.waitForFunction(() => document.documentElement.dataset.answered);
+  return { page, faults };
+}
+
+/** Shows the page as it opens. */
+export async function withPage(check, { fragment = '', ...options } = {}) {
+  const { page, faults } = await opened(fragment, options);
   await check(page);
   assert.deepEqual(faults, []);
-  await context.close();
+  await page.context().close();
+}
+
+let shared;
+
+/** Shows the page with the reference case, after other changes: to open it takes longer than most tests. */
+export async function withSharedPage(check) {
+  const { page, faults } = shared ?? (await opened('', {}));
+  shared = undefined; // unless all goes well
+  if ((await textOf(page)) !== reference) await write(page, reference);
+  await page.getByRole('tab', { name: 'Loops' }).click();
+  await check(page);
+  assert.deepEqual(faults, []);
+  shared = { page, faults };
+}
+
+/** Puts a text in the place of the case. */
+export function write(page, text) {
+  return answered(page, () => page.locator('.editor').evaluate((one, now) => {
+    one.value = now;
+    one.dispatchEvent(new Event('input', { bubbles: true }));
+  }, text));
 }
 
 export const field = (page, key) => page.locator(`[data-key="${key}"] input:not([type="range"])`);

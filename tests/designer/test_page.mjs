@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { answered, field, file, modules, slide, slider, textOf, tile, type, withPage } from './page.mjs';
+import { answered, field, file, modules, slide, slider, textOf, tile, type, withPage, withSharedPage, write } from './page.mjs';
 import { due, largestDifference, loopsOfProgram, reference } from './support.mjs';
 
 test('the file is smaller than 4 MB', () => {
@@ -14,7 +14,7 @@ test('the file is smaller than 4 MB', () => {
 });
 
 test('in the browser, too, loops are those of the program', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     const csv = await page.evaluate(async (text) => (await window.bumpfoilAsk({ what: 'csv', text })).csv, reference);
     const difference = largestDifference(loopsOfProgram(reference), csv);
     console.log(`in Chromium loops differ by ${difference.toExponential(1)} of the largest force`);
@@ -22,10 +22,7 @@ test('in the browser, too, loops are those of the program', () =>
     assert.equal(await tile(page, 'max_force_N'), '739.3 N');
     // Two workers share the directions, one or more, and the page joins what they answer.
     for (const directions of [['+Y'], ['-X', '+Y', '+X']]) {
-      await answered(page, () => page.locator('.editor').evaluate((one, text) => {
-        one.value = text;
-        one.dispatchEvent(new Event('input', { bubbles: true }));
-      }, reference.replace(/^directions = .*$/m, `directions = ${JSON.stringify(directions)}`)));
+      await write(page, reference.replace(/^directions = .*$/m, `directions = ${JSON.stringify(directions)}`));
       // Behind them are those of the design before.
       const buttons = page.locator('.numbers [role="group"] button');
       const names = (await buttons.allTextContents()).map((name) => name.replace('−', '-'));
@@ -50,7 +47,7 @@ test('the four reference loops answer a slider within 100 ms', () =>
   }));
 
 test('a change answers everywhere, with the design before beside it, and is undone', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     await type(page, 'friction.coefficient', '0.2');
     assert.equal(await tile(page, 'max_force_N'), '964.4 N');
     assert.match(await page.locator('.tile[data-key="max_force_N"] .change').textContent(), /^\+30\.4 % /);
@@ -77,7 +74,7 @@ test('a slider is dragged in one step', () =>
   }));
 
 test('faults stand beside their fields in the words of the program', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     await type(page, 'bearing.radial_clearance', '31.8 N');
     const fault = page.locator('[data-key="bearing.radial_clearance"] .fault');
     assert.match(await fault.textContent(), /is a force, expected a length/);
@@ -92,7 +89,7 @@ test('faults stand beside their fields in the words of the program', () =>
   }));
 
 test('decimal commas are understood, and lists without brackets', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     const fault = (key) => page.locator(`[data-key="${key}"] .fault`).textContent();
     const clearance = field(page, 'bearing.radial_clearance');
     await clearance.fill('31,8 um');
@@ -118,7 +115,7 @@ test('decimal commas are understood, and lists without brackets', () =>
   }));
 
 test('units are changed without changing the bearing', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     await answered(page, () => page.getByLabel('Unit of Radial clearance').selectOption('mm'));
     assert.equal(await field(page, 'bearing.radial_clearance').inputValue(), '0.0318');
     assert.match(await textOf(page), /radial_clearance = "0\.0318 mm" {4}#/);
@@ -136,7 +133,7 @@ test('a link holds the design', () =>
   }));
 
 test('the case is saved and opened as it is', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     await type(page, 'bump_foil.pitch', '4.7 mm');
     const download = page.waitForEvent('download');
     await page.getByRole('button', { name: 'Save case' }).click();
@@ -150,10 +147,7 @@ test('tables of lists are added, changed and taken out one by one', () =>
   withPage(
     async (page) => {
       // A table alone, as people wrote it before there were lists.
-      await answered(page, () => page.locator('.editor').evaluate((one, text) => {
-        one.value = `${text}\n[bearing.sleeve_waviness]\nharmonic = 3\namplitude = "2 um"\n`;
-        one.dispatchEvent(new Event('input', { bubbles: true }));
-      }, reference));
+      await write(page, `${reference}\n[bearing.sleeve_waviness]\nharmonic = 3\namplitude = "2 um"\n`);
       const waves = page.locator('[data-table="bearing.sleeve_waviness"]');
       assert.match(await waves.locator('summary').textContent(), /\(1\)$/);
       await waves.locator('summary').click();
@@ -177,7 +171,7 @@ test('tables of lists are added, changed and taken out one by one', () =>
   ));
 
 test('of radius and diameter one is given, and the taper has a slider, too', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     // With the charts out of sight.
     await page.getByRole('tab', { name: 'Case file' }).click();
     await type(page, 'bearing.diameter', '40 mm');
@@ -209,7 +203,7 @@ test('of radius and diameter one is given, and the taper has a slider, too', () 
   }));
 
 test('fields are found by key, title and unit, and groups fold', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     const search = page.getByRole('searchbox');
     const shown = () => page.locator('.field:visible').evaluateAll((fields) => fields.map((one) => one.dataset.key));
     await search.fill('radial clear');
@@ -228,7 +222,7 @@ test('fields are found by key, title and unit, and groups fold', () =>
   }));
 
 test('bumps are given one by one, by a law or all alike', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     await page.locator('[data-table="bumps"] summary').click();
     const cell = (title, bump) => page.getByLabel(`${title}, bump ${bump}, mm`);
     const way = page.getByLabel('Pitch: how it is given');
@@ -244,10 +238,7 @@ test('bumps are given one by one, by a law or all alike', () =>
     await answered(page, () => way.selectOption('one'));
     assert.equal(await textOf(page), reference);
     // A section gives way to the column that is changed.
-    await answered(page, () => page.locator('.editor').evaluate((one, text) => {
-      one.value = text;
-      one.dispatchEvent(new Event('input', { bubbles: true }));
-    }, `${reference}\n[[bump_foil.section]]\nfrom = 1\nto = 5\nthickness = "0.127 mm"\n`));
+    await write(page, `${reference}\n[[bump_foil.section]]\nfrom = 1\nto = 5\nthickness = "0.127 mm"\n`);
     assert.equal(await cell('Thickness', 5).inputValue(), '0.127');
     await answered(page, async () => {
       await cell('Thickness', 6).fill('0,11');
@@ -260,7 +251,10 @@ test('bumps are given one by one, by a law or all alike', () =>
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
 test('a bump foil is split into strips, each with fields of its own, as many as are counted', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
+    // One direction: every change is computed over the whole width.
+    const alongX = reference.replace(/^directions = .*$/m, 'directions = ["+X"]');
+    await write(page, alongX);
     // Strips that differ need a top foil that varies over the width, staggered ones room for one bump less.
     await slide(page, 'width.modes', '3');
     await slide(page, 'bump_foil.bumps', '25');
@@ -283,11 +277,11 @@ test('a bump foil is split into strips, each with fields of its own, as many as 
     assert.match(await page.locator('[data-key="bump_foil.strip[3].height_errors"] .fault').textContent(), /is more than the rise of the bump/);
     assert.equal(await page.locator('.general-faults').textContent(), '');
     await answered(page, () => strips.getByRole('button', { name: 'Remove: Strip' }).click());
-    assert.equal((await textOf(page)).trim(), `${reference.trim().replace('strips = 1 ', 'strips = 3 ').replace(/^bumps = 26$/m, 'bumps = 25')}\n\n[width]\nmodes = 3`);
+    assert.equal((await textOf(page)).trim(), `${alongX.trim().replace('strips = 1 ', 'strips = 3 ').replace(/^bumps = 26$/m, 'bumps = 25')}\n\n[width]\nmodes = 3`);
   }));
 
 test('a bearing of pads is shown and changed pad by pad', () =>
-  withPage(async (page) => {
+  withSharedPage(async (page) => {
     await answered(page, () => page.locator('input[type="file"]').setInputFiles(join(process.env.BUMPFOIL_EXAMPLES, 'gen3-three-pad.toml')));
     await page.locator('[data-table="pad"] > summary').click();
     const before = await tile(page, 'max_force_N');
@@ -309,57 +303,50 @@ async function settled(page, tab) {
   if (title === 'Running' || title === 'Rotor') await page.waitForFunction((view) => document.querySelector(view).dataset.answered, `.${title.toLowerCase()}`);
 }
 
-test('the page fits from 390 px up, with its results in sight, and has no fault for those who cannot see it', async () => {
-  for (const [width, height] of [[390, 844], [768, 900], [1366, 768], [2560, 1300]]) {
-    await withPage(
-      async (page) => {
-        // The narrowest has the least room for any of them.
-        const tabs = await page.getByRole('tab').all();
-        for (const tab of width === 390 ? tabs : tabs.slice(0, 1)) {
-          await tab.click();
-          await settled(page, tab);
-          const excess = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-          assert.ok(excess <= 0, `${excess} px too wide at ${width}: ${await tab.textContent()}`);
-        }
-        await page.getByRole('tab', { name: 'Loops' }).click();
-        await page.evaluate(() => window.scrollTo(0, 0));
-        const numbers = await page.locator('#view-loops .tile').last().boundingBox();
-        const chart = await page.locator('#view-loops .plot').first().boundingBox();
-        assert.ok(numbers.y + numbers.height < chart.y && chart.y + 0.7 * chart.height < height, `at ${width} the chart begins ${chart.y} px down`);
-        if (width !== 390) return;
-        const side = page.locator('.side-body');
-        assert.equal(await side.isVisible(), false);
-        await page.getByRole('button', { name: 'The case' }).click();
-        assert.equal(await side.isVisible(), true);
-      },
-      { viewport: { width, height } },
-    );
-  }
-  // All that is there at first, in light and dark, which differ by their colours alone; then what each tab shows. What
-  // passes is only counted.
-  const axe = (page, part, rules) =>
-    page.evaluate(([include, runOnly]) => {
-      const exclude = [['.plot'], ['.round > *'], ['.unwrapped > *']];
-      return globalThis.axe.run({ include: [[include]], exclude }, { resultTypes: ['violations'], ...(runOnly && { runOnly }) });
-    }, [part, rules]);
-  const judge = ({ violations, passes }, least) => {
-    assert.ok(passes.length >= least, `${passes.length} rules`);
-    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
-  };
-  for (const colorScheme of ['light', 'dark']) {
-    await withPage(
-      async (page) => {
-        await page.addScriptTag({ content: readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8') });
-        if (colorScheme === 'dark') return judge(await axe(page, 'html', ['color-contrast', 'link-in-text-block']), 1);
-        judge(await axe(page, 'html'), 21);
-        const [, ...tabs] = await page.getByRole('tab').all();
-        for (const tab of tabs) {
-          await tab.click();
-          await settled(page, tab);
-          judge(await axe(page, '[role="tabpanel"]:not([hidden])'), 5);
-        }
-      },
-      { colorScheme },
-    );
-  }
-});
+test('the page fits from 390 px up, with its results in sight, and has no fault for those who cannot see it', () =>
+  withPage(async (page) => {
+    // A coarse mesh, on which the tests need not wait.
+    await write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n`);
+    for (const [width, height] of [[2560, 1300], [1366, 768], [768, 900], [390, 844]]) {
+      await page.setViewportSize({ width, height });
+      // The narrowest has the least room for any of them.
+      const tabs = await page.getByRole('tab').all();
+      for (const tab of width === 390 ? tabs : tabs.slice(0, 1)) {
+        await tab.click();
+        await settled(page, tab);
+        const excess = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+        assert.ok(excess <= 0, `${excess} px too wide at ${width}: ${await tab.textContent()}`);
+      }
+      await page.getByRole('tab', { name: 'Loops' }).click();
+      await page.evaluate(() => window.scrollTo(0, 0));
+      const numbers = await page.locator('#view-loops .tile').last().boundingBox();
+      const chart = await page.locator('#view-loops .plot').first().boundingBox();
+      assert.ok(numbers.y + numbers.height < chart.y && chart.y + 0.7 * chart.height < height, `at ${width} the chart begins ${chart.y} px down`);
+    }
+    const side = page.locator('.side-body');
+    assert.equal(await side.isVisible(), false);
+    await page.getByRole('button', { name: 'The case' }).click();
+    assert.equal(await side.isVisible(), true);
+    await page.getByRole('button', { name: 'The case' }).click();
+    // All that is there at first, in light and dark, which differ by their colours alone; then what each tab shows. What
+    // passes is only counted.
+    await page.setViewportSize({ width: 1366, height: 768 });
+    await page.addScriptTag({ content: readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8') });
+    const judge = async (part, least, rules) => {
+      const { violations, passes } = await page.evaluate(([include, runOnly]) => {
+        const exclude = [['.plot'], ['.round > *'], ['.unwrapped > *']];
+        return globalThis.axe.run({ include: [[include]], exclude }, { resultTypes: ['violations'], ...(runOnly && { runOnly }) });
+      }, [part, rules]);
+      assert.ok(passes.length >= least, `${passes.length} rules`);
+      assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+    };
+    await judge('html', 21);
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await judge('html', 1, ['color-contrast', 'link-in-text-block']);
+    await page.emulateMedia({ colorScheme: 'light' });
+    const [, ...tabs] = await page.getByRole('tab').all();
+    for (const tab of tabs) {
+      await tab.click();
+      await judge('[role="tabpanel"]:not([hidden])', 5);
+    }
+  }));

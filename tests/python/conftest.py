@@ -1,5 +1,6 @@
 """What the tests of the Python package share."""
 
+import os
 import subprocess
 from pathlib import Path
 
@@ -23,3 +24,9 @@ def program(tmp_path):
         return folder
 
     return run
+
+
+@pytest.fixture(scope="session")
+def studies():
+    """What `bumpfoil reproduce --all` wrote."""
+    return Path(os.environ["BUMPFOIL_STUDIES"])

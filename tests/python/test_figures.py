@@ -1,7 +1,6 @@
 """Figures for print: what a reviewer would send back is not there."""
 
 import itertools
-import subprocess
 
 import matplotlib
 import numpy as np
@@ -11,7 +10,7 @@ matplotlib.use("agg")
 
 import bumpfoil  # noqa: E402
 from bumpfoil import figures  # noqa: E402
-from conftest import COARSE, EXAMPLES, PROGRAM  # noqa: E402
+from conftest import COARSE, EXAMPLES  # noqa: E402
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
@@ -337,31 +336,24 @@ def test_many_curves_fit_on_a_page_and_differ(many, width, size):
     assert (line.get_color(), line.get_marker()) == (first.get_color(), first.get_marker())
 
 
-@pytest.fixture(scope="module")
-def paper(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("paper")
-    subprocess.run([PROGRAM, "reproduce", "-o", folder, "--quiet"], check=True)
-    return folder
-
-
 @pytest.mark.parametrize("number, panels, narrow", [(10, 4, 4), (11, 8, 4), (12, 8, 0), (13, 12, 0), (14, 12, 0), (15, 2, 2),
                                                     (16, 10, 0)])
-def test_paper(paper, number, panels, narrow):
-    inspect(figures.paper(paper / f"figure{number}"), width=190, panels=panels)
+def test_paper(studies, number, panels, narrow):
+    inspect(figures.paper(studies / f"figure{number}"), width=190, panels=panels)
     if narrow:
-        inspect(figures.paper(paper / f"figure{number}", width="single"), width=90, panels=narrow)
+        inspect(figures.paper(studies / f"figure{number}", width="single"), width=90, panels=narrow)
     else:
         with pytest.raises(ValueError, match=f"figure{number} .*width=\"double\""):
-            figures.paper(paper / f"figure{number}", width="single")
+            figures.paper(studies / f"figure{number}", width="single")
 
 
-def test_paper_shows_its_tables(paper):
-    ax = figures.paper(paper / "figure11").axes[0]
-    table = np.genfromtxt(paper / "figure11/loads.csv", delimiter=",", names=True, dtype=None, encoding=None)
+def test_paper_shows_its_tables(studies):
+    ax = figures.paper(studies / "figure11").axes[0]
+    table = np.genfromtxt(studies / "figure11/loads.csv", delimiter=",", names=True, dtype=None, encoding=None)
     rows = table[(table["run"] == "present-friction") & (table["direction_deg"] == 0)]
     np.testing.assert_allclose(ax.lines[0].get_xydata(), np.column_stack([rows["bump"], rows["bump_load_N"]]))
     with pytest.raises(bumpfoil.FileError, match="contains no figure"):
-        figures.paper(paper)
+        figures.paper(studies)
 
 
 def test_saved_twice_are_the_same_bytes(result, tmp_path):

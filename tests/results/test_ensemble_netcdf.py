@@ -91,7 +91,8 @@ class Ensemble(EnsembleCase):
         self.assertNotIn("radial_clearance_deviation", self.result)
 
     def test_samples_are_those_of_cycle(self):
-        self.assertGreater(assert_samples_are_those_of_cycle(CASE, self.folder, self.result), 10)
+        first = self.result.isel(sample=slice(40))
+        self.assertGreater(assert_samples_are_those_of_cycle(CASE, self.folder, first), 10)
 
     def test_statistics_are_those_of_numpy(self):
         for direction, name in enumerate(["+X", "-Y"]):
