@@ -91,7 +91,7 @@ test: ## install what is missing, build with assertions armed, run all tests but
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
 
-test-long: ## the tests that take minutes and are left out of `make test`
+test-long: ## the longest tests, which are left out of `make test`
 	@scripts/require_packages.sh build plot designer python docs test
 	$(call BUILD,release-audit)
 	ctest --preset long --parallel $(JOBS)

@@ -2,7 +2,30 @@
 # its build, so that the program stays one file that can be moved. The code that reads them declares
 #
 #     namespace bumpfoil { std::string_view <name>(); }
-file(READ "${CMAKE_CURRENT_LIST_DIR}/embedded_file.cpp.in" BUMPFOIL_EMBED_TEMPLATE)
+set(BUMPFOIL_EMBED_TEMPLATE [=[
+// The bytes of @BUMPFOIL_EMBED_NAME@.
+asm(R"(
+  .section .rodata
+  .global bumpfoil_bytes_@BUMPFOIL_EMBED_NAME@
+  .global bumpfoil_bytes_end_@BUMPFOIL_EMBED_NAME@
+bumpfoil_bytes_@BUMPFOIL_EMBED_NAME@:
+  .incbin "@BUMPFOIL_EMBED_FILE@"
+bumpfoil_bytes_end_@BUMPFOIL_EMBED_NAME@:
+  .byte 0
+  .previous
+)");
+
+extern "C" const char bumpfoil_bytes_@BUMPFOIL_EMBED_NAME@[];
+extern "C" const char bumpfoil_bytes_end_@BUMPFOIL_EMBED_NAME@[];
+
+namespace bumpfoil {
+
+std::string_view @BUMPFOIL_EMBED_NAME@() {
+  return {bumpfoil_bytes_@BUMPFOIL_EMBED_NAME@, bumpfoil_bytes_end_@BUMPFOIL_EMBED_NAME@};
+}
+
+}  // namespace bumpfoil
+]=])
 
 function(bumpfoil_embed_files target source)
   set(code "// Written by CMake.\n#include <string_view>\n")

@@ -181,6 +181,17 @@ def check_public_headers(root):
             yield f'{test}: must include "{name}" first, to show that it compiles alone'
 
 
+def check_named_tests(root):
+    """Filters pass over a name that no test has: what is left out, or runs in `make test-long`, is there."""
+    sources = "".join(file.read_text(encoding="utf-8") for file in (root / "tests").rglob("*.cpp"))
+    there = set(re.findall(r"^TEST(?:_[FP])?\((\w+),\s*(\w+)\)", sources, re.MULTILINE))
+    for file in sorted((root / "tests").rglob("CMakeLists.txt")):
+        text = file.read_text(encoding="utf-8")
+        for match in re.finditer(r"\b([A-Z]\w+)\.([A-Z]\w+)\b", text):
+            if match.groups() not in there:
+                yield f"{file.relative_to(root).as_posix()}:{line_of(text, match.start())}: no test {match.group()}"
+
+
 def find_faults(root):
     return [
         *check_sources(root),
@@ -188,6 +199,7 @@ def find_faults(root):
         *check_doors(root),
         *check_programs(root),
         *check_public_headers(root),
+        *check_named_tests(root),
     ]
 
 

@@ -54,6 +54,11 @@ class CheckArchitecture(unittest.TestCase):
         self.write("src/structure/truss.cpp", '#include "bumpfoil/model/case.hpp"\n')
         self.assert_one_fault("src/structure/truss.cpp:1", "bumpfoil/model/case.hpp")
 
+    def test_names_of_tests(self):
+        self.write("tests/unit/core/test_vector.cpp", '#include "bumpfoil/core/vector.hpp"\nTEST_P(Vector, Grows) {}\n')
+        self.write("tests/CMakeLists.txt", "set(SLOW */Vector.Grows/1\n  Vector.Shrinks)\n")
+        self.assert_one_fault("tests/CMakeLists.txt:2", "no test Vector.Shrinks")
+
     def test_include_that_leaves_the_folder(self):
         self.write("src/core/vector.cpp", '#include "../model/case.hpp"\n')
         self.assert_one_fault("src/core/vector.cpp:1", "names no module")

@@ -174,10 +174,22 @@ export async function axeFindings(page, rules) {
   // What passes is only counted.
   const options = { resultTypes: ['violations'], ...(rules && { runOnly: rules }) };
   const { violations, passes } = await page.evaluate(async (given) => {
-    // Pictures are one thing for readers of the screen, and by far the most elements; rows and entries of lists are alike.
-    // They are put aside meanwhile: what is excluded or hidden takes as long as all else.
-    const aside = '.plot > *, .round > *, .unwrapped > *, tr:nth-child(n+4), option:nth-child(n+4), li:nth-child(n+4), dl > :nth-child(n+7)';
-    const places = [...document.querySelectorAll(aside)].map((one) => [one, one.parentNode, one.nextSibling]);
+    // Pictures are one thing for readers of the screen, and by far the most elements; rows and entries of lists often
+    // differ by their texts alone. They are put aside meanwhile: what is excluded takes as long as all else.
+    const kinds = new Map();
+    const isRepeated = (one) => {
+      const all = [one, ...one.querySelectorAll('*')];
+      if (all.some((part) => part.id)) return false;
+      const kind = all.map((part) => [part.tagName, part.getAttribute('class'), ...part.getAttributeNames()].join()).join(';');
+      const before = kinds.get(one.parentNode) ?? new Set();
+      const repeated = before.has(kind);
+      kinds.set(one.parentNode, before.add(kind));
+      return repeated;
+    };
+    const pictures = '.plot > *, .round > *, .unwrapped > *';
+    const places = [...document.querySelectorAll(`${pictures}, tr, li, dl > *`)]
+      .filter((one) => one.matches(pictures) || isRepeated(one))
+      .map((one) => [one, one.parentNode, one.nextSibling]);
     for (const [one] of places) one.remove();
     const found = await globalThis.axe.run(given);
     for (const [one, parent, next] of places.reverse()) parent.insertBefore(one, next);
