@@ -25,7 +25,9 @@ let faults = [];
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'bumpfoil-report-'));
-  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+  // Optimising a page's code takes longer than a page is looked at here: a tenth of the time is saved without.
+  const args = ['--no-sandbox', '--disable-gpu', '--js-flags=--no-opt --no-maglev'];
+  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args });
   page = await browser.newPage();
   page.on('pageerror', (error) => faults.push(String(error)));
   page.on('console', (message) => faults.push(message.text()));

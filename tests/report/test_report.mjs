@@ -166,14 +166,23 @@ test('data and drawings can be saved', () =>
     });
     const results = rowsOf((await saved(page, 'Results by direction', /CSV/)).bytes.toString());
     near(Number(results.find((row) => row.quantity === 'loop_energy_J')['+Y']), summaryOf('truss').cycles[2].loop_energy_J, 1e-6, 'loop energy');
-    for (const name of ['Loops', 'The foils, unwrapped', 'The bearing', 'Contact states along the path']) {
+    const drawings = ['Loops', 'The foils, unwrapped', 'The bearing', 'Contact states along the path'];
+    for (const name of drawings) {
       const drawing = (await saved(page, name, /SVG/)).bytes.toString();
       assert.match(drawing, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
       assert.doesNotMatch(drawing, /NaN|undefined/);
-      const picture = (await saved(page, name, /PNG/)).bytes;
-      assert.deepEqual([...picture.subarray(1, 4)], [...Buffer.from('PNG')]);
-      assert.ok(picture.length > 5000, name);
     }
+    // The browser takes seconds until it thinks itself idle enough to write a picture: all of them meanwhile.
+    const downloads = [];
+    page.on('download', (one) => downloads.push(one));
+    for (const name of drawings) await page.getByRole('region', { name, exact: true }).getByRole('button', { name: /PNG/ }).click();
+    while (downloads.length < drawings.length) await page.waitForEvent('download');
+    for (const one of downloads) {
+      const picture = readFileSync(await one.path());
+      assert.deepEqual([...picture.subarray(1, 4)], [...Buffer.from('PNG')]);
+      assert.ok(picture.length > 5000, one.suggestedFilename());
+    }
+    assert.equal(new Set(downloads.map((one) => one.suggestedFilename())).size, drawings.length);
   }));
 
 test('loads and states are those of the results', () =>
