@@ -152,9 +152,9 @@ test('pictures are complete', () =>
   }));
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
-  await assertAccessible('many.html');
-  await withReport('many.html', assertFits);
   await withReport('many.html', async (page) => {
+    await assertAccessible(page);
+    await assertFits(page);
     await print(page);
     for (const panel of await page.locator('.panel', { has: page.locator('.chart') }).all()) {
       const { height, width } = await panel.boundingBox();

@@ -327,9 +327,9 @@ test('a click on a curve looks at its state, and pictures are complete', () =>
   }));
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
-  await assertAccessible('grid.html');
-  await withReport('grid.html', assertFits);
   await withReport('grid.html', async (page) => {
+    await assertAccessible(page);
+    await assertFits(page);
     await assertPanelsFitPaper(page);
   });
 });

@@ -110,8 +110,10 @@ test('where the sheet is thicker the line of the foil is wider, in both views', 
   }));
 
 test('axe finds nothing, and the page fits screens', async () => {
-  await assertAccessible('out_of_round.html');
-  await withReport('out_of_round.html', assertFits);
+  await withReport('out_of_round.html', async (page) => {
+    await assertAccessible(page);
+    await assertFits(page);
+  });
 });
 
 test('foils of many bumps fit screens of half a laptop, and scroll to the bump that is chosen where they do not', () =>

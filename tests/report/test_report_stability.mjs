@@ -258,9 +258,9 @@ test('words are words, links lead somewhere, and no row of panels is left half e
 });
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
-  await assertAccessible('rotor.html');
-  await withReport('rotor.html', assertFits);
   await withReport('rotor.html', async (page) => {
+    await assertAccessible(page);
+    await assertFits(page);
     await assertPanelsFitPaper(page);
   });
 });

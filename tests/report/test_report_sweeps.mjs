@@ -358,8 +358,10 @@ test('the keyboard reaches every choice', () =>
   }));
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
-  await assertAccessible('both.html');
-  await withReport('both.html', assertFits);
+  await withReport('both.html', async (page) => {
+    await assertAccessible(page);
+    await assertFits(page);
+  });
   await withReport('vibrations.html', assertFits);
   await withReport('grid.html', async (page) => {
     await unfold(page, 'Points');

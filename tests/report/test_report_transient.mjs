@@ -253,8 +253,10 @@ test('words are words, links lead somewhere, and no row of panels is left half e
   }));
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
-  await assertAccessible('rubbing.html');
-  await withReport('rubbing.html', assertFits);
+  await withReport('rubbing.html', async (page) => {
+    await assertAccessible(page);
+    await assertFits(page);
+  });
   await withReport('coast.html', async (page) => {
     await assertPanelsFitPaper(page);
     assert.ok(!(await page.locator('.steps').isVisible()));

@@ -129,9 +129,9 @@ test('what failed or did not settle is told', () =>
   }));
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
-  await assertAccessible('vib.html');
-  await withReport('vib.html', assertFits);
   await withReport('vib.html', async (page) => {
+    await assertAccessible(page);
+    await assertFits(page);
     await print(page);
     for (const panel of await page.locator('.panel', { has: page.locator('.chart') }).all()) {
       const { height, width } = await panel.boundingBox();
