@@ -174,9 +174,11 @@ test('data and drawings can be saved', () =>
     }
     // The browser takes seconds until it thinks itself idle enough to write a picture: all of them meanwhile.
     const downloads = [];
-    page.on('download', (one) => downloads.push(one));
+    const keep = (one) => downloads.push(one);
+    page.on('download', keep);
     for (const name of drawings) await page.getByRole('region', { name, exact: true }).getByRole('button', { name: /PNG/ }).click();
     while (downloads.length < drawings.length) await page.waitForEvent('download');
+    page.off('download', keep);  // the page is that of all tests
     for (const one of downloads) {
       const picture = readFileSync(await one.path());
       assert.deepEqual([...picture.subarray(1, 4)], [...Buffer.from('PNG')]);

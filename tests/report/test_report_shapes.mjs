@@ -109,12 +109,11 @@ test('where the sheet is thicker the line of the foil is wider, in both views', 
     }
   }));
 
-test('axe finds nothing, and the page fits screens', async () => {
-  await withReport('out_of_round.html', async (page) => {
+test('axe finds nothing, and the page fits screens', () =>
+  withReport('out_of_round.html', async (page) => {
     await assertAccessible(page);
     await assertFits(page);
-  });
-});
+  }));
 
 test('foils of many bumps fit screens of half a laptop, and scroll to the bump that is chosen where they do not', () =>
   withReport('graded.html', async (page) => {
