@@ -14,6 +14,7 @@
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/section.hpp"
 #include "bumpfoil/structure/top_foil_on_lines.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -87,6 +88,10 @@ int FilmBearing::columns() const {
 
 Matrix FilmBearing::field(double value) const {
   return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
+}
+
+Matrix FilmBearing::over_the_width(const Matrix& lift) const {
+  return product(pads.front().foil.shapes, lift);
 }
 
 Matrix FilmBearing::resting_pressure() const {

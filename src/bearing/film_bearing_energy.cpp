@@ -1,4 +1,5 @@
 #include "bumpfoil/bearing/film_bearing_energy.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -19,7 +20,7 @@ double bending_energy(const FilmBearing& bearing, const FoilFilm& foil, const Ma
 
 /// Half the membrane load of a top foil times its displacement, J.
 double membrane_energy(const FilmBearing& bearing, const FoilFilm& foil, const FoilFilmState& part) {
-  const Matrix stretching = foil.stretching * part.lift;
+  const Matrix stretching = product(foil.stretching, part.lift);
   double twice = 0.0;
   for (std::size_t k = 0; k < foil.membrane.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);

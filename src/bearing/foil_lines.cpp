@@ -5,6 +5,7 @@
 
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/held_crests.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -57,8 +58,8 @@ void add_sheets(const Foils& foils, const WidthLines& width, BlockTridiagonal& K
     const BlockTridiagonal sheet = bump_sheet_stiffness(design, width.stretching_orders());
     const auto first = static_cast<std::size_t>(foils.block(foils.structure.blocks_of(pad).first));
     for (std::size_t b = 0; b < sheet.diagonal.size(); ++b) {
-      K.diagonal[first + b] += known.transpose() * sheet.diagonal[b] * known;
-      if (b < sheet.upper.size()) K.upper[first + b] += known.transpose() * sheet.upper[b] * known;
+      K.diagonal[first + b] += congruent(sheet.diagonal[b], known);
+      if (b < sheet.upper.size()) K.upper[first + b] += congruent(sheet.upper[b], known);
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/linear_algebra.hpp"
+
 namespace bumpfoil {
 
 JournalVector JointLaw::Journal::place(const Eigen::VectorXd& y) const {
@@ -20,7 +22,8 @@ Eigen::VectorXd JointLaw::residual(const Eigen::VectorXd& y, const std::vector<J
 
 Eigen::MatrixXd JointLaw::matrix(const std::vector<JournalMatrix>& K) const {
   Eigen::MatrixXd sum = by_place;
-  for (std::size_t i = 0; i < journals.size(); ++i) sum += journals[i].by_force * K[i] * journals[i].motion;
+  for (std::size_t i = 0; i < journals.size(); ++i)
+    sum += product(product(journals[i].by_force, K[i]), journals[i].motion);
   return sum;
 }
 

@@ -18,6 +18,14 @@ constexpr double least_distance = 1e-14;
 
 }  // namespace
 
+JournalVector JournalLaw::residual(const JournalVector& q, const JournalVector& F) const {
+  return by_position * (position - q) + by_force * (force - F);
+}
+
+JournalMatrix JournalLaw::matrix(const JournalMatrix& K) const {
+  return by_position + by_force * K;
+}
+
 JournalLaw held_journal(const JournalVector& position, const FilmScales& scales) {
   const Eigen::Index n = position.size();
   const double c = scales.thickness;

@@ -49,7 +49,6 @@ class ContactTableau {
   [[nodiscard]] const ContactRates& rates();
 
  private:
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   /// Rows of whole vectors that never straddle two cache lines.
   using LineMatrix = Eigen::Map<RowMajor, Eigen::Aligned64>;
 

@@ -11,6 +11,7 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
 #include "bumpfoil/core/dense_kernels.hpp"
+#include "core/block_product.hpp"
 
 namespace bumpfoil {
 
@@ -86,10 +87,17 @@ inline Eigen::Index coordinate_count(const std::vector<ContactSite>& sites) {
          std::count_if(sites.begin(), sites.end(), [](const ContactSite& site) { return !is_frictionless(site); });
 }
 
-/// K in blocks of fixed size.
+/// What code for blocks of B rows may be compiled for: small ones gain by code of their size, the others share it.
+template <int B>
+inline constexpr int shared_size = has_wide_rows<B> ? Eigen::Dynamic : B;
+
+/// K in blocks.
+/// @tparam B  rows of a block, or Eigen::Dynamic
 template <int B>
 struct Stiffness {
   using Block = Eigen::Matrix<double, B, B>;
+  /// Of one block: three blocks side by side.
+  using Rows = Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B>;
 
   explicit Stiffness(const BlockTridiagonal& K) : block_size(K.block_size()) { assign(K); }
 
@@ -100,33 +108,29 @@ struct Stiffness {
     lower.assign(K.lower.begin(), K.lower.end());
   }
 
-  [[nodiscard]] auto segment(const Vector& x, std::size_t b) const {
-    return x.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
-  }
-
   /// Blocks (b, b-1), (b, b), (b, b+1) side by side; zero beyond the ends of the matrix.
-  template <typename Rows>
   void copy_rows(std::size_t b, Rows& rows) const {
-    rows.setZero();
-    if (b > 0) rows.leftCols(block_size) = lower_block(b - 1);
-    rows.middleCols(block_size, block_size) = diagonal[b];
-    if (b + 1 < diagonal.size()) rows.rightCols(block_size) = upper[b];
-  }
-
-  void multiply(const Vector& x, Vector& y) const {
-    for (std::size_t b = 0; b < diagonal.size(); ++b) {
-      auto row = y.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
-      row.noalias() = diagonal[b] * segment(x, b);
-      if (b + 1 < diagonal.size()) row.noalias() += upper[b] * segment(x, b + 1);
-      if (b > 0 && lower.empty()) row.noalias() += upper[b - 1].transpose() * segment(x, b - 1);
-      if (b > 0 && !lower.empty()) row.noalias() += lower[b - 1] * segment(x, b - 1);
+    const Eigen::Index numbers = Eigen::Index{block_size} * block_size;
+    double* to = rows.data();
+    if (b == 0) {
+      std::fill_n(to, numbers, 0.0);
+    } else if (lower.empty()) {
+      Eigen::Map<Block>(to, block_size, block_size) = upper[b - 1].transpose();
+    } else {
+      std::copy_n(lower[b - 1].data(), numbers, to);
+    }
+    std::copy_n(diagonal[b].data(), numbers, to + numbers);
+    if (b + 1 < diagonal.size()) {
+      std::copy_n(upper[b].data(), numbers, to + 2 * numbers);
+    } else {
+      std::fill_n(to + 2 * numbers, numbers, 0.0);
     }
   }
 
+  void multiply(const Vector& x, Vector& y) const { multiply_blocks<B>(*this, block_size, x, y); }
+
   /// Y <- K X - Y for many columns.
-  template <typename Panel>
-  void multiply_panel(const Panel& X, Panel& Y) const {
-    static_assert(Panel::IsRowMajor);
+  void multiply_panel(const RowMajor& X, RowMajor& Y) const {
     const Eigen::Index columns = X.cols();
     const Eigen::Index n = block_size;
     const auto rows_of = [&](std::size_t b) { return static_cast<Eigen::Index>(b) * n * columns; };
@@ -198,20 +202,25 @@ class EliminatedSystem {
 
   /// Stores rows_ as those of block b.
   void store_rows(std::size_t b) {
-    const Eigen::Index n = K_.block_size;
+    const Eigen::Index n = B == Eigen::Dynamic ? K_.block_size : B;
+    const auto store = [n](const double* columns, double* rows) {
+      for (Eigen::Index r = 0; r < n; ++r) {
+        for (Eigen::Index c = 0; c < n; ++c) rows[r * n + c] = columns[c * n + r];
+      }
+    };
     const int i = static_cast<int>(b);
-    lu_.lower(i) = rows_.leftCols(n);
-    lu_.diagonal(i) = rows_.middleCols(n, n);
-    lu_.upper(i) = rows_.rightCols(n);
+    store(rows_.data(), lu_.lower(i).data());
+    store(rows_.data() + n * n, lu_.diagonal(i).data());
+    store(rows_.data() + 2 * n * n, lu_.upper(i).data());
   }
 
   std::vector<ContactSite> sites_;
   std::vector<std::size_t> first_;  ///< of each block
   std::vector<Elimination> order_;
-  Stiffness<B> K_;
+  Stiffness<shared_size<B>> K_;
   BlockTridiagonalLU<B> lu_;
   Vector rhs_, imbalance_;
-  Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
+  typename Stiffness<shared_size<B>>::Rows rows_;
 };
 
 /// Fixed-size code for the block sizes of the foil models; other sizes use slower generic code.

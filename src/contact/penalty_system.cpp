@@ -53,7 +53,7 @@ class PenaltySystemOf final : public PenaltySystem {
 
  private:
   std::vector<ContactSite> sites_;
-  Stiffness<B> K_;
+  Stiffness<shared_size<B>> K_;
   BlockTridiagonalLU<B> lu_;
   Vector product_;
 };

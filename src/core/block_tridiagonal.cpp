@@ -3,31 +3,9 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/block_product.hpp"
 
 namespace bumpfoil {
-namespace {
-
-/// y = K x with fixed block sizes: general products are slow for such small blocks.
-template <int B>
-void multiply(const BlockTridiagonal& K, const Vector& x, Vector& y) {
-  using Block = Eigen::Map<const Eigen::Matrix<double, B, B>>;
-  const int n = K.block_size();
-  const auto block = [n](const Matrix& matrix) { return Block(matrix.data(), n, n); };
-  const auto part = [&](std::size_t b) { return x.segment<B>(static_cast<Eigen::Index>(b) * n, n); };
-  for (std::size_t b = 0; b < K.diagonal.size(); ++b) {
-    auto row = y.segment<B>(static_cast<Eigen::Index>(b) * n, n);
-    row.noalias() = block(K.diagonal[b]) * part(b);
-    if (b + 1 < K.diagonal.size()) row.noalias() += block(K.upper[b]) * part(b + 1);
-    if (b == 0) continue;
-    if (K.is_symmetric()) {
-      row.noalias() += block(K.upper[b - 1]).transpose() * part(b - 1);
-    } else {
-      row.noalias() += block(K.lower[b - 1]) * part(b - 1);
-    }
-  }
-}
-
-}  // namespace
 
 BlockTridiagonal::BlockTridiagonal(int blocks, int block_size)
     : diagonal(static_cast<std::size_t>(blocks), Matrix::Zero(block_size, block_size)),
@@ -60,16 +38,13 @@ Vector BlockTridiagonal::multiply(const Vector& x) const {
   Vector y(rows());
   switch (block_size()) {
     case 4:
-      bumpfoil::multiply<4>(*this, x, y);
+      multiply_blocks<4>(*this, block_size(), x, y);
       break;
     case 6:
-      bumpfoil::multiply<6>(*this, x, y);
-      break;
-    case 11:
-      bumpfoil::multiply<11>(*this, x, y);
+      multiply_blocks<6>(*this, block_size(), x, y);
       break;
     default:
-      bumpfoil::multiply<Eigen::Dynamic>(*this, x, y);
+      multiply_blocks<Eigen::Dynamic>(*this, block_size(), x, y);
   }
   return y;
 }

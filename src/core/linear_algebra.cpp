@@ -9,6 +9,18 @@
 
 namespace bumpfoil {
 
+Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A * B;
+}
+
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.transpose() * B;
+}
+
+Eigen::MatrixXd congruent(const Eigen::MatrixXd& A, const Eigen::MatrixXd& T) {
+  return product(transposed_product(T, A), T);
+}
+
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   return A.partialPivLu().solve(B);
 }
@@ -23,6 +35,35 @@ Eigen::VectorXcd solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b) {
 
 Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   return A.ldlt().solve(B);
+}
+
+Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.llt().solve(B);
+}
+
+std::optional<Eigen::MatrixXd> definite_inverse(const Eigen::MatrixXd& A, double least) {
+  const Eigen::LDLT<Eigen::MatrixXd> ldlt(A);
+  if (!(ldlt.vectorD().minCoeff() > least)) return std::nullopt;
+  return ldlt.solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+}
+
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
+  // The last columns of Q in A^T = Q R. Eigen's QR without pivoting would take 5 s to compile.
+  const Eigen::Index n = A.cols();
+  const Eigen::Index held = A.rows();
+  Eigen::MatrixXd R = A.transpose();
+  Eigen::VectorXd tau(held);
+  Eigen::VectorXd work(n);
+  for (Eigen::Index k = 0; k < held; ++k) {
+    R.col(k).tail(n - k).makeHouseholderInPlace(tau[k], R(k, k));
+    R.bottomRightCorner(n - k, held - k - 1).applyHouseholderOnTheLeft(R.col(k).tail(n - k - 1), tau[k], work.data());
+  }
+  Eigen::MatrixXd null = Eigen::MatrixXd::Zero(n, n - held);
+  null.bottomRows(n - held).setIdentity();
+  for (Eigen::Index k = held; k-- > 0;) {
+    null.bottomRightCorner(n - k, n - held).applyHouseholderOnTheLeft(R.col(k).tail(n - k - 1), tau[k], work.data());
+  }
+  return null;
 }
 
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, std::optional<double> threshold) {

@@ -3,9 +3,15 @@
 #include <Eigen/Core>
 #include <optional>
 
-/// Decompositions of dense matrices by Eigen, compiled here once: each takes seconds to compile. For what runs seldom;
-/// inner loops call Eigen themselves.
+/// Products and decompositions of dense matrices by Eigen, compiled here once: a decomposition takes seconds to
+/// compile, a new kind of product up to one. For what runs seldom; inner loops call Eigen themselves.
 namespace bumpfoil {
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// A^T B
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// T^T A T: the matrix of a quadratic form in y where x = T y.
+Eigen::MatrixXd congruent(const Eigen::MatrixXd& A, const Eigen::MatrixXd& T);
 
 /// X with A X = B, by elimination with row pivoting. @param A  square and regular
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
@@ -14,6 +20,16 @@ Eigen::VectorXcd solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b);
 
 /// X with A X = B for a symmetric semidefinite A, of which the lower triangle is read, by A = L D L^T.
 Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+/// X with A X = B for a symmetric positive definite A, of which the lower triangle is read, by A = L L^T.
+Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+/// The inverse of a symmetric matrix, of which the lower triangle is read, by A = L D L^T; nothing if an entry of D is
+/// not above `least`.
+std::optional<Eigen::MatrixXd> definite_inverse(const Eigen::MatrixXd& A, double least);
+
+/// Orthonormal columns that span all x with A x = 0. @param A  rows are independent, and fewer than columns
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& A);
 
 /// The X that minimises |A X - B|, column by column; of several, the shortest.
 /// @param A          any shape and rank

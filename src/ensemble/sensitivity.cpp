@@ -1,6 +1,5 @@
 #include "bumpfoil/ensemble/sensitivity.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +7,7 @@
 #include <numeric>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -45,22 +45,21 @@ PartialRankCorrelations::PartialRankCorrelations(const std::vector<std::vector<d
   const auto samples = std::ssize(factors.front());
   scores_.resize(samples, std::ssize(factors));
   for (Eigen::Index k = 0; k < scores_.cols(); ++k) scores_.col(k) = scores_of(factors[static_cast<std::size_t>(k)]);
-  const Eigen::LDLT<Eigen::MatrixXd> ldlt(scores_.transpose() * scores_);
   // At least one degree of freedom must remain besides those of the factors and the mean.
-  defined_ = samples > scores_.cols() + 2 && ldlt.vectorD().minCoeff() > least_determined;
-  if (defined_) inverse_ = ldlt.solve(Eigen::MatrixXd::Identity(scores_.cols(), scores_.cols()));
+  if (samples <= scores_.cols() + 2) return;
+  inverse_ = definite_inverse(transposed_product(scores_, scores_), least_determined);
 }
 
 std::vector<double> PartialRankCorrelations::of(const std::vector<double>& response) const {
   std::vector<double> found(static_cast<std::size_t>(scores_.cols()), std::numeric_limits<double>::quiet_NaN());
-  if (!defined_) return found;
+  if (!inverse_) return found;
   const Eigen::VectorXd score = scores_of(response);
   if (score.isZero(0.0)) return found;
   const Eigen::VectorXd correlation = scores_.transpose() * score;
-  const Eigen::VectorXd slope = inverse_ * correlation;
+  const Eigen::VectorXd slope = *inverse_ * correlation;
   const double rest = std::max(0.0, 1.0 - correlation.dot(slope));
   for (Eigen::Index k = 0; k < slope.size(); ++k) {
-    found[static_cast<std::size_t>(k)] = slope[k] / std::sqrt(slope[k] * slope[k] + rest * inverse_(k, k));
+    found[static_cast<std::size_t>(k)] = slope[k] / std::sqrt(slope[k] * slope[k] + rest * (*inverse_)(k, k));
   }
   return found;
 }

@@ -404,7 +404,7 @@ Eigen::VectorXcd unbalance_force(const RotorSettings& settings, const Rotor& rot
 }
 
 RotorForces forces_on(const RotorSettings& settings, const Rotor& rotor) {
-  const Eigen::VectorXd weight = rotor.mass * (rotor.rigid.leftCols(2) * settings.gravity_vector());
+  const Eigen::VectorXd weight = rotor.weight(settings.gravity_vector());
   return [weight, placed = placed_unbalances(settings, rotor)](const RotorInstant& now) -> Eigen::VectorXd {
     Eigen::VectorXd force = weight;
     for (const auto& [plane, unbalance] : placed) {

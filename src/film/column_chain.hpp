@@ -12,7 +12,6 @@ namespace bumpfoil {
 /// ring.
 class ColumnChain {
  public:
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   using Block = Eigen::Map<RowMajor>;
 
   virtual ~ColumnChain() = default;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/linear_algebra.hpp"
 #include "film/foil_columns.hpp"
 #include "film/foil_span.hpp"
 
@@ -62,7 +63,7 @@ Matrix asperity_balance(const FoilFilm& foil, const Matrix& pressures) {
   if (!foil.asperities) return Matrix::Zero(foil.lines.count(), mesh.nodes());
   Matrix of_rows = -foil.load_scale * foil.shapes.transpose();
   for (int j = 0; j <= mesh.rows; ++j) of_rows.col(j) *= mesh.row_weight(j);
-  Matrix balance = of_rows * pressures * mesh.weights.asDiagonal();
+  Matrix balance = product(of_rows, pressures) * mesh.weights.asDiagonal();
   balance.col(0).setZero();  // the weld bears its own load
   return balance;
 }

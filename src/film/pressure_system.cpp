@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/linear_algebra.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -54,6 +56,7 @@ void fill_own(const FilmMesh& mesh, const FilmJacobian& jacobian, const Foundati
 PressureSystem::PressureSystem(const FilmMesh& mesh)
     : mesh_(mesh),
       chain_(make_column_chain(mesh.columns - 1, mesh.unknown_rows())),
+      border_(1, mesh.unknown_rows()),
       right_(Eigen::Index{mesh.columns - 1} * mesh.unknown_rows()) {}
 
 void PressureSystem::assemble(const FilmJacobian& jacobian, const Foundation& foundation) {
@@ -79,9 +82,11 @@ bool PressureSystem::factor() {
   if (!chain_->factor()) return false;
   if (!mesh_.closed) return true;
   chain_->respond(to_before_, to_after_);
-  border_.compute(border_own_ - border_after_ * (to_before_.first + to_after_.first) -
-                  border_before_ * (to_before_.last + to_after_.last));
-  return true;
+  auto& border = border_.diagonal(0);
+  border = border_own_;
+  border -= product(border_after_, to_before_.first + to_after_.first);
+  border -= product(border_before_, to_before_.last + to_after_.last);
+  return border_.factor();
 }
 
 /// The step of column 0, from the residual of its equations after the chain is solved with it held.
@@ -89,7 +94,7 @@ void PressureSystem::read_border_step(const Matrix& residual) {
   const int n = mesh_.unknown_rows();
   border_step_ = -residual.col(0).segment(mesh_.first_unknown_row(), n) - border_after_ * right_.head(n) -
                  border_before_ * right_.tail(n);
-  border_step_ = border_.solve(border_step_);
+  border_.solve_in_place(border_step_);
 }
 
 void PressureSystem::solve(const Matrix& residual, Matrix& step) {

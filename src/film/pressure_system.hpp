@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/LU>
 #include <memory>
 
+#include "bumpfoil/core/block_tridiagonal_lu.hpp"
 #include "bumpfoil/film/film_solver.hpp"
 #include "film/column_chain.hpp"
 
@@ -26,9 +26,9 @@ class PressureSystem {
   FilmMesh mesh_;
   std::unique_ptr<ColumnChain> chain_;
   // Couplings of column 0 of a closed film to the previous column, itself and the next one.
-  ColumnChain::RowMajor border_before_, border_own_, border_after_;
+  RowMajor border_before_, border_own_, border_after_;
   ColumnChain::Response to_before_, to_after_;
-  Eigen::PartialPivLU<Matrix> border_;
+  BlockTridiagonalLU<Eigen::Dynamic> border_;  ///< one block: what the chain leaves of the equations of column 0
   Vector right_, border_step_;
 };
 

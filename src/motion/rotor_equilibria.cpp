@@ -23,7 +23,7 @@ constexpr int starting_steps = 10;
 
 RotorEquilibria::RotorEquilibria(const Rotor& rotor, std::vector<FilmStepper*> steppers, const Eigen::Vector2d& gravity)
     : rotor_(rotor),
-      weight_(rotor.mass * (rotor.rigid.leftCols(2) * gravity)),
+      weight_(rotor.weight(gravity)),
       steppers_(std::move(steppers)),
       law_(law_of_rotor(rotor_, steppers_)),
       loads_(weights_on_bearings(rotor, gravity)) {}

@@ -90,8 +90,8 @@ class WhirlEquation {
         A.block(w, w, m, m) = Eigen::MatrixXd::Identity(m, m) + bearing.shift * reduced.hessenberg;
         A.block(w, y, 1, n) = -B.row(motion);
         E.block(w, w, m, m) = ratio * reduced.hessenberg;
-        const Eigen::MatrixXd forces = reduced.start * B.transpose() * reduced.forces;
-        A.block(v, y, n, n) -= B.transpose() * reduced.moved * B.row(motion);
+        const Eigen::MatrixXd forces = reduced.start * transposed_product(B, reduced.forces);
+        A.block(v, y, n, n) -= product(transposed_product(B, reduced.moved), B.row(motion));
         A.block(v, w, n, m) = bearing.shift * forces;
         E.block(v, w, n, m) = ratio * forces;
         w += m;
@@ -148,7 +148,7 @@ double direction_of(const Rotor& rotor, double speed, const Eigen::VectorXcd& sh
   double turned = 0.0;
   double size = 0.0;
   for (const RotorStation& bearing : rotor.bearings) {
-    const Eigen::Vector2cd orbit = bearing.motion * shape;
+    const Eigen::Vector2cd orbit = bearing.orbit(shape);
     // x = cos, y = sin of an increasing angle: conj(X) Y = -i.
     turned -= 2.0 * (std::conj(orbit.x()) * orbit.y()).imag();
     size += orbit.squaredNorm();

@@ -76,7 +76,7 @@ Eigen::MatrixXd rigid_motions(const RotorMatrices& matrices) {
   const Eigen::MatrixXd inner = K(rest, rest);
   const Eigen::VectorXd scale = diagonal_scale(inner);
   const Eigen::MatrixXd scaled = scale.asDiagonal() * inner * scale.asDiagonal();
-  const Eigen::MatrixXd pushed = scale.asDiagonal() * (K(rest, held) * places);
+  const Eigen::MatrixXd pushed = scale.asDiagonal() * product(K(rest, held), places);
   rigid(rest, Eigen::all) = -(scale.asDiagonal() * solve_symmetric(scaled, pushed));
   return rigid;
 }
@@ -204,10 +204,12 @@ class MatrixCheck {
 
   void rigid() {
     const Eigen::MatrixXd K = entries_of(matrices_.stiffness, n_);
+    const Eigen::MatrixXd sizes = K.cwiseAbs();
     const Eigen::MatrixXd moved = rigid_motions(matrices_);
     for (Eigen::Index i = 0; i < 4; ++i) {
       const Eigen::VectorXd one = moved.col(i);
-      const double energy_of_parts = one.cwiseAbs().dot(Eigen::VectorXd(K.cwiseAbs() * one.cwiseAbs()));
+      const Eigen::VectorXd size = one.cwiseAbs();
+      const double energy_of_parts = size.dot(Eigen::VectorXd(sizes * size));
       if (!require(std::abs(one.dot(Eigen::VectorXd(K * one))) <= no_energy * energy_of_parts, "K", "",
                    "holds the rotor: a rigid motion has energy",
                    "give the matrices of the rotor alone, without bearings and supports, with all their digits")) {

@@ -1,6 +1,5 @@
 #include "bumpfoil/rotor/rotor.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,10 +12,6 @@ namespace {
 
 /// Frequencies below this fraction of the highest are those of rigid motions.
 constexpr double rigid_frequency = 1e-6;
-
-Eigen::MatrixXd transformed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& T) {
-  return T.transpose() * A * T;
-}
 
 /// The symmetric part of a matrix that is symmetric up to round-off.
 Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& A) {
@@ -42,6 +37,10 @@ Eigen::MatrixXd stacked(const Rotor& rotor, const MatrixOf& matrix_of) {
 
 }  // namespace
 
+Eigen::Vector2cd RotorStation::orbit(const Eigen::VectorXcd& y) const {
+  return motion * y;
+}
+
 Eigen::MatrixXd RotorStation::journal() const {
   if (half_width == 0.0) return motion;
   Eigen::MatrixXd B(motion.rows() + tilt.rows(), motion.cols());
@@ -52,14 +51,19 @@ Eigen::MatrixXd RotorStation::journal() const {
 Eigen::MatrixXcd RotorStation::on_rotor(const Eigen::MatrixXcd& of_journal) const {
   const Eigen::MatrixXd B = journal();
   Eigen::MatrixXcd sum(B.cols(), B.cols());
-  sum.real() = transformed(of_journal.real(), B);
-  sum.imag() = transformed(of_journal.imag(), B);
+  sum.real() = congruent(of_journal.real(), B);
+  sum.imag() = congruent(of_journal.imag(), B);
   return sum;
 }
 
 double Rotor::total_mass() const {
   const Eigen::VectorXd momentum = mass * rigid.col(0);
   return rigid.col(0).dot(momentum);
+}
+
+Eigen::VectorXd Rotor::weight(const Eigen::Vector2d& gravity) const {
+  const Eigen::VectorXd accelerations = rigid.leftCols(2) * gravity;
+  return mass * accelerations;
 }
 
 Rotor make_point_mass(double mass) {
@@ -98,9 +102,9 @@ Rotor make_rigid_rotor(const RigidRotorDesign& design) {
 
 std::vector<Eigen::Vector2d> weights_on_bearings(const Rotor& rotor, const Eigen::Vector2d& gravity) {
   const Eigen::MatrixXd motions = stacked(rotor, [](const RotorStation& bearing) { return bearing.motion; });
-  const Eigen::MatrixXd balance = (motions * rotor.rigid).transpose();
+  const Eigen::MatrixXd balance = product(motions, rotor.rigid).transpose();
   BUMPFOIL_ASSERT(balance.rows() == balance.cols());
-  const Eigen::VectorXd weight = rotor.rigid.transpose() * (rotor.mass * (rotor.rigid.leftCols(2) * gravity));
+  const Eigen::VectorXd weight = rotor.rigid.transpose() * rotor.weight(gravity);
   const Eigen::VectorXd forces = solve(balance, weight);
   std::vector<Eigen::Vector2d> loads;
   for (Eigen::Index i = 0; i < forces.size(); i += 2) loads.emplace_back(forces.segment<2>(i));
@@ -117,28 +121,27 @@ ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
   const Eigen::Index n = rotor.size();
   const Eigen::Index held = B.rows();
   if (n == held) return {rotor, 0.0};
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B.transpose());
-  const Eigen::MatrixXd Q = qr.householderQ();
   const Eigen::MatrixXd lift = least_squares(B, Eigen::MatrixXd::Identity(held, held));  // the shortest
-  const Eigen::MatrixXd rest = Q.rightCols(n - held);
-  const Eigen::MatrixXd inner_stiffness = transformed(rotor.stiffness, rest);
-  const SymmetricModes modes = modes_of(inner_stiffness, transformed(rotor.mass, rest));
+  const Eigen::MatrixXd rest = null_space(B);
+  const Eigen::MatrixXd inner_stiffness = congruent(rotor.stiffness, rest);
+  const SymmetricModes modes = modes_of(inner_stiffness, congruent(rotor.mass, rest));
   const double highest = kept * range;
   const Eigen::Index count = std::count_if(modes.squares.begin(), modes.squares.end(),
                                            [&](double square) { return square <= highest * highest; });
   Eigen::MatrixXd T(n, held + count);
   // With the bearings displaced, the other unknowns follow statically.
-  T.leftCols(held) = lift - rest * solve_symmetric(inner_stiffness, rest.transpose() * rotor.stiffness * lift);
-  T.rightCols(count) = rest * modes.shapes.leftCols(count);
+  const Eigen::MatrixXd pushed = product(transposed_product(rest, rotor.stiffness), lift);
+  T.leftCols(held) = lift - product(rest, solve_symmetric(inner_stiffness, pushed));
+  T.rightCols(count) = product(rest, modes.shapes.leftCols(count));
 
   ReducedRotor reduced;
-  reduced.rotor.mass = transformed(rotor.mass, T);
-  reduced.rotor.gyroscopic = transformed(rotor.gyroscopic, T);
-  reduced.rotor.damping = transformed(rotor.damping, T);
-  reduced.rotor.stiffness = transformed(rotor.stiffness, T);
+  reduced.rotor.mass = congruent(rotor.mass, T);
+  reduced.rotor.gyroscopic = congruent(rotor.gyroscopic, T);
+  reduced.rotor.damping = congruent(rotor.damping, T);
+  reduced.rotor.stiffness = congruent(rotor.stiffness, T);
   const auto placed = [&](RotorStation station) {
-    station.motion = station.motion * T;
-    if (station.tilt.size() > 0) station.tilt = station.tilt * T;
+    station.motion = product(station.motion, T);
+    if (station.tilt.size() > 0) station.tilt = product(station.tilt, T);
     return station;
   };
   for (const RotorStation& bearing : rotor.bearings) reduced.rotor.bearings.push_back(placed(bearing));

@@ -1,10 +1,10 @@
 #include "bumpfoil/structure/frame_element.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/linear_algebra.hpp"
 #include "structure/series.hpp"
 
 namespace bumpfoil {
@@ -75,7 +75,7 @@ ElementMatrix stiffness_in_series(const ElementMatrix& first, const ElementMatri
   const Eigen::Matrix3d between = first.bottomRightCorner<3, 3>() + second.topLeftCorner<3, 3>();
   Eigen::Matrix<double, 3, 6> coupling;
   coupling << first.bottomLeftCorner<3, 3>(), second.topRightCorner<3, 3>();
-  ElementMatrix stiffness = -coupling.transpose() * between.llt().solve(coupling);
+  ElementMatrix stiffness = -transposed_product(coupling, solve_positive(between, coupling));
   stiffness.topLeftCorner<3, 3>() += first.topLeftCorner<3, 3>();
   stiffness.bottomRightCorner<3, 3>() += second.bottomRightCorner<3, 3>();
   return stiffness;

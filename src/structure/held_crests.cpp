@@ -45,7 +45,7 @@ Matrix held_crest_stiffness(const FoilStructure& structure, int pad) {
   }
   if (n == 0) return crests;
   const Matrix released = solve_symmetric(turned, mixed);
-  return crests - mixed.transpose() * released;
+  return crests - transposed_product(mixed, released);
 }
 
 }  // namespace bumpfoil

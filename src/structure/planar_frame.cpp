@@ -25,7 +25,7 @@ Matrix PlanarFrame::condense(const Unknowns& kept, const Unknowns& fixed) const 
     if (is_free[unknown]) free.push_back(static_cast<Eigen::Index>(unknown));
   }
   const Matrix coupling = K_(free, kept);
-  return K_(kept, kept) - coupling.transpose() * solve_symmetric(K_(free, free), coupling);
+  return K_(kept, kept) - transposed_product(coupling, solve_symmetric(K_(free, free), coupling));
 }
 
 }  // namespace bumpfoil

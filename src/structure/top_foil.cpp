@@ -1,9 +1,9 @@
 #include "bumpfoil/structure/top_foil.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "bumpfoil/core/assert.hpp"
+#include "core/linear_algebra.hpp"
 #include "structure/series.hpp"
 
 namespace bumpfoil {
@@ -30,7 +30,7 @@ Matrix top_foil_compliance(const TopFoilBeam& beam) {
 
 Matrix top_foil_stiffness(const TopFoilBeam& beam) {
   const Eigen::Index n = beam.theta.size();
-  return top_foil_compliance(beam).llt().solve(Matrix::Identity(n, n));
+  return solve_positive(top_foil_compliance(beam), Matrix::Identity(n, n));
 }
 
 double TopFoilMoments::load_diagonal(Eigen::Index j) const {

@@ -63,14 +63,14 @@ void add_membrane(const Membrane& membrane, const Vector& intervals, const Width
   const auto F = Eigen::seqN(2 * lines.count(), modes);
   const auto m = Eigen::seqN(2 * lines.count() + modes, modes);
   const Matrix per_bow = solve(membrane.by_bow, Matrix(Matrix::Identity(modes, modes)));
-  const Matrix of_load = membrane.poisson_ratio * per_bow * membrane.by_slope;  // g = per_bow m - of_load F
+  const Matrix of_load = membrane.poisson_ratio * product(per_bow, membrane.by_slope);  // g = per_bow m - of_load F
   const auto load = Eigen::seqN(0, modes);
   const auto bow = Eigen::seqN(modes, modes);
   const auto put = [&](const Matrix& rows, Matrix& to) {
-    to(F, F) -= rows(load, load) - rows(load, bow) * of_load;
-    to(F, m) -= rows(load, bow) * per_bow;
-    to(m, F) += rows(bow, load) - rows(bow, bow) * of_load;
-    to(m, m) += rows(bow, bow) * per_bow;
+    to(F, F) -= rows(load, load) - product(rows(load, bow), of_load);
+    to(F, m) -= product(rows(load, bow), per_bow);
+    to(m, F) += rows(bow, load) - product(rows(bow, bow), of_load);
+    to(m, m) += product(rows(bow, bow), per_bow);
   };
   const Matrix stretching = lines.to_stretching_modes();
   const std::vector<MembraneRows> rows = membrane_rows(membrane, intervals);
@@ -128,7 +128,7 @@ Equations condensed(const Equations& all, const std::vector<Eigen::Index>& kept)
   right << across, load;
   const Matrix solved = solve(all.A(other, other), right);
   const Vector answer = solved.rightCols<1>();
-  return {.A = all.A(kept, kept) - across.transpose() * solved.leftCols(across.cols()),
+  return {.A = all.A(kept, kept) - transposed_product(across, solved.leftCols(across.cols())),
           .load = all.load(kept) - across.transpose() * answer,
           .energy = -0.5 * load.dot(answer)};
 }

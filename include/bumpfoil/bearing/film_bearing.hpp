@@ -167,7 +167,7 @@ struct FilmBearing : Foils {
     return tilts() || pads.front().foil.lines.count() > 1 || surroundings.profile != WidthProfile{};
   }
   /// How far out the foils lie in all rows where they do on all lines (FoilFilmState::lift).
-  [[nodiscard]] Matrix over_the_width(const Matrix& lift) const { return pads.front().foil.shapes * lift; }
+  [[nodiscard]] Matrix over_the_width(const Matrix& lift) const;
 };
 
 using SharedFilmBearing = std::shared_ptr<const FilmBearing>;

@@ -30,11 +30,9 @@ struct JournalLaw {
   double longest_step{};      ///< of the journal in one step of Newton's method, m
 
   /// What is left of the way, in the unit of the rows.
-  [[nodiscard]] JournalVector residual(const JournalVector& q, const JournalVector& F) const {
-    return by_position * (position - q) + by_force * (force - F);
-  }
+  [[nodiscard]] JournalVector residual(const JournalVector& q, const JournalVector& F) const;
   /// Matrix of the rows where the film answers with dF/dq = K.
-  [[nodiscard]] JournalMatrix matrix(const JournalMatrix& K) const { return by_position + by_force * K; }
+  [[nodiscard]] JournalMatrix matrix(const JournalMatrix& K) const;
   /// Whether the law is a position alone.
   [[nodiscard]] bool holds_position() const { return by_force.isZero(0.0); }
 };

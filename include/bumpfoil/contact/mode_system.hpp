@@ -34,8 +34,6 @@ class ModeSystem {
   /// @param state       receives x, gap and forces; its modes are set to those of the system
   virtual void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) = 0;
 
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
   /// Responses to unit changes of all quantities that the modes prescribe, one column for each, in the order of
   /// contacts: of a contact its p if it is open, else its gap; behind it, if it has friction, its t if it is open,
   /// x[tangential] if it sticks, t beyond that of its normal force if it slips.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace bumpfoil {
@@ -23,9 +24,8 @@ class PartialRankCorrelations {
   [[nodiscard]] std::vector<double> of(const std::vector<double>& response) const;
 
  private:
-  Eigen::MatrixXd scores_;  ///< ranks of each factor in a column, mean 0, length 1
-  Eigen::MatrixXd inverse_;
-  bool defined_{};
+  Eigen::MatrixXd scores_;                  ///< ranks of each factor in a column, mean 0, length 1
+  std::optional<Eigen::MatrixXd> inverse_;  ///< Q; nothing if no correlation is defined
 };
 
 }  // namespace bumpfoil

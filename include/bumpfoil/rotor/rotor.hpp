@@ -14,6 +14,8 @@ struct RotorStation {
   Eigen::MatrixXd tilt{};  ///< 2 x n: inclinations dx/dz and dy/dz of the cross-section (rad) = tilt y
   double half_width{};     ///< of a bearing that resists them by moments, m; 0: it takes forces alone
 
+  /// Amplitudes of the displacements along X and Y, m. @param y  amplitudes of the unknowns of the rotor
+  [[nodiscard]] Eigen::Vector2cd orbit(const Eigen::VectorXcd& y) const;
   /// B of a bearing: q = B y with the place q of the journal in it (m, JournalVector): displacements and, where the
   /// bearing resists inclinations, these times half the width.
   [[nodiscard]] Eigen::MatrixXd journal() const;
@@ -42,6 +44,9 @@ struct Rotor {
   [[nodiscard]] Eigen::Index size() const { return mass.rows(); }
   /// Mass in these equations, kg: of a point mass what one bearing carries.
   [[nodiscard]] double total_mass() const;
+  /// Force on the unknowns by which an acceleration along X and Y moves the whole rotor: its weight. @param gravity
+  /// m/s^2
+  [[nodiscard]] Eigen::VectorXd weight(const Eigen::Vector2d& gravity) const;
 };
 
 /// Half of a rotor on two equal bearings that moves without tilting: one of the bearings is computed.

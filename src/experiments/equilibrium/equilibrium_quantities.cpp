@@ -466,7 +466,7 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
      of_asperities | of_uniform_film},
     {"film_top_displacement", "m", "deflection of the top foil in the mean over the width, positive outward",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       return bearing.scales.thickness * state.film.lift.transpose() * bearing.pads.front().foil.lines.weight;
+       return bearing.scales.thickness * (state.film.lift.transpose() * bearing.pads.front().foil.lines.weight);
      }},
     {"film_top_slope", "m", "deflection of the top foil at its side z > 0 beyond the mean, linear over the width",
      mode_of_top_foil<1>, of_slope},

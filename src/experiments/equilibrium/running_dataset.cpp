@@ -22,7 +22,6 @@ namespace bumpfoil {
 namespace {
 
 using Dims = std::vector<std::string>;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 std::vector<double> node_values(const Vector& numbers) {
   return {numbers.begin(), numbers.end()};

@@ -85,9 +85,9 @@ Eigen::MatrixXd covariance_of(const FitEstimate& estimate) {
     }
   }
   // Parameters by residuals: the pseudo-inverse V S^-2 (A V)^T of A = sqrt(W) J, times sqrt(W).
-  const Eigen::MatrixXd left = scaled * right;
-  const Eigen::MatrixXd gains = right * inverse_squares.asDiagonal() * left.transpose() * roots.asDiagonal();
-  const Eigen::MatrixXd inner = gains * estimate.variances.asDiagonal() * gains.transpose();
+  const Eigen::MatrixXd left = product(scaled, right);
+  const Eigen::MatrixXd gains = product(right * inverse_squares.asDiagonal(), left.transpose()) * roots.asDiagonal();
+  const Eigen::MatrixXd inner = product(gains * estimate.variances.asDiagonal(), gains.transpose());
   for (Eigen::Index a = 0; a < size; ++a) {
     for (Eigen::Index b = 0; b < size; ++b) {
       if (!told[static_cast<std::size_t>(a)] || !told[static_cast<std::size_t>(b)]) continue;

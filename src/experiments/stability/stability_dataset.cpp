@@ -78,12 +78,12 @@ void add_shapes(const StabilityResult& result, Dataset& data) {
           [places, axis, phase](const SpeedMotion& motion, double* out) {
             std::complex<double> largest;
             for (const RotorStation& place : places) {
-              for (const std::complex<double> one : place.motion* motion.whirl->shape) {
+              for (const std::complex<double> one : place.orbit(motion.whirl->shape)) {
                 if (std::abs(one) > std::abs(largest)) largest = one;
               }
             }
             for (std::size_t i = 0; i < places.size(); ++i) {
-              const std::complex<double> here = (places[i].motion * motion.whirl->shape)[axis] / largest;
+              const std::complex<double> here = places[i].orbit(motion.whirl->shape)[axis] / largest;
               out[i] = phase ? to_degrees(std::arg(here)) : std::abs(here);
             }
           },

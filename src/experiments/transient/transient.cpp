@@ -88,13 +88,13 @@ RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSetti
   const double part = rotor_settings.tilts() ? 1.0 : 0.5;
   for (const RotorPulse& pulse : settings.pulses) {
     const Eigen::Vector2d force(pulse.force[0], pulse.force[1]);
-    pulses.push_back({pulse, part * place_named(places, pulse.at)->motion.transpose() * force});
+    pulses.push_back({pulse, place_named(places, pulse.at)->motion.transpose() * (part * force)});
   }
   std::vector<std::pair<BaseMotion, Eigen::VectorXd>> base;
   base.reserve(settings.base.size());
   for (const BaseMotion& motion : settings.base) {
     const Eigen::Vector2d acceleration(motion.acceleration[0], motion.acceleration[1]);
-    base.emplace_back(motion, -(rotor.mass * (rotor.rigid.leftCols(2) * acceleration)));
+    base.emplace_back(motion, -rotor.weight(acceleration));
   }
   return [turning = forces_on(rotor_settings, rotor), pulses, base](const RotorInstant& now) {
     Eigen::VectorXd force = turning(now);

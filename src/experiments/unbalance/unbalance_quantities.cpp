@@ -301,7 +301,7 @@ StationResponse response_at(const UnbalanceResult& result, const UnbalancePoint&
   if (kind != ResponseKind::orbit) {
     const auto& y = kind == ResponseKind::linear_stuck ? point.stuck : point.sliding;
     const RotorStation& place = at_bearing ? rotor.bearings[station] : rotor.stations[behind];
-    if (y) response.motion = place.motion * *y;
+    if (y) response.motion = place.orbit(*y);
     return response;
   }
   if (!point.orbit || point.orbit->bearings.empty()) return response;

@@ -54,7 +54,7 @@ TEST(Stiffness, MultipliesAndCopiesRows) {
   Vector y(K.rows());
   fixed.multiply(x, y);
   EXPECT_LT((y - K.multiply(x)).cwiseAbs().maxCoeff(), 1e-14 * y.cwiseAbs().maxCoeff());
-  Eigen::Matrix<double, 6, 18> rows;
+  Stiffness<6>::Rows rows;
   fixed.copy_rows(1, rows);
   EXPECT_LT((rows * x.head(18) - y.segment(6, 6)).cwiseAbs().maxCoeff(), 1e-14 * y.cwiseAbs().maxCoeff());
   fixed.copy_rows(0, rows);

@@ -12,8 +12,6 @@
 namespace bumpfoil {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// Largest next to the diagonal: without row exchanges the pivots would be poor.
 RowMajor example_matrix(int n, double seed) {
   RowMajor a(n, n);

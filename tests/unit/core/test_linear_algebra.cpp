@@ -21,6 +21,17 @@ Eigen::MatrixXd square(std::initializer_list<double> rows) {
   return Eigen::MatrixXd::Map(rows.begin(), n, n).transpose();
 }
 
+TEST(LinearAlgebra, Multiplies) {
+  Eigen::MatrixXd A(2, 3);
+  A << 1, 2, 3, 4, 5, 6;
+  const Eigen::MatrixXd B = square({1, 0, 2, 0, 1, 0, 1, 1, 1});
+  Eigen::MatrixXd AB(2, 3);
+  AB << 4, 5, 5, 10, 11, 14;
+  EXPECT_EQ(product(A, B), AB);
+  EXPECT_EQ(transposed_product(A.transpose(), B), AB);
+  EXPECT_EQ(congruent(B, A.transpose()), square({29, 71, 74, 179}));
+}
+
 TEST(LinearAlgebra, SolvesWhereRowsMustBeExchanged) {
   const Eigen::MatrixXd A = square({0, 2, 1, 3});
   Eigen::MatrixXd B(2, 2);
@@ -37,6 +48,29 @@ TEST(LinearAlgebra, SolvesWhereRowsMustBeExchanged) {
 TEST(LinearAlgebra, SolvesSymmetricEquationsFromTheLowerTriangle) {
   const Eigen::MatrixXd B = numbers({3, 5});
   EXPECT_LT((solve_symmetric(square({2, 99, 1, 3}), B) - numbers({0.8, 1.4})).norm(), round_off);
+}
+
+TEST(LinearAlgebra, SolvesPositiveEquationsFromTheLowerTriangle) {
+  const Eigen::MatrixXd B = numbers({3, 5});
+  EXPECT_LT((solve_positive(square({2, 99, 1, 3}), B) - numbers({0.8, 1.4})).norm(), round_off);
+}
+
+TEST(LinearAlgebra, InvertsWhatIsDefiniteEnough) {
+  const Eigen::MatrixXd A = square({2, 99, 1, 3});  // L D L^T from the largest entry on: D = 3, 5 / 3
+  const auto inverse = definite_inverse(A, 1.66);
+  ASSERT_TRUE(inverse.has_value());
+  EXPECT_LT((*inverse - square({0.6, -0.2, -0.2, 0.4})).norm(), round_off);
+  EXPECT_FALSE(definite_inverse(A, 1.67).has_value());
+  EXPECT_FALSE(definite_inverse(square({1, 2, 2, 1}), 0.0).has_value());
+}
+
+TEST(LinearAlgebra, FindsAllThatIsMappedToZero) {
+  Eigen::MatrixXd A(2, 5);
+  A << 0, 1, -2, 0, 4, 0, 3, 0.5, 0, -1;
+  const Eigen::MatrixXd null = null_space(A);
+  ASSERT_EQ(null.cols(), 3);
+  EXPECT_LT((A * null).norm(), round_off);
+  EXPECT_LT((null.transpose() * null - Eigen::Matrix3d::Identity()).norm(), round_off);
 }
 
 /// Columns (3, 0, 4), (4, 0, -3) / 5 and (0, 2, 0): orthogonal, of lengths 5, 1 and 2.

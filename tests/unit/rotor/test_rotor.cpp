@@ -128,6 +128,20 @@ TEST(ReducedRotor, WhirlsAsTheWholeOneDoes) {
   EXPECT_LT(reduce_rotor(whole, range).frequency_error, 1e-3);
 }
 
+TEST(RotorStation, MovesOnAnOrbitWithTheRotor) {
+  RotorStation station{.name = "disc", .z = 0.0, .motion = Eigen::MatrixXd(2, 3)};
+  station.motion << 1.0, 0.0, 2.0, 0.0, 3.0, 0.0;
+  const std::complex<double> i(0.0, 1.0);
+  const Eigen::Vector3cd y(1.0, i, -i);
+  EXPECT_EQ(station.orbit(y), Eigen::Vector2cd(1.0 - 2.0 * i, 3.0 * i));
+}
+
+/// The whole mass in the direction of gravity; no moment about the centre of mass.
+TEST(Rotor, HasAWeight) {
+  const Eigen::Vector4d weight = make_rigid_rotor(rigid_design()).weight({3.0, -9.81});
+  EXPECT_LT((weight - Eigen::Vector4d(6.6, -21.582, 0.0, 0.0)).norm(), 1e-14 * 21.582);
+}
+
 /// Under static loads at the bearings, stations move as those of the full model: no interior forces excite the modes.
 /// A force of the bearing does the same work on the journal as on the rotor.
 TEST(RotorStation, PutsWhatABearingDoesOnTheRotor) {
