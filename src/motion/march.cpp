@@ -1,5 +1,6 @@
 #include "bumpfoil/motion/march.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "bumpfoil/motion/branch.hpp"
@@ -27,6 +28,28 @@ Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Le
   return least * (carried.norm() > 0.0 ? Eigen::Vector2d(carried.normalized()) : Eigen::Vector2d::UnitX());
 }
 
+/// The loop of every march: increments one after the other, each from the last state that was kept.
+/// @param next  next(state): the next increment, or nothing
+/// @param take  take(increment, state, step): leads from the state into the step
+template <typename Next, typename Take, typename State, typename Taken, typename Observe>
+bool run_through(const Next& next, const Take& take, State& state, Taken& step, const Observe& observe) {
+  while (const auto increment = next(state)) {
+    take(*increment, state, step);
+    const Verdict verdict = observe(*increment, state, step);
+    if (verdict == Verdict::refuse) return false;
+    if (verdict == Verdict::retry) continue;
+    std::swap(state, step.state);
+    if (verdict == Verdict::stop) return false;
+  }
+  return true;
+}
+
+/// Increment `taken` = 1..steps of a leg.
+struct LegIncrement {
+  const Leg* leg{};
+  int taken{};
+};
+
 /// An increment in time, in as many parts as it needs.
 void pass_time(FilmStepper& stepper, const Leg& leg, int taken, const BearingState& from, Step& step) {
   step.film = {};
@@ -49,18 +72,25 @@ Schedule schedule_of(const Program& program) {
 }
 
 bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Step& step, const Observer& observe) {
-  while (const Leg* leg = next_leg()) {
-    for (int taken = 1; taken <= leg->steps; ++taken) {
-      take(*leg, taken, state, step);
-      const Verdict verdict = observe(
-          {.from = state, .step = step, .leg = *leg, .ends_leg = taken == leg->steps, .target = leg->target(taken)});
-      if (verdict == Verdict::refuse) return false;
-      if (verdict == Verdict::retry) break;
-      std::swap(state, step.state);
-      if (verdict == Verdict::stop) return false;
+  LegIncrement at;  // the last one that was taken
+  const auto next = [&](const BearingState&) -> std::optional<LegIncrement> {
+    while (at.leg == nullptr || at.taken >= at.leg->steps) {
+      at = {next_leg(), 0};
+      if (at.leg == nullptr) return std::nullopt;
     }
-  }
-  return true;
+    ++at.taken;
+    return at;
+  };
+  const auto take_one = [&](const LegIncrement& one, const BearingState& from, Step& to) {
+    take(*one.leg, one.taken, from, to);
+  };
+  return run_through(next, take_one, state, step, [&](const LegIncrement& one, const BearingState& from, Step& to) {
+    const Leg& leg = *one.leg;
+    const Verdict verdict = observe(
+        {.from = from, .step = to, .leg = leg, .ends_leg = one.taken == leg.steps, .target = leg.target(one.taken)});
+    if (verdict == Verdict::retry) at.leg = nullptr;  // the rest of the leg is left out
+    return verdict;
+  });
 }
 
 bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, double reach, BearingState& state,
@@ -101,6 +131,22 @@ bool march(FilmStepper& stepper, const Program& program, BearingState& state, St
     next.status = next.film.status;
   };
   return march(schedule_of(program), take, state, step, observe);
+}
+
+MachineSchedule equal_steps(int count, const TimeStep& step) {
+  return [count, step, taken = 0](const MachineState&) mutable {
+    return taken++ < count ? std::optional(step) : std::nullopt;
+  };
+}
+
+bool march(MachineStepper& stepper, const MachineSchedule& next_step, const RotorForces& forces, MachineState& state,
+           MachineStep& step, const MachineObserver& observe) {
+  const auto take = [&](const TimeStep& taken, const MachineState& from, MachineStep& to) {
+    to.state = from;
+    to.report = stepper.advance(taken, forces, to.state);
+  };
+  return run_through(next_step, take, state, step,
+                     [&](const TimeStep&, const MachineState&, const MachineStep& to) { return observe(to); });
 }
 
 }  // namespace bumpfoil

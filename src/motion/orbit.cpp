@@ -10,6 +10,7 @@
 #include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/bearing/film_bearing.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/motion/march.hpp"
 #include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
@@ -249,6 +250,7 @@ Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const Machi
   BUMPFOIL_ASSERT(!stepper.bearings().empty());
   Orbit orbit{.state = start};
   const double dt = 2.0 * std::numbers::pi / (std::abs(start.speed) * options.steps_per_turn);
+  MachineStep step;
   /// @return change of the journals in a turn; nothing if the turn failed
   const auto take_turn = [&](TurnRecord* record) -> std::optional<Eigen::VectorXd> {
     if (options.keep_going && !options.keep_going()) {
@@ -256,13 +258,15 @@ Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const Machi
       return std::nullopt;
     }
     const Eigen::VectorXd before = journal_numbers(stepper, orbit.state);
-    for (int i = 0; i < options.steps_per_turn; ++i) {
-      const MachineReport report = stepper.advance({.dt = dt, .speed = start.speed}, forces, orbit.state);
-      orbit.iterations += report.iterations;
-      orbit.status = report.status;
-      if (report.status != Status::converged) return std::nullopt;
-      if (record != nullptr) record->add(orbit.state, options.steps_per_turn);
-    }
+    const MachineSchedule one_turn = equal_steps(options.steps_per_turn, {.dt = dt, .speed = start.speed});
+    const bool whole = march(stepper, one_turn, forces, orbit.state, step, [&](const MachineStep& at) {
+      orbit.iterations += at.report.iterations;
+      orbit.status = at.report.status;
+      if (orbit.status != Status::converged) return Verdict::refuse;
+      if (record != nullptr) record->add(at.state, options.steps_per_turn);
+      return Verdict::go_on;
+    });
+    if (!whole) return std::nullopt;
     ++orbit.turns;
     Eigen::VectorXd difference = journal_numbers(stepper, orbit.state) - before;
     orbit.change = difference.cwiseAbs().maxCoeff();

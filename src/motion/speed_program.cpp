@@ -54,11 +54,8 @@ std::size_t SpeedProgram::ramp_at(double time) const {
   return static_cast<std::size_t>(end - ends_.begin());
 }
 
-bool SpeedProgram::is_over(const MachineState& state) const {
-  return state.time >= (1.0 - rounded_time) * duration();
-}
-
-TimeStep SpeedProgram::next_step(const MachineState& state, int steps_per_turn, double longest) const {
+std::optional<TimeStep> SpeedProgram::next_step(const MachineState& state, int steps_per_turn, double longest) const {
+  if (state.time >= (1.0 - rounded_time) * duration()) return std::nullopt;
   const std::size_t at = ramp_at(state.time);
   const SpeedRamp& ramp = ramps_[at];
   const double rate = (ramp.to - ramp.from) / ramp.time;
@@ -72,9 +69,9 @@ TimeStep SpeedProgram::next_step(const MachineState& state, int steps_per_turn, 
     dt = std::isfinite(to_its_end) ? to_its_end / equal_parts(to_its_end, longest) : longest;
   }
   const double left_of_ramp = ends_[at] - state.time;
-  if (dt > (1.0 - rounded_part) * left_of_ramp) return {.dt = left_of_ramp, .speed = ramp.to};
+  if (dt > (1.0 - rounded_part) * left_of_ramp) return TimeStep{.dt = left_of_ramp, .speed = ramp.to};
   if (2.0 * dt > left_of_ramp) dt = 0.5 * left_of_ramp;  // avoids a sliver
-  return {.dt = dt, .speed = state.speed + rate * dt};
+  return TimeStep{.dt = dt, .speed = state.speed + rate * dt};
 }
 
 }  // namespace bumpfoil

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/bearing/foil_stepper.hpp"
+#include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/motion/program.hpp"
 
 namespace bumpfoil {
@@ -37,8 +39,8 @@ using Schedule = std::function<const Leg*()>;
 /// That of a program, leg after leg. @param program  outlives the schedule
 Schedule schedule_of(const Program& program);
 
-/// Runs through a schedule, increment by increment: the only loop that does so. The observer decides what is recorded,
-/// accumulated or watched; halving increments, following events and crossing folds is done by the stepper.
+/// Runs through a schedule, increment by increment, by the loop that all marches share. The observer decides what is
+/// recorded, accumulated or watched; halving increments, following events and crossing folds is done by the stepper.
 /// @param state  where the march begins; receives the last state that was kept
 /// @param step   receives the increments, one after the other; its storage is reused
 /// @return whether the schedule was taken to its end
@@ -58,5 +60,25 @@ bool march(FoilStepper& stepper, const Program& program, double reach, BearingSt
 /// BDF2 each. An increment in time that Newton's method fails to find is taken again in 2, 4, ... 128 equal parts;
 /// friction refers to the start of each part.
 bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe);
+
+/// A step of a machine in time, as its observer sees it.
+struct MachineStep {
+  MachineReport report;
+  MachineState state;  ///< at its end; after a failure the one at its start
+};
+
+/// Decides on the next step from the state that was reached; nothing at the end.
+using MachineSchedule = std::function<std::optional<TimeStep>(const MachineState&)>;
+using MachineObserver = std::function<Verdict(const MachineStep&)>;
+
+/// `count` times the same step.
+MachineSchedule equal_steps(int count, const TimeStep& step);
+
+/// Advances a machine in time, step by step.
+/// @param state  where the march begins; receives the last state that was kept
+/// @param step   receives the steps, one after the other; its storage is reused
+/// @return whether the schedule was taken to its end
+bool march(MachineStepper& stepper, const MachineSchedule& next_step, const RotorForces& forces, MachineState& state,
+           MachineStep& step, const MachineObserver& observe);
 
 }  // namespace bumpfoil

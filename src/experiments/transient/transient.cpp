@@ -9,11 +9,13 @@
 #include <deque>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/motion/rotor_equilibria.hpp"
 #include "bumpfoil/results/dataset.hpp"
@@ -177,30 +179,30 @@ TransientResult run_transient(const Case& input, TransientResult begun, const st
     if (result.status != Status::converged) return result;
     rows = step_row({result.machine, state, {}, 0});
   }
-  const auto keep = [&] {
+  const auto keep = [&](const MachineState& reached) {
     if (rows.empty()) return;
     table->append(rows);
     rows.clear();
-    if (run.keep) run.keep(state);
+    if (run.keep) run.keep(reached);
   };
   EnergyMeter meter(machine, forces, state);
   result.status = Status::converged;
-  while (!program.is_over(state)) {
-    if (!goes_on()) {
-      result.status = Status::interrupted;
-      break;
-    }
-    const TimeStep step = program.next_step(state, settings.steps_per_revolution, longest);
-    const MachineReport report = machine.advance(step, forces, state);
-    if (report.status != Status::converged) {
-      result.status = report.status;
-      break;
-    }
-    const std::vector<double> row = step_row({result.machine, state, meter.step_to(state), report.iterations});
+  const auto next_step = [&](const MachineState& reached) -> std::optional<TimeStep> {
+    const auto next = program.next_step(reached, settings.steps_per_revolution, longest);
+    if (!next || goes_on()) return next;
+    result.status = Status::interrupted;
+    return std::nullopt;
+  };
+  MachineStep step;
+  march(machine, next_step, forces, state, step, [&](const MachineStep& at) {
+    result.status = at.report.status;
+    if (result.status != Status::converged) return Verdict::refuse;
+    const std::vector<double> row = step_row({result.machine, at.state, meter.step_to(at.state), at.report.iterations});
     rows.insert(rows.end(), row.begin(), row.end());
-    if (rows.size() >= rows_at_once * row.size()) keep();
-  }
-  keep();
+    if (rows.size() >= rows_at_once * row.size()) keep(at.state);
+    return Verdict::go_on;
+  });
+  keep(state);
   result.time = state.time;
   result.speed = state.speed;
   return result;

@@ -5,6 +5,7 @@
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
+#include "support/film_motions.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {
@@ -160,6 +161,56 @@ TEST(FilmMarch, ARetryGoesByTheSchedule) {
                          [&](const Passage&) { return legs == 1 ? Verdict::retry : Verdict::go_on; });
   EXPECT_TRUE(all);
   EXPECT_EQ(state.position.x(), 1.0);
+}
+
+/// Half of a rotor on the reference bearing.
+class MachineMarch : public ::testing::Test {
+ protected:
+  [[nodiscard]] MachineState start() const { return machine_.at_rest({rest_}, weight({})); }
+  [[nodiscard]] static Eigen::VectorXd weight(const RotorInstant& /*now*/) { return Eigen::Vector2d(30.0, 0.0); }
+
+  TimeStep step_{.dt = 1e-5, .speed = speed_of_rpm(-45000.0)};
+  FilmStepper bearing_{std::make_shared<const FilmBearing>(film_reference_bearing({4, 3}, 0.1))};
+  MachineStepper machine_{make_point_mass(3.0), {&bearing_}};
+  BearingState rest_ = state_under(bearing_, {30.0, 0.0}, step_.speed);
+};
+
+TEST_F(MachineMarch, TakesTheStepsOfItsSchedule) {
+  MachineState alone = start();
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(machine_.advance(step_, weight, alone).status, Status::converged);
+  MachineState state = start();
+  MachineStep step;
+  int seen = 0;
+  EXPECT_TRUE(march(machine_, equal_steps(3, step_), weight, state, step, [&](const MachineStep& at) {
+    EXPECT_NEAR(at.state.time, ++seen * step_.dt, 1e-18);
+    return Verdict::go_on;
+  }));
+  EXPECT_EQ(seen, 3);
+  EXPECT_EQ(state.rotor.y, alone.rotor.y);
+  EXPECT_EQ(state.bearings[0].film.pressure, alone.bearings[0].film.pressure);
+}
+
+TEST_F(MachineMarch, EndsAsItsObserverSays) {
+  for (const Verdict last : {Verdict::stop, Verdict::refuse}) {
+    MachineState state = start();
+    MachineStep step;
+    EXPECT_FALSE(march(machine_, equal_steps(9, step_), weight, state, step,
+                       [&](const MachineStep& at) { return at.state.time < 1.5 * step_.dt ? Verdict::go_on : last; }));
+    EXPECT_NEAR(state.time, (last == Verdict::stop ? 2 : 1) * step_.dt, 1e-18);
+  }
+}
+
+TEST_F(MachineMarch, MayTryAShorterStep) {
+  MachineState state = start();
+  MachineStep step;
+  double dt = 4.0 * step_.dt;
+  const auto halved = [&](const MachineState& reached) -> std::optional<TimeStep> {
+    if (reached.time > 0.0) return std::nullopt;
+    return TimeStep{.dt = dt *= 0.5, .speed = step_.speed};
+  };
+  EXPECT_TRUE(march(machine_, halved, weight, state, step,
+                    [&](const MachineStep&) { return dt > step_.dt ? Verdict::retry : Verdict::go_on; }));
+  EXPECT_EQ(state.time, step_.dt);
 }
 
 }  // namespace

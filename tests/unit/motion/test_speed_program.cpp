@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace bumpfoil {
 namespace {
@@ -19,11 +20,13 @@ struct Turning {
       : program(std::move(speeds)), steps_per_turn(steps), longest_step(longest) {
     state.speed = program.start();
   }
-  TimeStep step() {
-    const TimeStep next = program.next_step(state, steps_per_turn, longest_step);
-    state.angle += 0.5 * (state.speed + next.speed) * next.dt;
-    state.speed = next.speed;
-    state.time += next.dt;
+  /// @return nothing at the end
+  std::optional<TimeStep> step() {
+    const std::optional<TimeStep> next = program.next_step(state, steps_per_turn, longest_step);
+    if (!next) return next;
+    state.angle += 0.5 * (state.speed + next->speed) * next->dt;
+    state.speed = next->speed;
+    state.time += next->dt;
     return next;
   }
 
@@ -47,7 +50,7 @@ TEST(SpeedProgram, TakesEqualAnglesAndEndsTurnsWithAStep) {
     }
     // Constant acceleration.
     EXPECT_NEAR(rotor.state.speed, sense * (2000.0 - 15000.0 * rotor.state.time), 1e-9);
-    while (!rotor.program.is_over(rotor.state)) rotor.step();
+    while (rotor.step()) continue;
     EXPECT_NEAR(rotor.state.time, 0.1, 1e-15);
     EXPECT_EQ(rotor.state.speed, sense * 500.0);
     EXPECT_NEAR(rotor.state.angle, sense * 125.0, 1e-10);  // mean speed times time
@@ -59,12 +62,12 @@ TEST(SpeedProgram, BeginsAtRestWithStepsOfSomeTime) {
   Turning rotor(SpeedProgram({{0.0, 300.0, 0.5}}), 50, longest);
   long steps = 0;
   for (; whole_turns(rotor.state.angle) < 1; ++steps) {
-    EXPECT_LE(rotor.step().dt, (1.0 + 1e-12) * longest);
+    EXPECT_LE(rotor.step().value().dt, (1.0 + 1e-12) * longest);
     ASSERT_LT(steps, 1000);
   }
   EXPECT_NEAR(rotor.state.angle, full_turn, 1e-10);
   EXPECT_GT(steps, 100);  // sqrt(2 angle / acceleration) = 0.145 s
-  while (!rotor.program.is_over(rotor.state)) rotor.step();
+  while (rotor.step()) continue;
   EXPECT_EQ(rotor.state.speed, 300.0);
 }
 
@@ -73,8 +76,8 @@ TEST(SpeedProgram, GoesFromRampToRamp) {
   EXPECT_EQ(rotor.program.highest(), 200.0);
   double shortest = no_limit;
   bool has_met_corner = false;
-  while (!rotor.program.is_over(rotor.state)) {
-    shortest = std::min(shortest, rotor.step().dt);
+  while (const auto step = rotor.step()) {
+    shortest = std::min(shortest, step->dt);
     has_met_corner |= std::abs(rotor.state.time - 0.33) < 1e-12 && rotor.state.speed == 200.0;
   }
   EXPECT_TRUE(has_met_corner);
@@ -86,7 +89,7 @@ TEST(SpeedProgram, GoesFromRampToRamp) {
 TEST(SpeedProgram, StandsStill) {
   Turning rotor(SpeedProgram({{0.0, 0.0, 0.1}}), 17, 0.02);
   int steps = 0;
-  for (; !rotor.program.is_over(rotor.state); ++steps) rotor.step();
+  while (rotor.step()) ++steps;
   EXPECT_EQ(steps, 5);
   EXPECT_EQ(whole_turns(rotor.state.angle), 0);
 }
