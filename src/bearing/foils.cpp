@@ -181,8 +181,8 @@ Foils make_film_foils(const BearingDesign& design) {
   return make_assembled_foils(place_film_pads(design));
 }
 
-Foils make_foils(const PadDesign& whole, const StripSettings& strip) {
-  Foils foils = make_flat_foils(cut_to(whole, strip.bumps), make_strip_design(whole, strip));
+Foils make_foils(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil) {
+  Foils foils = make_flat_foils(cut_to(whole, bumps), make_strip_design(whole, bumps, weld, top_foil));
   foils.normals = outward_normals(Vector::Zero(foils.bumps()));
   foils.problem.law = elastic_law(foils.structure);
   return foils;

@@ -38,7 +38,8 @@ SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>
 SharedFoils make_strip_foils(const Case& input) {
   require_valid(input, {"strip"});
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
-  return std::make_shared<const Foils>(make_foils(input, *input.strip));
+  const StripSettings& strip = *input.strip;
+  return std::make_shared<const Foils>(make_foils(input, strip.bumps, strip.weld, strip.top_foil));
 }
 
 std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,

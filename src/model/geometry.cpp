@@ -157,11 +157,11 @@ PadDesign cut_to(const PadDesign& whole, int bumps) {
   return cut;
 }
 
-FoilDesign make_strip_design(const PadDesign& whole, const StripSettings& strip) {
-  FoilDesign foils = make_bearing_design(cut_to(whole, strip.bumps));
+FoilDesign make_strip_design(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil) {
+  FoilDesign foils = make_bearing_design(cut_to(whole, bumps));
   foils.radius.reset();
-  foils.welded = strip.weld == StripWeld::one_end;
-  if (!strip.top_foil) foils.top_foil.reset();
+  foils.welded = weld == StripWeld::one_end;
+  if (!top_foil) foils.top_foil.reset();
   return foils;
 }
 

@@ -33,10 +33,13 @@ ALLOWED = {
 # computes.
 DOORS = {"origin": "src/experiments/build.cpp"}
 
-# Headers that a module must not include, though it may include their module: foils are built from a design of their
-# own, whatever form a case gives them.
+# Headers that a module must not include, though it may include their module. The case stops at the door of experiments:
+# what lies below takes geometry, materials and settings as values of their own. Structure takes a FoilDesign, whatever
+# form a design of the bearing gives the foils.
+CASE_HEADERS = {f"bumpfoil/model/{name}.hpp" for name in ("case", "validation")}
 FOREIGN_HEADERS = {
-    "structure": {f"bumpfoil/model/{name}.hpp" for name in ("case", "geometry", "validation")},
+    **dict.fromkeys(("bearing", "contact", "film", "motion", "rotor"), CASE_HEADERS),
+    "structure": CASE_HEADERS | {"bumpfoil/model/geometry.hpp"},
 }
 
 # Words that must not occur in the code of a module: contact knows no foils, structure knows no friction.
@@ -94,7 +97,7 @@ def check_includes(path, module, text):
             elif target != module and target not in ALLOWED[module] and path != DOORS.get(target):
                 yield f'{where}: {module} must not include {target} ("{name}")'
             elif name in FOREIGN_HEADERS.get(module, ()):
-                yield f'{where}: {module} must not include "{name}"; it builds from a FoilDesign'
+                yield f'{where}: {module} must not include "{name}"; what it needs of a case comes as values'
         elif module not in MAY_USE_FILES and path not in MAY_PRINT and IO_HEADERS.fullmatch(name):
             yield f"{where}: <{name}> belongs to the modules of files, not to {module}"
 

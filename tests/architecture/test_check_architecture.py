@@ -54,6 +54,18 @@ class CheckArchitecture(unittest.TestCase):
         self.write("src/structure/truss.cpp", '#include "bumpfoil/model/case.hpp"\n')
         self.assert_one_fault("src/structure/truss.cpp:1", "bumpfoil/model/case.hpp")
 
+    def test_the_case_stops_at_the_door(self):
+        for module in ("bearing", "motion"):
+            file = f"src/{module}/state.cpp"
+            self.write(file, '#include "bumpfoil/model/geometry.hpp"\n')
+            self.assertEqual(find_faults(self.root), [])
+            for name in ("case", "validation"):
+                self.write(file, f'#include "bumpfoil/model/{name}.hpp"\n')
+                self.assert_one_fault(f"{file}:1", f"{module} must not include", f"bumpfoil/model/{name}.hpp")
+            self.write(file, "")
+        self.write("src/experiments/build.cpp", '#include "bumpfoil/model/case.hpp"\n')
+        self.assertEqual(find_faults(self.root), [])
+
     def test_names_of_tests(self):
         self.write("tests/unit/core/test_vector.cpp", '#include "bumpfoil/core/vector.hpp"\nTEST_P(Vector, Grows) {}\n')
         self.write("tests/CMakeLists.txt", "set(SLOW */Vector.Grows/1\n  Vector.Shrinks)\n")

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bumpfoil/bearing/film_stepper.hpp"
+#include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 

@@ -9,7 +9,9 @@
 #include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/bearing/journal_law.hpp"
 #include "bumpfoil/film/film_integrals.hpp"
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/bearing_design.hpp"
+#include "bumpfoil/model/control.hpp"
+#include "bumpfoil/model/gas_and_asperities.hpp"
 
 namespace bumpfoil {
 

@@ -12,6 +12,7 @@
 #include "bumpfoil/bearing/joint_law.hpp"
 #include "bumpfoil/bearing/journal_law.hpp"
 #include "bumpfoil/film/film_solver.hpp"
+#include "bumpfoil/model/control.hpp"
 
 namespace bumpfoil {
 

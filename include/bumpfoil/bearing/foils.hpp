@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/contact/problem.hpp"
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/bearing_design.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/structure/bump_sheet.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
@@ -211,8 +211,8 @@ Foils on_strips(const Foils& foils, int modes, const JournalOverWidth& journal);
 /// and as a parabola over the width, too. The design must be valid.
 Foils foils_without_journal(const BearingDesign& design);
 
-/// A strip of foils between its plate and the base: flat, without clearance. Both must be valid.
-Foils make_foils(const PadDesign& whole, const StripSettings& strip);
+/// A strip of foils, see make_strip_design(), between its plate and the base, without clearance. All must be valid.
+Foils make_foils(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil);
 
 /// Gaps and loads under an excitation with the journal at `position`:
 ///

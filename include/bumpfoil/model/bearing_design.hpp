@@ -41,6 +41,18 @@ struct RadiusProfile {
   bool operator==(const RadiusProfile&) const = default;
 };
 
+/// How the clearance varies over the width where journal or sleeve is not cylindrical: at zeta = 2 z / L, from -1 to 1,
+/// it is wider than in the middle by conicity zeta / 2 + crowning zeta^2. Foils lie on such a sleeve unstressed, so
+/// that only the difference of both surfaces counts. A plain value.
+struct WidthProfile {
+  double conicity{};  ///< clearance at the side z > 0 less that at the side z < 0, m: of a cone
+  double crowning{};  ///< clearance at both sides less that in the middle, m: of a barrel or a bell-mouthed sleeve
+
+  bool operator==(const WidthProfile&) const = default;
+  /// Of a place, m.
+  [[nodiscard]] double widening(double zeta) const { return (0.5 * conicity + crowning * zeta) * zeta; }
+};
+
 /// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
 struct Bearing {
   /// R, m: of the foils, also used for sleeve and journal. Infinite for a strip between plates without a bearing.
@@ -194,6 +206,12 @@ struct Friction {
   double bump_sleeve{};  ///< between feet and sleeve
 
   bool operator==(const Friction&) const = default;
+};
+
+/// How the foils of a strip are held.
+enum class StripWeld {
+  one_end,  ///< both are clamped before bump 1, as in the bearing
+  none,     ///< both are free at both ends
 };
 
 /// Foils with the bearing that they lie in: those of a pad by itself, or of a bearing that they go all around.

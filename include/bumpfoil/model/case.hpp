@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "bumpfoil/model/bearing_design.hpp"
-#include "bumpfoil/model/gas_preset.hpp"
+#include "bumpfoil/model/control.hpp"
+#include "bumpfoil/model/gas_and_asperities.hpp"
 #include "bumpfoil/model/scatter.hpp"
 #include "bumpfoil/model/settings_by_type.hpp"
 
@@ -36,12 +37,6 @@ struct SolverSettings {
 
   /// The solver that runs the case.
   [[nodiscard]] SolverName chosen() const { return name.value_or(SolverName::newton); }
-};
-
-/// Quantity prescribed for the journal of a bearing, or the plate of a strip.
-enum class Control {
-  displacement,  ///< its displacement, m
-  load,          ///< the applied force, N
 };
 
 /// A displacement (m) of the journal (or plate) from its initial position, or a load (N) on it.
@@ -75,12 +70,6 @@ struct CycleSettings {
   bool operator==(const CycleSettings&) const = default;
 
   [[nodiscard]] bool swings() const { return swing || preload.has_value(); }
-};
-
-/// How the foils of a strip are held.
-enum class StripWeld {
-  one_end,  ///< both are clamped before bump 1, as in the bearing
-  none,     ///< both are free at both ends
 };
 
 /// Cycles of a flat strip of the foils between a rigid base and a rigid plate. Without a preload each goes from zero to
@@ -131,17 +120,6 @@ struct VibrationSettings {
   [[nodiscard]] std::size_t motions() const { return orbits() ? 2 : directions.size(); }
 };
 
-/// The gas of a film: isothermal, ideal.
-struct GasSettings {
-  GasPreset preset{GasPreset::air};   ///< whose viscosity it has at `temperature`, unless that is given
-  double temperature{293.0};          ///< K
-  std::optional<double> viscosity{};  ///< Pa s, in place of the preset's
-  double ambient_pressure{101325.0};  ///< Pa
-  double mean_free_path{};            ///< at ambient pressure, m; 0: no slip at the walls
-
-  bool operator==(const GasSettings&) const = default;
-};
-
 /// Bearing surface that replaces the foils in the command film.
 enum class FilmWall {
   rigid,
@@ -168,18 +146,6 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
-/// How the clearance varies over the width where journal or sleeve is not cylindrical: at zeta = 2 z / L, from -1 to 1,
-/// it is wider than in the middle by conicity zeta / 2 + crowning zeta^2. Foils lie on such a sleeve unstressed, so
-/// that only the difference of both surfaces counts. A plain value.
-struct WidthProfile {
-  double conicity{};  ///< clearance at the side z > 0 less that at the side z < 0, m: of a cone
-  double crowning{};  ///< clearance at both sides less that in the middle, m: of a barrel or a bell-mouthed sleeve
-
-  bool operator==(const WidthProfile&) const = default;
-  /// Of a place, m.
-  [[nodiscard]] double widening(double zeta) const { return (0.5 * conicity + crowning * zeta) * zeta; }
-};
-
 /// How the film of a running bearing and its foils vary over the width.
 struct WidthSettings {
   int modes{1};                        ///< of the displacement of the foils, see make_width_lines(): P_0, P_1, ...
@@ -195,19 +161,6 @@ struct WidthSettings {
     return !moment.empty() || std::any_of(tilt.begin(), tilt.end(), [](double slope) { return slope != 0.0; });
   }
   bool operator==(const WidthSettings&) const = default;
-};
-
-/// Rough surfaces of journal and top foil that touch where the film is thin. The pressure of their peaks is that of
-/// Asperities in film/, by its factor or by what that is made of.
-struct AsperitySettings {
-  double sigma{};                           ///< roughness of both surfaces together, standard deviation, m
-  std::optional<double> pressure_factor{};  ///< K', Pa
-  std::optional<double> density{};          ///< eta, peaks per area, 1/m^2
-  std::optional<double> radius{};           ///< beta, of the peaks, m
-  std::optional<double> modulus{};          ///< E* of both surfaces together, Pa; absent: both are of the top foil's
-  double friction{};                        ///< coefficient of rubbing peaks, as of a coating
-
-  bool operator==(const AsperitySettings&) const = default;
 };
 
 /// Path along which a running bearing reaches its states: there may be several at one speed and load, and the path

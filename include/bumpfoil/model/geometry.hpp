@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/bearing_design.hpp"
 #include "bumpfoil/model/foil_design.hpp"
 
 namespace bumpfoil {
@@ -42,8 +42,8 @@ bool is_formed(const PadDesign& pad);
 /// Foils cut to the first of their bumps.
 PadDesign cut_to(const PadDesign& whole, int bumps);
 
-/// Foils of a strip, flat and cut to its bumps. Both must be valid.
-FoilDesign make_strip_design(const PadDesign& whole, const StripSettings& strip);
+/// Foils of a strip: flat, cut to the first of their bumps, with a top foil or without. All must be valid.
+FoilDesign make_strip_design(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil);
 
 /// Angles of the crests from the weld along the foil, their places over R, rad: theta_i = (i - 1/2) p / R for equal
 /// pitches.

@@ -5,7 +5,7 @@
 
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/bearing/increment.hpp"
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/control.hpp"
 
 namespace bumpfoil {
 

@@ -193,7 +193,7 @@ ResultLayout layout_of_path(const Case& input) {
 
 ResultLayout layout_of_strip(const Case& input) {
   const StripSettings& strip = *input.strip;
-  const FoilDesign foils = make_strip_design(input, strip);
+  const FoilDesign foils = make_strip_design(input, strip.bumps, strip.weld, strip.top_foil);
   const Vector feet = foot_positions(foils);
   ResultLayout layout = layout_of_foils(input.bearing.axial_length, {cut_to(input, strip.bumps).bump_foil});
   layout.cycles = {"cycle", "1", "cycle of the plate", {}};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/model/case.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "bumpfoil/model/case.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -168,17 +170,15 @@ TEST(CrestOffsets, CountFromTheTallestNominalBump) {
 }
 
 TEST(StripFoils, AreFlatAndCutToTheStrip) {
-  Case input = reference_case();
-  input.strip = {.bumps = 4, .weld = StripWeld::none, .top_foil = false, .amplitude = {}};
-  const FoilDesign bare = make_strip_design(input, *input.strip);
+  const Case input = reference_case();
+  const FoilDesign bare = make_strip_design(input, 4, StripWeld::none, false);
   EXPECT_EQ(bare.bumps.size(), 4U);
   EXPECT_FALSE(bare.radius);
   EXPECT_FALSE(bare.welded);
   EXPECT_FALSE(bare.top_foil);
-  input.strip->weld = StripWeld::one_end;
-  input.strip->top_foil = true;
-  EXPECT_TRUE(make_strip_design(input, *input.strip).welded);
-  EXPECT_TRUE(make_strip_design(input, *input.strip).top_foil);
+  const FoilDesign whole = make_strip_design(input, 4, StripWeld::one_end, true);
+  EXPECT_TRUE(whole.welded);
+  EXPECT_TRUE(whole.top_foil);
 }
 
 TEST(CutTo, KeepsTheFirstBumps) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/frame.hpp"
 #include "bumpfoil/structure/identification.hpp"

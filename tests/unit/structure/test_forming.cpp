@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 
@@ -115,8 +116,8 @@ TEST(FormedStructure, ForcesAreDerivativesOfItsEnergy) {
 TEST(FormedStructure, IsLaidFlatInAStrip) {
   Case input = reference_case();
   input.top_foil.formed_radius = {FormedTo::radius, 20e-3};
-  input.strip = {.bumps = 5, .amplitude = {.value = 1e-5}};
-  EXPECT_EQ(make_foil_structure(make_strip_design(input, *input.strip)).forming.cwiseAbs().maxCoeff(), 0.0);
+  const FoilDesign strip = make_strip_design(input, 5, StripWeld::one_end, true);
+  EXPECT_EQ(make_foil_structure(strip).forming.cwiseAbs().maxCoeff(), 0.0);
 }
 
 }  // namespace

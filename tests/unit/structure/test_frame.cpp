@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "core/linear_algebra.hpp"
 #include "structure/planar_frame.hpp"

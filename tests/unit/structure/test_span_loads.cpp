@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {

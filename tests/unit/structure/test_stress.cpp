@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "core/linear_algebra.hpp"
