@@ -33,12 +33,13 @@ ALLOWED = {
 # computes.
 DOORS = {"origin": "src/experiments/build.cpp"}
 
-# Headers that a module must not include, though it may include their module. The case stops at the door of experiments:
-# what lies below takes geometry, materials and settings as values of their own. Structure takes a FoilDesign, whatever
-# form a design of the bearing gives the foils.
+# Headers that a module must not include, not through others either, though it may include their module. The case stops
+# at the door of experiments: what lies below takes geometry, materials and settings as values of their own. Structure
+# takes a FoilDesign, whatever form a design of the bearing gives the foils.
 CASE_HEADERS = {f"bumpfoil/model/{name}.hpp" for name in ("case", "validation")}
 FOREIGN_HEADERS = {
-    **dict.fromkeys(("bearing", "contact", "film", "motion", "rotor"), CASE_HEADERS),
+    "bearing": CASE_HEADERS,
+    "motion": CASE_HEADERS,
     "structure": CASE_HEADERS | {"bumpfoil/model/geometry.hpp"},
 }
 
@@ -96,10 +97,35 @@ def check_includes(path, module, text):
                 yield f'{where}: include "{name}" names no module; write "bumpfoil/<module>/<header>"'
             elif target != module and target not in ALLOWED[module] and path != DOORS.get(target):
                 yield f'{where}: {module} must not include {target} ("{name}")'
-            elif name in FOREIGN_HEADERS.get(module, ()):
-                yield f'{where}: {module} must not include "{name}"; what it needs of a case comes as values'
         elif module not in MAY_USE_FILES and path not in MAY_PRINT and IO_HEADERS.fullmatch(name):
             yield f"{where}: <{name}> belongs to the modules of files, not to {module}"
+
+
+def check_foreign_headers(root):
+    """Follows includes to the headers that a module must not see."""
+    headers = {}
+    for base in ("include", "src"):
+        for file in (root / base).rglob("*.hpp"):
+            text = file.read_text(encoding="utf-8")
+            headers[file.relative_to(root / base).as_posix()] = [match.group(2) for match in INCLUDE.finditer(text)]
+    for module, foreign in FOREIGN_HEADERS.items():
+        for base in ("include/bumpfoil", "src"):
+            for file in sorted((root / base / module).rglob("*.[ch]pp")):
+                path = file.relative_to(root).as_posix()
+                text = file.read_text(encoding="utf-8")
+                for match in INCLUDE.finditer(text):
+                    seen, ahead = set(), [match.group(2)]
+                    while ahead:
+                        name = ahead.pop()
+                        if name not in seen:
+                            seen.add(name)
+                            ahead += headers.get(name, ())
+                    for name in sorted(seen & foreign):
+                        through = "" if name == match.group(2) else f' through "{match.group(2)}"'
+                        yield (
+                            f'{path}:{line_of(text, match.start())}: {module} must not include "{name}"{through}; '
+                            "what it needs of a case comes as values"
+                        )
 
 
 def check_private_headers(root):
@@ -198,6 +224,7 @@ def check_named_tests(root):
 def find_faults(root):
     return [
         *check_sources(root),
+        *check_foreign_headers(root),
         *check_private_headers(root),
         *check_doors(root),
         *check_programs(root),

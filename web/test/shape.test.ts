@@ -127,7 +127,7 @@ describe('shape', () => {
     const geometry = new BearingGeometry(one);
     // With the defaults C_r + x cos(theta) - y sin(theta).
     expect(undeformedGap(geometry, geometry.pads[0]!, 2e-3, one.cycles[0]!, 0)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
-    expect(shapeOf(2).pads[0]!.mover[0]!.moveIn).toBeCloseTo(30e-6, 10);
+    expect(shapeOf(2).pads[0]!.journal[0]!.moveIn).toBeCloseTo(30e-6, 10);
   });
 
   /** Of one bump each: the second is welded at its far edge, runs against the first, and has a lobe. */

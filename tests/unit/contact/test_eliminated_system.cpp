@@ -47,20 +47,33 @@ TEST(EliminationOrder, GoesBlockByBlockThroughWhatEachHas) {
   EXPECT_EQ(order[2].site, 2U);
 }
 
-TEST(Stiffness, MultipliesAndCopiesRows) {
-  const BlockTridiagonal K = make_random_problem(1, 4, 6, 0.0).problem.K;
-  const Stiffness<6> fixed(K);
+template <int B>
+void expect_products_and_rows(const BlockTridiagonal& K) {
+  const Stiffness<B> blocks(K);
+  const Matrix dense = K.dense();
+  const Eigen::Index n = K.block_size();
   const Vector x = Vector::LinSpaced(K.rows(), -1.0, 2.0);
   Vector y(K.rows());
-  fixed.multiply(x, y);
-  EXPECT_LT((y - K.multiply(x)).cwiseAbs().maxCoeff(), 1e-14 * y.cwiseAbs().maxCoeff());
-  Stiffness<6>::Rows rows;
-  fixed.copy_rows(1, rows);
-  EXPECT_LT((rows * x.head(18) - y.segment(6, 6)).cwiseAbs().maxCoeff(), 1e-14 * y.cwiseAbs().maxCoeff());
-  fixed.copy_rows(0, rows);
-  EXPECT_EQ(rows.leftCols(6).norm(), 0.0);
-  fixed.copy_rows(3, rows);
-  EXPECT_EQ(rows.rightCols(6).norm(), 0.0);
+  blocks.multiply(x, y);
+  EXPECT_LT((y - dense * x).cwiseAbs().maxCoeff(), 1e-14 * y.cwiseAbs().maxCoeff());
+  typename Stiffness<B>::Rows rows(n, 3 * n);
+  Matrix between = Matrix::Zero(K.rows(), K.rows() + 2 * n);  // a block of zeros at either side
+  between.middleCols(n, K.rows()) = dense;
+  for (Eigen::Index b = 0; b < K.blocks(); ++b) {
+    blocks.copy_rows(static_cast<std::size_t>(b), rows);
+    EXPECT_EQ(Matrix(rows), Matrix(between.block(b * n, b * n, n, 3 * n))) << b;
+  }
+}
+
+TEST(Stiffness, MultipliesAndCopiesRows) {
+  BlockTridiagonal K = make_random_problem(1, 4, 6, 0.0).problem.K;
+  for (const bool symmetric : {true, false}) {
+    if (!symmetric) {
+      for (const Matrix& block : K.upper) K.lower.emplace_back(2.0 * block);
+    }
+    expect_products_and_rows<6>(K);
+    expect_products_and_rows<Eigen::Dynamic>(K);
+  }
 }
 
 TEST(IsFrictionless, WithoutCoefficientOrDirection) {

@@ -200,6 +200,21 @@ TEST_F(MachineMarch, EndsAsItsObserverSays) {
   }
 }
 
+/// A push that throws the journal through the foils.
+TEST_F(MachineMarch, ShowsAStepThatFailedAtItsStart) {
+  MachineState state = start();
+  const Eigen::VectorXd y = state.rotor.y;
+  MachineStep step;
+  const auto push = [](const RotorInstant&) -> Eigen::VectorXd { return Eigen::Vector2d(1e7, 0.0); };
+  EXPECT_FALSE(march(machine_, equal_steps(2, step_), push, state, step, [&](const MachineStep& at) {
+    EXPECT_TRUE(at.report.status == Status::not_converged || at.report.status == Status::touchdown);
+    EXPECT_EQ(at.state.time, 0.0);
+    EXPECT_EQ(at.state.rotor.y, y);
+    return Verdict::refuse;
+  }));
+  EXPECT_EQ(state.rotor.y, y);
+}
+
 TEST_F(MachineMarch, MayTryAShorterStep) {
   MachineState state = start();
   MachineStep step;

@@ -195,7 +195,7 @@ export class BearingPanels {
     const own = this.geometry.twoFeet ? feet : [bump];
     return [
       `Bump ${run.numberOf('bump', bump)}: load ${force('normal_force_top_bump', bump)}, friction ${force('friction_force_top_bump', bump)}, ${state('top_bump', bump)}`,
-      ...(this.geometry.topFoil ? [`${run.kind.mover} ${force('normal_force_journal_top', bump)}`] : []),
+      ...(this.geometry.topFoil ? [`${run.kind.journal} ${force('normal_force_journal_top', bump)}`] : []),
       `crest ${length('crest_v')} outwards, ${length('crest_u')} along`,
       ...own.map((foot) => `foot ${run.numberOf('foot', foot)} ${force('normal_force_bump_sleeve', foot)}, ${state('bump_sleeve', foot)}`),
     ].join(' · ');

@@ -22,14 +22,14 @@ import { spaceView } from './space';
 function drawnPanel(
   states: States,
   selection: GridSelection,
-  contents: { title: string; what: string; told: () => string; legend: () => LegendEntry[]; csv: () => string; draw: (root: SVGSVGElement, current: Look, shown: number) => void },
+  contents: { title: string; what: string; caption: () => string; legend: () => LegendEntry[]; csv: () => string; draw: (root: SVGSVGElement, current: Look, shown: number) => void },
 ): HTMLElement {
   const root = svg('svg', { class: 'round', role: 'img' });
   const where = (): string => selection.textAt(selection.place);
   const panel = new Panel(
     {
       title: contents.title,
-      subject: () => [contents.told(), where(), states.label].filter((words) => words !== '').join(' · '),
+      subject: () => [contents.caption(), where(), states.label].filter((words) => words !== '').join(' · '),
       legend: contents.legend,
       file: () => fileName(contents.what, states.label, where()),
       drawing: () => root,
@@ -40,7 +40,7 @@ function drawnPanel(
   const draw = (): void => {
     contents.draw(root, look(), Math.min(root.clientWidth, root.clientHeight));
     panel.refresh();
-    root.setAttribute('aria-label', `${contents.title}: ${contents.told()}; ${where()}`);
+    root.setAttribute('aria-label', `${contents.title}: ${contents.caption()}; ${where()}`);
   };
   selection.onChange(draw);
   onLookChange(draw);
@@ -87,7 +87,7 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
     drawnPanel(states, selection, {
       title: 'Bearing in operation',
       what: 'bearing',
-      told: () => {
+      caption: () => {
         const { place } = selection;
         if (!states.isFound(place)) return 'no state found';
         const [x, y] = ['x', 'y'].map((name) => formatQuantity(states.numberAt(name, place), 'm', 3));
@@ -140,7 +140,7 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
   return drawnPanel(states, selection, {
     title: 'Film around the journal',
     what: 'film-polar',
-    told: () =>
+    caption: () =>
       states.isFound(selection.place)
         ? `gauge pressure in the mid-plane up to ${formatQuantity(Math.max(...pressure()), 'Pa')}; film up to ${formatQuantity(largest(film()), 'm')} thick`
         : 'no state found',

@@ -25,7 +25,7 @@ export interface PadShape {
   /** Empty where there is none. */
   topFoil: ShapePoint[];
   /** Of the journal, or of the plate. */
-  mover: ShapePoint[];
+  journal: ShapePoint[];
   /** Of the sleeve, or of the base. */
   ground: ShapePoint[];
 }
@@ -153,7 +153,7 @@ export function undeformedGap(geometry: BearingGeometry, pad: Pad, along: number
   return geometry.clearance - geometry.lobeAt(pad, along) - (cycle.value('x', index) * Math.cos(phi) + cycle.value('y', index) * Math.sin(phi));
 }
 
-function mover(geometry: BearingGeometry, pad: Pad, cycle: Cycle, index: number): ShapePoint[] {
+function journal(geometry: BearingGeometry, pad: Pad, cycle: Cycle, index: number): ShapePoint[] {
   const pieces = 120;
   return Array.from({ length: pieces + 1 }, (_, i) => {
     const along = (pad.length * i) / pieces;
@@ -186,7 +186,7 @@ export function shapeAt(geometry: BearingGeometry, cycle: Cycle, index: number):
     pads: geometry.pads.map((pad) => ({
       bumpFoil: bumpFoil(geometry, pad, cycle, index),
       topFoil: geometry.topFoil ? topFoil(geometry, pad, topNodes.filter((node) => node.pad === pad)) : [],
-      mover: mover(geometry, pad, cycle, index),
+      journal: journal(geometry, pad, cycle, index),
       ground: ground(geometry, pad),
     })),
     topNodes,

@@ -118,8 +118,8 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
   root.setAttribute('viewBox', `0 0 ${width} ${height}`);
   root.replaceChildren(
     ...highlight(scene, layout, current),
-    svg('path', { d: body('mover', 2 * foilGap, 0), fill: current.journal }),
-    svg('path', { d: stroke('mover', 2 * foilGap), fill: 'none', stroke: current.line, 'stroke-width': 1.2 }),
+    svg('path', { d: body('journal', 2 * foilGap, 0), fill: current.journal }),
+    svg('path', { d: stroke('journal', 2 * foilGap), fill: 'none', stroke: current.line, 'stroke-width': 1.2 }),
     svg('path', { d: body('ground', -foilGap / 2, height - 22), fill: current.grid }),
     svg('path', { d: stroke('ground', -foilGap / 2), fill: 'none', stroke: current.sleeve, 'stroke-width': 1.4 }),
     ...shims(scene, layout, current),
@@ -136,16 +136,16 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
 
 /** The foils are named at their free end. */
 function names({ shape, geometry }: Scene, layout: UnwrappedLayout): PartName[] {
-  const { mover, ground } = geometry.run.kind;
+  const { journal, ground } = geometry.run.kind;
   const aside = layout.width - room + 8;
   const last = at(shape.pads, shape.pads.length - 1);
   const bump = layout.place(lastOf(last.bumpFoil));
-  const top = layout.place(lastOf(geometry.topFoil ? last.topFoil : last.mover), foilGap);
+  const top = layout.place(lastOf(geometry.topFoil ? last.topFoil : last.journal), foilGap);
   const topName = Math.min(Math.max(top.y - 14, 30), bump.y - 26);
   const foil = (content: string, level: number, inner: Place, to: Place): PartName =>
     layout.roomy ? { content, at: { x: aside, y: level }, to } : { content, at: inner, to, anchor: 'end' };
   return [
-    { content: mover, at: { x: layout.left + 10, y: 18 } },
+    { content: journal, at: { x: layout.left + 10, y: 18 } },
     { content: ground, at: { x: layout.right - 10, y: height - 28 }, anchor: 'end' },
     foil('bump foil', bump.y - 6, { x: layout.right - 64, y: height - 28 }, bump),
     ...(geometry.topFoil ? [foil('top foil', topName, { x: layout.right - 10, y: 18 }, top)] : []),
@@ -221,7 +221,7 @@ function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGE
     const tip = layout.place(crest, foilGap);
     const tail = layout.place(crest, -4);
     const load = normal('top_bump', bump);
-    // Where nothing lies between, it is the mover that presses.
+    // Where nothing lies between, it is the journal that presses.
     if (shape.topNodes.length === 0) normals += arrowPath({ x: tip.x, y: tip.y - load }, tip);
     else normals += arrowPath(tail, { x: tail.x, y: tail.y + load });
     frictions += arrowPath(tail, { x: tail.x + along('top_bump', bump), y: tail.y });

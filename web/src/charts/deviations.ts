@@ -66,7 +66,7 @@ export function deviationChart(bearings: ComparedBearings, all: Result[]): HTMLE
   let lines: Line[] = [];
   const known = (values: number[]): number[] => values.filter(Number.isFinite);
   const angle = (i: number): number => (360 * i) / (at(lines, 0).values.length - 1);
-  const told = ({ text, values }: Line): string => {
+  const caption = ({ text, values }: Line): string => {
     const [least, most] = [Math.min(...known(values)), Math.max(...known(values))];
     return `${text} ${formatQuantity(least, 'm', 3)} to ${formatQuantity(most, 'm', 3)}`;
   };
@@ -97,7 +97,7 @@ export function deviationChart(bearings: ComparedBearings, all: Result[]): HTMLE
   const panel = new ChartPanel({
     title: 'Sleeve and journal, out of round',
     note: `Radial deviations from nominal${scattered ? ', as in the case: single bearings may have other waves' : ''}. Drawings of the bearing show round parts.`,
-    subject: () => [...lines.map(told), bearings.names].join(' · '),
+    subject: () => [...lines.map(caption), bearings.names].join(' · '),
     legend: () =>
       lines.map(({ text, colour, dash }) => ({
         width: 30,
@@ -106,7 +106,7 @@ export function deviationChart(bearings: ComparedBearings, all: Result[]): HTMLE
       })),
     file: () => fileName('deviations', bearings.names),
     csv: () => toCsv(['phi_deg', ...lines.map(({ key }) => `${key}_deviation_m`)], at(lines, 0).values.map((_, i) => [angle(i), ...lines.map(({ values }) => values[i])])),
-    description: () => `Radial deviation against the angle: ${lines.map(told).join('; ')}`,
+    description: () => `Radial deviation against the angle: ${lines.map(caption).join('; ')}`,
     option,
   });
   const show = (): void => {

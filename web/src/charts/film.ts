@@ -15,16 +15,16 @@ import { ChartPanel, type ChartPanelContents } from './chart_panel';
 import { colourBar, rangeText } from './colour_bar';
 
 /** What a chart of a state has of its own. */
-type Contents = Pick<ChartPanelContents, 'title' | 'note' | 'legend' | 'csv' | 'option' | 'height' | 'fills'> & { what: string; told: () => string };
+type Contents = Pick<ChartPanelContents, 'title' | 'note' | 'legend' | 'csv' | 'option' | 'height' | 'fills'> & { what: string; caption: () => string };
 
 /** Follows the state that the reader looks at. */
-function statePanel(states: States, selection: GridSelection, { what, told, ...contents }: Contents): HTMLElement {
+function statePanel(states: States, selection: GridSelection, { what, caption, ...contents }: Contents): HTMLElement {
   const where = (): string => selection.textAt(selection.place);
   const panel = new ChartPanel({
     ...contents,
-    subject: () => [told(), where(), states.label].filter((text) => text !== '').join(' · '),
+    subject: () => [caption(), where(), states.label].filter((text) => text !== '').join(' · '),
     file: () => fileName(what, states.label, where()),
-    description: () => `${typeof contents.title === 'string' ? contents.title : contents.title()}: ${told()}; ${where()}`,
+    description: () => `${typeof contents.title === 'string' ? contents.title : contents.title()}: ${caption()}; ${where()}`,
   });
   selection.onChange(() => panel.refresh());
   return panel.root;
@@ -71,7 +71,7 @@ interface Field {
   title: string;
   /** What its file is called. */
   what: string;
-  told: (range: Range) => string;
+  caption: (range: Range) => string;
   /** A value that stands out on the scale of colours. */
   mark?: () => { value: number; text: string };
   tips: (value: number) => [string, string][];
@@ -85,7 +85,7 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
     unit: 'Pa',
     title: 'Pressure',
     what: 'pressure',
-    told: (range) => `${rangeText(range, 'Pa')}, ambient ${formatQuantity(ambient(), 'Pa')}`,
+    caption: (range) => `${rangeText(range, 'Pa')}, ambient ${formatQuantity(ambient(), 'Pa')}`,
     mark: () => ({ value: ambient(), text: 'ambient' }),
     tips: (value) => [['Gauge pressure', formatQuantity(value - ambient(), 'Pa', 3)]],
   });
@@ -94,19 +94,19 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
 /** Film thickness at every node, where it is not the same over the width. */
 export function thicknessMap(states: States, selection: GridSelection): HTMLElement[] {
   if (!states.variable('film_thickness')?.has('row')) return [];
-  const told = (range: Range): string => {
+  const caption = (range: Range): string => {
     const z = states.numberAt('h_min_z', selection.place);
     const place = Number.isFinite(z) ? `, thinnest ${formatQuantity(z, 'm', 3)} from the mid-plane` : '';
     return `${rangeText(range, 'm')}${place}`;
   };
-  return [filmMap(states, selection, { name: 'film_thickness', unit: 'm', title: 'Film thickness', what: 'film-thickness-map', told, tips: () => [] })];
+  return [filmMap(states, selection, { name: 'film_thickness', unit: 'm', title: 'Film thickness', what: 'film-thickness-map', caption, tips: () => [] })];
 }
 
 /** What the peaks of rough surfaces press with at every node, where it is not the same over the width. */
 export function asperityMap(states: States, selection: GridSelection): HTMLElement[] {
   if (!states.variable('asperity_pressure')?.has('row')) return [];
-  const told = (range: Range): string => rangeText(range, 'Pa');
-  return [filmMap(states, selection, { name: 'asperity_pressure', unit: 'Pa', title: 'Pressure of asperities', what: 'asperity-pressure-map', told, tips: () => [] })];
+  const caption = (range: Range): string => rangeText(range, 'Pa');
+  return [filmMap(states, selection, { name: 'asperity_pressure', unit: 'Pa', title: 'Pressure of asperities', what: 'asperity-pressure-map', caption, tips: () => [] })];
 }
 
 /** A field over the unwrapped foil and its whole width. */
@@ -183,7 +183,7 @@ function filmMap(states: States, selection: GridSelection, field: Field): HTMLEl
   return statePanel(states, selection, {
     title: `${field.title} over the unwrapped ${states.pads === 1 ? 'foil' : 'pads'}`,
     what: field.what,
-    told: () => (states.isFound(selection.place) ? field.told(range()) : unknown),
+    caption: () => (states.isFound(selection.place) ? field.caption(range()) : unknown),
     legend: () => [
       ...(states.isFound(selection.place) ? [colourBar(range(), field.unit, field.mark?.())] : []),
     ],
@@ -224,7 +224,7 @@ export function thicknessChart(states: States, selection: GridSelection, before:
   return statePanel(states, selection, {
     title: lines.length > 1 ? 'Film thickness and sag of the top foil' : 'Film thickness',
     what: 'film-thickness',
-    told: () =>
+    caption: () =>
       states.isFound(selection.place)
         ? `minimum ${formatQuantity(states.numberAt('h_min', selection.place), 'm')} at ${whereText(states.numberAt('h_min_theta', selection.place), at(states.padColumns, (states.pads > 1 ? states.numberAt('h_min_pad', selection.place) : 1) - 1))}`
         : unknown,
@@ -294,7 +294,7 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
     title: 'Bump loads',
     what: 'bump-loads',
     fills: true,
-    told: () =>
+    caption: () =>
       states.isFound(selection.place)
         ? `maximum ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; detached from ${lifted()} of ${loads().length} bumps${atInlet()}`
         : unknown,

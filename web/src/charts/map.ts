@@ -114,7 +114,7 @@ export function mapPanel(measures: Measure[], first: Measure, [across, up]: [Coo
   const range = (): Range => rangeOf(known());
   // Without the noise of single precision, which would give the ends ticks of their own.
   const numbers = (one: Coordinate): number[] => (one.numbers ?? []).map((number) => Number((number * axisScale(one).factor).toPrecision(6)));
-  const told = (): string => (known().length === 0 ? 'not known' : rangeText(range(), measure.unit));
+  const caption = (): string => (known().length === 0 ? 'not known' : rangeText(range(), measure.unit));
   const fixed = (): string => selection.textAt(selection.place, across, up);
   const heightOf = (width: number): number => Math.max(230, Math.min(0.72 * width, 420));
   /** A long title has two lines. */
@@ -198,7 +198,7 @@ export function mapPanel(measures: Measure[], first: Measure, [across, up]: [Coo
     title: () => `Map of ${measure.text.charAt(0).toLowerCase()}${measure.text.slice(1)}`,
     note: 'Click a point to select it.',
     controls: measures.length > 1 ? [chooser()] : [],
-    subject: () => [told(), limit.text === '' ? '' : `feasible where ${limit.text}`, fixed(), label].filter((text) => text !== '').join(' · '),
+    subject: () => [caption(), limit.text === '' ? '' : `feasible where ${limit.text}`, fixed(), label].filter((text) => text !== '').join(' · '),
     legend: () => [
       ...(known().length > 0 ? [colourBar(range(), measure.unit)] : []),
       ...(known().length < across.texts.length * up.texts.length ? [{ width: 12, draw: (current: Look) => [svg('path', { d: 'M2 2L10 10M2 10L10 2', stroke: current.friction, 'stroke-width': 2 })], text: 'not known' }] : []),
@@ -206,7 +206,7 @@ export function mapPanel(measures: Measure[], first: Measure, [across, up]: [Coo
     ],
     file: () => fileName('map', measure.text, label),
     csv: () => toCsv([columnNameOf(across), columnNameOf(up), part().key], up.texts.flatMap((_, j) => across.texts.map((__, i) => [across.numbers?.[i] ?? i, up.numbers?.[j] ?? j, part().value(placeOf(i, j))]))),
-    description: () => `${measure.text} over ${across.title} and ${up.title}: ${told()}; ${fixed()}`,
+    description: () => `${measure.text} over ${across.title} and ${up.title}: ${caption()}; ${fixed()}`,
     height: heightOf,
     option,
     ready: (chart, instance) =>

@@ -70,7 +70,7 @@ export function marchedOrbits(run: TimeRun, selection: GridSelection): HTMLEleme
     const { revolution } = run.orbit(orbit);
     return revolution <= run.summary.revolutions ? `revolution ${revolution} of ${run.summary.revolutions}` : `revolution ${revolution}, not completed`;
   };
-  const told = (view: OrbitView): string => {
+  const caption = (view: OrbitView): string => {
     const speed = speedText(Math.abs(run.numberAt('speed', { step: run.orbit(orbit).first + run.orbit(orbit).steps - 1 })));
     return [revolutionWords(), speed, ...(view === 'clearance' ? [`clearance ${formatQuantity(run.clearance, 'm')}`] : [])].join(', ');
   };
@@ -89,7 +89,7 @@ export function marchedOrbits(run: TimeRun, selection: GridSelection): HTMLEleme
     clearance: run.clearance,
     stations,
     several: order.length > 1,
-    told,
+    caption,
     label: run.label,
     extent: (view) => extents[view],
     legend: (view) => [orbitEntry(shown, 'this revolution'), ...before.slice(0, last).map((one, i) => orbitEntry(one, i === 0 ? 'the one before' : 'two before')), journalEntry, ...(view === 'clearance' && run.numbers.length > 1 ? [orbitEntry(means, 'mean position of all revolutions')] : [])],

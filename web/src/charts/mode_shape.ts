@@ -51,7 +51,7 @@ export function modeShape(whirls: Whirls, selection: GridSelection): HTMLElement
   const found = (): boolean => Number.isFinite(whirls.growthRateAt(selection.place));
   const where = (): string =>
     [whirls.motion, whirls.contacts, whirls.speed].map((one) => one.texts[selection.index(one)] ?? '').filter((words) => words !== '').join(', ');
-  const told = (): string => {
+  const caption = (): string => {
     const { place } = selection;
     if (!found()) return whirls.shortfallAt(place) || 'no such motion there';
     const of = whirls.numberAt('of_foils', place) === 1 ? 'foils' : 'rotor';
@@ -61,7 +61,7 @@ export function modeShape(whirls: Whirls, selection: GridSelection): HTMLElement
     {
       title: 'Mode shape',
       note: 'Orbits in one turn without growth, from the dot to the arrow.',
-      subject: () => [told(), where(), whirls.label].join(' · '),
+      subject: () => [caption(), where(), whirls.label].join(' · '),
       file: () => fileName('mode-shape', whirls.label, where()),
       drawing: () => root,
       csv: () =>
@@ -80,7 +80,7 @@ export function modeShape(whirls: Whirls, selection: GridSelection): HTMLElement
     root.setAttribute('viewBox', `0 0 ${width} ${Math.ceil(stations.length / columns) * cell}`);
     root.replaceChildren(...stations.flatMap((station, i) => stationDrawing(station, { x: left + ((i % columns) + 0.5) * cell, y: (Math.floor(i / columns) + 0.5) * cell }, stations.length > 1, found(), look())));
     panel.refresh();
-    root.setAttribute('aria-label', `Mode shape: ${told()}; ${where()}`);
+    root.setAttribute('aria-label', `Mode shape: ${caption()}; ${where()}`);
   };
   selection.onChange(draw);
   onLookChange(draw);

@@ -46,7 +46,7 @@ export interface OrbitContents extends Pick<PanelContents, 'note' | 'file' | 'cs
   /** Whether the rotor has several stations, be they shown or not. */
   several: boolean;
   /** What is shown, such as the speed. */
-  told: (view: OrbitView) => string;
+  caption: (view: OrbitView) => string;
   label: string;
   legend: (view: OrbitView) => LegendEntry[];
   /** Of the orbits that are enlarged, about their centres, m; those drawn where it is not given. */
@@ -104,7 +104,7 @@ export class OrbitPanel {
         title: 'Orbits',
         ...(note === undefined ? {} : { note }),
         controls: hasClearance ? [chooser] : [],
-        subject: () => `${contents.told(this.view)} · ${contents.label}`,
+        subject: () => `${contents.caption(this.view)} · ${contents.label}`,
         legend: () => legend(this.view),
         file,
         drawing: () => this.drawing,
@@ -137,7 +137,7 @@ export class OrbitPanel {
     );
     this.move();
     this.panel.refresh();
-    this.drawing.setAttribute('aria-label', `Orbits ${view === 'clearance' ? 'in the clearance' : 'enlarged'}: ${contents.told(view)}`);
+    this.drawing.setAttribute('aria-label', `Orbits ${view === 'clearance' ? 'in the clearance' : 'enlarged'}: ${contents.caption(view)}`);
   }
 
   move(): void {

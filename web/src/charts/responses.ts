@@ -356,12 +356,12 @@ export function responseCharts(responses: Responses, selection: GridSelection): 
 /** Whether orbits last. */
 function multiplierDiagram(responses: Responses, across: string, over: (values: number[]) => Point[]): ResponseDiagram {
   const multipliers = responses.places.map((place) => responses.numberAt('largest_multiplier', place));
-  const told = responses.places.map((place) => responses.lastingAt(place)).filter((text) => text !== '');
-  const lasting = told.filter((text) => text === 'lasts').length;
+  const verdicts = responses.places.map((place) => responses.lastingAt(place)).filter((text) => text !== '');
+  const lasting = verdicts.filter((text) => text === 'lasts').length;
   const rpm = responses.places.map((place) => responses.revolutionsAt(place));
   return {
     title: 'Floquet multipliers',
-    subject: () => `${lasting} of ${told.length} periodic orbits last`,
+    subject: () => `${lasting} of ${verdicts.length} periodic orbits last`,
     note: 'The largest multiplier found by the search: below 1 the rotor stays on the orbit, above 1 it leaves it and whirls.',
     across,
     upwards: () => 'Largest Floquet multiplier',

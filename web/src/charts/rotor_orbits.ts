@@ -50,7 +50,7 @@ export function rotorOrbits(responses: Responses, selection: GridSelection): HTM
     clearance,
     stations,
     several: responses.stations.length > 1,
-    told: (view) => {
+    caption: (view) => {
       const lasting = responses.lastingAt(place());
       const round = view === 'clearance' ? [`clearance ${formatQuantity(clearance, 'm')}`] : [];
       return responses.shortfallAt(place()) || [speedWords(), ...round, ...(lasting === '' ? [] : [`the periodic orbit ${lasting}`])].join(', ');

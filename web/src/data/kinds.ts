@@ -7,7 +7,7 @@ export interface Kind {
   /** What its cycles are: the title of a list of them, the column of files, the name of each. */
   cycles: { title: string; column: string; name: (key: number) => string };
   /** What is pushed into the foils, and what they rest on. */
-  mover: string;
+  journal: string;
   ground: string;
   force: string;
   /** Not round: there is no axis to look along. */
@@ -26,7 +26,7 @@ export const kinds: Record<string, Kind> = {
     name: 'bearing',
     title: 'Loops and bearing',
     cycles: { title: 'Direction', column: 'direction_deg', name: directionName },
-    mover: 'journal',
+    journal: 'journal',
     ground: 'sleeve',
     force: 'Direct force',
     flat: false,
@@ -35,7 +35,7 @@ export const kinds: Record<string, Kind> = {
     name: 'strip',
     title: 'Loops and strip',
     cycles: { title: 'Cycle', column: 'cycle', name: (number) => `Cycle ${number}` },
-    mover: 'plate',
+    journal: 'plate',
     ground: 'base',
     force: 'Load',
     flat: true,
@@ -44,7 +44,7 @@ export const kinds: Record<string, Kind> = {
     name: 'running bearing',
     title: 'Running bearing',
     cycles: { title: 'State', column: 'state', name: () => 'in operation' },
-    mover: 'journal',
+    journal: 'journal',
     ground: 'sleeve',
     force: 'Force',
     flat: false,

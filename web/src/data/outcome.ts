@@ -41,10 +41,10 @@ export function partialWarning({ outcome }: Result): string[] {
 
 /** Warnings of results that are not cycles: their files have them. */
 export function gridWarnings(result: Result<GridData>): string[] {
-  const told = [result.attribute('status_message'), ...result.attribute('warnings').split('\n')];
+  const messages = [result.attribute('status_message'), ...result.attribute('warnings').split('\n')];
   const { left_out: leftOut } = result.data;
   const missing = leftOut.length === 0 ? [] : [`Too large for a report, and left out: ${leftOut.join(', ')}.`];
-  return [...partialWarning(result), ...told.filter((text) => text !== '').map((text) => `${text}.`), ...missing];
+  return [...partialWarning(result), ...messages.filter((text) => text !== '').map((text) => `${text}.`), ...missing];
 }
 
 /** Warnings of a run: each once, with the cycles that it concerns. */

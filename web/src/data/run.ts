@@ -36,7 +36,7 @@ export class Field<Values extends ArrayLike<number>> {
   }
 }
 
-/** Several increments in which the mover goes one way. */
+/** Several increments in which the journal goes one way. */
 export interface Branch {
   loading: boolean;
   /** With the last one of the branch before, so that curves hang together. */
@@ -56,7 +56,7 @@ export class Cycle {
   constructor(
     private readonly data: CycleData,
     private readonly nodes: RunData['nodes'],
-    /** Number of the last increment that was asked for. */
+    /** Number of the last increment that was requested. */
     readonly lastIncrement: number,
     readonly name: string,
     /** Absent if the cycle was never begun. */
@@ -83,7 +83,7 @@ export class Cycle {
     return this.flagsOf('branch')[index] === 0;
   }
 
-  /** Where the mover turns. */
+  /** Where the journal turns. */
   branches(): Branch[] {
     const branches: Branch[] = [];
     this.increments.forEach((_, index) => {
@@ -114,7 +114,7 @@ export class Cycle {
     return this.data.series[name] !== undefined;
   }
 
-  /** Way of the mover up to an increment: it grows on after turning points, where the displacement goes back. */
+  /** Distance that the journal has moved up to an increment: it grows on after turning points, where the displacement goes back. */
   path(index: number): number {
     if (this.way.length === 0) {
       const displacement = this.values('displacement');
@@ -187,16 +187,16 @@ export class Run extends Result<RunData> {
     return this.data.measured === true;
   }
 
-  /** From the mover outwards; where it presses on the bumps themselves, without a top foil. */
+  /** From the journal outwards; where it presses on the bumps themselves, without a top foil. */
   get interfaces(): Interface[] {
-    const { mover, ground } = this.kind;
+    const { journal, ground } = this.kind;
     const withTopFoil = this.cycles.some((cycle) => (cycle.states('journal_top').values[0] ?? -1) >= 0);
     const upper: Interface[] = withTopFoil
       ? [
-          { name: 'journal_top', title: `${capital(mover)} on top foil`, node: 'bump' },
+          { name: 'journal_top', title: `${capital(journal)} on top foil`, node: 'bump' },
           { name: 'top_bump', title: 'Top foil on bumps', node: 'bump' },
         ]
-      : [{ name: 'top_bump', title: `${capital(mover)} on bumps`, node: 'bump' }];
+      : [{ name: 'top_bump', title: `${capital(journal)} on bumps`, node: 'bump' }];
     return [...upper, { name: 'bump_sleeve', title: `Feet on ${ground}`, node: 'foot' }];
   }
 

@@ -29,7 +29,7 @@ export function speedText(radiansPerSecond: number): string {
 /** What states are told apart by. */
 interface Points {
   speed: Coordinate;
-  /** The loads or the positions that were asked for. */
+  /** The loads or the positions that were requested. */
   journal: Coordinate;
   path: Coordinate;
   /** State of each combination of their values. */
@@ -85,12 +85,12 @@ export class States extends Grid {
     return this.points.speed;
   }
 
-  /** The loads or the positions that were asked for. */
+  /** The loads or the positions that were requested. */
   get journal(): Coordinate {
     return this.points.journal;
   }
 
-  /** Lift-off speeds and load capacities; none where they were not asked for. */
+  /** Lift-off speeds and load capacities; none where they were not requested. */
   get limits(): LimitData[] {
     return (this.data.summary as StatesSummary).limits ?? [];
   }

@@ -18,13 +18,13 @@ const journalRatios = [0.25, 0.5, 1, 1.5, 2, 3];
 /** So many speeds or loads of the case make a curve of their own. */
 const fewest = 3;
 
-/** What the bearing is asked for to be drawn over one of them: `speeds`, and `loads` or `positions`. */
+/** What results are drawn over: `speeds`, and `loads` or `positions`. */
 export interface Line {
   over: 'speed' | 'journal';
   points: { speeds: number[]; loads?: [number, number][]; positions?: [number, number][] };
 }
 
-/** With one that is asked for among them, rising. */
+/** With one that is requested among them, rising. */
 function withOne(numbers: number[], one: number): number[] {
   const others = numbers.filter((number) => Math.abs(number - one) > 1e-9 * Math.abs(one));
   return [...others, one].sort((a, b) => Math.abs(a) - Math.abs(b));

@@ -6,12 +6,12 @@ import { SpreadCharts } from './spread';
 import { isSeen } from './tabs';
 
 const bearings = 100;
-/** So many at a time: what was asked for since need not wait long. */
+/** So many at a time: what was requested since need not wait long. */
 const atATime = 4;
 
 export class EnsembleView {
   readonly root = el('div', { class: 'ensemble' });
-  private readonly told = el('p', { class: 'note', role: 'status' });
+  private readonly caption = el('p', { class: 'note', role: 'status' });
   private readonly add = el('button', { type: 'button', class: 'quiet' }, 'Add tolerances');
   private readonly charts = new SpreadCharts();
   private design: { text: string; answer: CyclesAnswer } | undefined;
@@ -24,7 +24,7 @@ export class EnsembleView {
     give: () => void,
   ) {
     this.add.addEventListener('click', give);
-    this.root.append(el('div', { class: 'tools' }, this.told, this.add), this.charts.tools, this.charts.root);
+    this.root.append(el('div', { class: 'tools' }, this.caption, this.add), this.charts.tools, this.charts.root);
   }
 
   show(design: { text: string; answer: CyclesAnswer }): void {
@@ -45,7 +45,7 @@ export class EnsembleView {
     this.charts.root.hidden = !scatters;
     this.charts.tools.hidden = !scatters;
     if (!scatters) {
-      this.told.textContent = 'The case has no tolerances: all bearings are identical.';
+      this.caption.textContent = 'The case has no tolerances: all bearings are identical.';
       return;
     }
     let samples: SamplesAnswer['samples'] = [];
@@ -56,11 +56,11 @@ export class EnsembleView {
       // Overtaken by what asked for bearings elsewhere: it is asked again.
       if (!part) continue;
       if (isFaulty(part)) {
-        this.told.textContent = part.faults.map(({ message }) => message).join(' · ');
+        this.caption.textContent = part.faults.map(({ message }) => message).join(' · ');
         return;
       }
       samples = part.samples;
-      this.told.textContent = `${samples.length} of ${bearings} bearings${samples.length < bearings ? ' …' : ''}, drawn as bumpfoil montecarlo draws them.`;
+      this.caption.textContent = `${samples.length} of ${bearings} bearings${samples.length < bearings ? ' …' : ''}, drawn as bumpfoil montecarlo draws them.`;
       this.charts.draw(run.summary, { directions: run.cycles.map((cycle) => cycle.at), states: [], ...part });
       if (!isSeen(this.root)) {
         // Looked at again it begins anew.

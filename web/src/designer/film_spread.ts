@@ -13,7 +13,7 @@ const shown = ['h_min'];
 
 export class FilmSpread {
   readonly root: HTMLElement;
-  private readonly told = el('p', { class: 'note', role: 'status' });
+  private readonly caption = el('p', { class: 'note', role: 'status' });
   private readonly add = el('button', { type: 'button', class: 'quiet' }, 'Add tolerances');
   private readonly charts = new SpreadCharts();
   /** What was computed to its end. */
@@ -26,7 +26,7 @@ export class FilmSpread {
   ) {
     this.add.addEventListener('click', give);
     const title = 'Film thickness within tolerances';
-    this.root = el('section', { class: 'panel spread', 'aria-label': title }, el('header', {}, el('h3', {}, title), this.add), this.told, this.charts.root);
+    this.root = el('section', { class: 'panel spread', 'aria-label': title }, el('header', {}, el('h3', {}, title), this.add), this.caption, this.charts.root);
   }
 
   /** @param going  whether it is still wanted */
@@ -35,7 +35,7 @@ export class FilmSpread {
     this.add.hidden = scatters;
     this.charts.root.hidden = !scatters;
     if (!scatters) {
-      this.told.textContent = 'The case has no tolerances: the film of all bearings is the same.';
+      this.caption.textContent = 'The case has no tolerances: the film of all bearings is the same.';
       return;
     }
     const { speed, held, journal } = point;
@@ -49,7 +49,7 @@ export class FilmSpread {
       // Overtaken by what asked for running bearings elsewhere: it is asked again.
       if (!answer) continue;
       if (isFaulty(answer) && samples.length === 0) {
-        this.told.textContent = answer.faults.map(({ message }) => message).join(' · ');
+        this.caption.textContent = answer.faults.map(({ message }) => message).join(' · ');
         return;
       }
       // What was drawn may be no bearing.
@@ -64,7 +64,7 @@ export class FilmSpread {
         if (!found || isFaulty(found)) return;
         statistics[key] = found;
       }
-      this.told.textContent = `${samples.length} of ${bearings} bearings${samples.length < bearings ? ' …' : ''} within the tolerances, on the coarse mesh: ${stable} stable with the journal held.`;
+      this.caption.textContent = `${samples.length} of ${bearings} bearings${samples.length < bearings ? ' …' : ''} within the tolerances, on the coarse mesh: ${stable} stable with the journal held.`;
       if (quantities.length > 0) this.charts.draw(run.summary, { directions: [], states: [textOf(point)], quantities, samples, statistics: [statistics] });
     }
     this.done = wanted;

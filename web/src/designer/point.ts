@@ -1,4 +1,4 @@
-/** Where the bearing runs, as it is asked for. */
+/** The requested operating point. */
 import type { CaseValue } from '../data/format';
 import { vectorText } from '../data/grid';
 import { speedText } from '../data/states';

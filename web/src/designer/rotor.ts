@@ -15,7 +15,7 @@ import { isSeen } from './tabs';
 import { compared, tile } from './tiles';
 
 const rpm = Math.PI / 30;
-/** Speeds of a case that names none, over the one that is asked for: from the highest on, since low ones may carry nothing. */
+/** Speeds of a case that names none, over the one that is requested: from the highest on, since low ones may carry nothing. */
 const usualSpeeds = Array.from({ length: 11 }, (_, i) => 1.5 - i / 8);
 /** About how many speeds the answer has that comes first. */
 const quickSpeeds = 6;
@@ -42,7 +42,7 @@ interface Facts {
   thinnest: number;
 }
 
-/** With one that is asked for, in its place among them. */
+/** With one that is requested, in its place among them. */
 function withSpeed(speeds: number[], speed: number): number[] {
   if (speeds.some((one) => Math.abs(one - speed) <= 1e-9 * Math.abs(speed))) return speeds;
   const behind = speeds.findIndex((one, i) => i > 0 && (one - speed) * (at(speeds, i - 1) - speed) < 0);
@@ -51,7 +51,7 @@ function withSpeed(speeds: number[], speed: number): number[] {
   return Math.abs(first - speed) < Math.abs(last - speed) ? [speed, ...speeds] : [...speeds, speed];
 }
 
-/** Some of them, the ends and the one that is asked for among them. */
+/** Some of them, the ends and the one that is requested among them. */
 function fewOf(speeds: number[], speed: number): number[] {
   const last = speeds.length - 1;
   const kept = new Set(Array.from({ length: quickSpeeds }, (_, i) => Math.round((i * last) / (quickSpeeds - 1))));
@@ -73,7 +73,7 @@ class RotorViews {
   private before: Whirls | undefined;
   private readonly selection: GridSelection;
   private readonly tiles = el('div', { class: 'tiles' });
-  private readonly told = el('p', { class: 'note' });
+  private readonly caption = el('p', { class: 'note' });
 
   constructor(now: StabilityAnswer, speed: number) {
     this.whirls = new Whirls({ ...now.run, name: 'rotor' });
@@ -84,7 +84,7 @@ class RotorViews {
     this.root = el(
       'div',
       {},
-      el('div', { class: 'numbers' }, choice('Contacts shown', whirls.contacts.texts.map((text, value) => ({ value, text: capital(text) })), 0, (contacts) => this.selection.show({ place: { contacts } })), this.told, this.tiles),
+      el('div', { class: 'numbers' }, choice('Contacts shown', whirls.contacts.texts.map((text, value) => ({ value, text: capital(text) })), 0, (contacts) => this.selection.show({ place: { contacts } })), this.caption, this.tiles),
       el('div', { class: 'multiples' }, ...motionCharts(whirls, this.selection, ['Campbell diagram', 'Growth over speed'], () => this.before)),
     );
     this.fill();
@@ -109,7 +109,7 @@ class RotorViews {
   private fill(): void {
     const { whirls, before } = this;
     const speed = at(whirls.speeds, this.selection.place['speed'] ?? 0);
-    this.told.textContent = `At ${speedText(speed)}; decrement, frequency and whirl are those of the motion of the rotor that is damped least. Click a point for another speed.`;
+    this.caption.textContent = `At ${speedText(speed)}; decrement, frequency and whirl are those of the motion of the rotor that is damped least. Click a point for another speed.`;
     const now = factsOf(whirls, speed, this.contacts);
     const old = before && factsOf(before, speed, this.contacts);
     const change = (value: (facts: Facts) => number): string => (old ? compared(value(now), value(old)) : '');
@@ -175,7 +175,7 @@ function onsetOf(whirls: Whirls, contacts: number): Pick<Facts, 'onset' | 'onset
 
 export class RotorView {
   readonly root: HTMLElement;
-  private readonly told = el('p', { class: 'note', role: 'status' });
+  private readonly caption = el('p', { class: 'note', role: 'status' });
   private readonly add = el('button', { type: 'button', class: 'quiet' }, 'Add this rotor to the case');
   private readonly notes = el('div');
   private readonly place = el('div');
@@ -203,7 +203,7 @@ export class RotorView {
     this.speed.call('Speed', 'rpm', [1000, 120000, 500]);
     this.speed.value = 45000;
     this.add.addEventListener('click', () => this.designs && change(this.withRotor(this.designs.now.text)));
-    this.root = el('div', { class: 'rotor' }, el('div', { class: 'tools', role: 'group', 'aria-label': 'Rotor' }, this.speed.root, this.add), this.told, this.notes, this.place);
+    this.root = el('div', { class: 'rotor' }, el('div', { class: 'tools', role: 'group', 'aria-label': 'Rotor' }, this.speed.root, this.add), this.caption, this.notes, this.place);
   }
 
   show(now: Design, before: Design): void {
@@ -222,7 +222,7 @@ export class RotorView {
     this.add.hidden = hasRotor(now);
     const speed = this.speed.value * rpm;
     if (!Number.isFinite(speed)) {
-      this.told.textContent = 'Enter the speed as a number.';
+      this.caption.textContent = 'Enter the speed as a number.';
       this.begun = '';
       this.root.setAttribute('aria-busy', 'false');
       return;
@@ -273,14 +273,14 @@ export class RotorView {
   private draw(now: Answer, before: StabilityAnswer | undefined, speed: number, design: Design, quick: boolean): void {
     this.place.classList.toggle('stale', isFaulty(now));
     if (isFaulty(now)) {
-      this.told.textContent = `This rotor cannot be computed${this.views ? '; showing the last valid results' : ''}.`;
+      this.caption.textContent = `This rotor cannot be computed${this.views ? '; showing the last valid results' : ''}.`;
       this.notes.replaceChildren(...remarks(now.faults.map(({ message }) => message)));
       return;
     }
     const { mass } = now.run.summary.case['rotor'] as { mass?: number };
     const of = mass === undefined ? '' : ` of ${Number(mass.toPrecision(4))} kg`;
     const rotor = hasRotor(design) ? `Rotor${of}.` : `The case has no rotor. A rotor${of} is assumed: half of it on each of two equal bearings, weight along −Y.`;
-    this.told.textContent = `${rotor} ${quick ? 'Preview on a coarse mesh; the result on the mesh of the case follows …' : 'On the mesh of the case.'}`;
+    this.caption.textContent = `${rotor} ${quick ? 'Preview on a coarse mesh; the result on the mesh of the case follows …' : 'On the mesh of the case.'}`;
     this.notes.replaceChildren(...remarks(notesOf(now.run)));
     if (!this.views) {
       this.views = new RotorViews(now, speed);

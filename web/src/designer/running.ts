@@ -120,7 +120,7 @@ const mostKnown = 24;
 
 export class RunningView {
   readonly root: HTMLElement;
-  private readonly told = el('p', { class: 'note', role: 'status' });
+  private readonly caption = el('p', { class: 'note', role: 'status' });
   private readonly notes = el('div');
   private readonly tiles = el('div', { class: 'tiles' });
   private readonly verdict = el('p', { class: 'note', role: 'status' });
@@ -166,7 +166,7 @@ export class RunningView {
       { class: 'running' },
       el('div', { class: 'tools', role: 'group', 'aria-label': 'Running' }, this.speed.root, el('label', { class: 'control' }, 'Journal held by', this.holding), ...this.journal.map(({ root }) => root)),
       this.tiles,
-      this.told,
+      this.caption,
       this.notes,
       this.verdict,
       this.place,
@@ -192,7 +192,7 @@ export class RunningView {
     if (!isSeen(this.root) || !this.designs) return;
     const point = this.point;
     if (!point) {
-      this.told.textContent = 'Enter speed, loads and positions as numbers.';
+      this.caption.textContent = 'Enter speed, loads and positions as numbers.';
       this.begun = '';
       this.root.setAttribute('aria-busy', 'false');
       return;
@@ -301,7 +301,7 @@ export class RunningView {
   }
 
   private tell(text: string, notes: string[]): void {
-    this.told.textContent = text;
+    this.caption.textContent = text;
     this.notes.replaceChildren(...remarks(notes));
   }
 

@@ -6,7 +6,7 @@ import type { Comparison } from '../ui/comparison';
 import { el } from '../ui/dom';
 import { roving } from '../ui/roving';
 
-const told = ['loaded_stiffness', 'max_force', 'loop_energy', 'loss_factor', 'take_up', 'max_stress_top_foil'];
+const leading = ['loaded_stiffness', 'max_force', 'loop_energy', 'loss_factor', 'take_up', 'max_stress_top_foil'];
 
 export function numberTiles(keys: number[], comparison: Comparison): HTMLElement {
   const { selection } = comparison;
@@ -22,7 +22,7 @@ export function numberTiles(keys: number[], comparison: Comparison): HTMLElement
     buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(keys[i] === key)));
     const [now, before] = [at(comparison.runs, 0), comparison.runs[1]];
     tiles.replaceChildren(
-      ...told.flatMap((name) => {
+      ...leading.flatMap((name) => {
         const quantity = now.quantities.find((one) => one.name === name);
         if (!quantity) return [];
         const value = numberOf(now.cycle(key)?.summary?.[quantity.key]);

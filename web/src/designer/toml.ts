@@ -40,7 +40,7 @@ function tableOf(path: string): string {
   return path.includes('.') ? path.slice(0, path.lastIndexOf('.')) : '';
 }
 
-/** Of the texts that were asked for last. */
+/** Of the texts that were requested last. */
 const outlines = new Map<string, Outline>();
 
 export function outlineOf(text: string): Outline {

@@ -37,7 +37,7 @@ function input(label: string, unit: string, value: string): { root: HTMLElement;
 
 export class VibrationView {
   readonly root: HTMLElement;
-  private readonly told = el('p', { class: 'note', role: 'status' });
+  private readonly caption = el('p', { class: 'note', role: 'status' });
   private readonly load = [input('Load along X', 'N', '0'), input('along Y', 'N', '-50')];
   private readonly reach = input('Amplitudes up to', 'µm', '20');
   private readonly panels: ChartPanel[];
@@ -60,7 +60,7 @@ export class VibrationView {
       'div',
       { class: 'vibration' },
       el('div', { class: 'tools', role: 'group', 'aria-label': 'Vibrations' }, ...controls.map(({ root }) => root)),
-      this.told,
+      this.caption,
       el('div', { class: 'multiples' }, ...this.panels.map(({ root }) => root)),
     );
   }
@@ -77,7 +77,7 @@ export class VibrationView {
     const [x, y] = this.load.map(({ box }) => Number(box.value));
     const most = 1e-6 * Number(this.reach.box.value);
     if (![x, y, most].every(Number.isFinite) || !(most > 0)) {
-      this.told.textContent = 'Enter loads and amplitudes as numbers without separators; amplitudes must be positive.';
+      this.caption.textContent = 'Enter loads and amplitudes as numbers without separators; amplitudes must be positive.';
       return;
     }
     const amplitudes = Array.from({ length: points }, (_, i) => Number((most * least ** (1 - i / (points - 1))).toPrecision(4)));
@@ -96,7 +96,7 @@ export class VibrationView {
       // Overtaken by what asked for vibrations elsewhere.
       if (!answer) return this.compute(wanted, about, { now, before });
       if (isFaulty(answer)) {
-        this.told.textContent = answer.faults.map(({ message }) => message).join(' · ');
+        this.caption.textContent = answer.faults.map(({ message }) => message).join(' · ');
         return;
       }
       answers.push(answer);
@@ -114,7 +114,7 @@ export class VibrationView {
     }
     const { position_m: place, status } = at(answers, 0);
     const [x, y] = place.map((one) => formatQuantity(one, 'm', 3));
-    this.told.textContent = status === 'converged' ? `Under the load the journal is at x = ${x ?? ''}, y = ${y ?? ''}.` : `The load was not reached: ${status.replaceAll('_', ' ')}.`;
+    this.caption.textContent = status === 'converged' ? `Under the load the journal is at x = ${x ?? ''}, y = ${y ?? ''}.` : `The load was not reached: ${status.replaceAll('_', ' ')}.`;
     for (const panel of this.panels) panel.refresh();
     this.root.dataset['answered'] = String(Number(this.root.dataset['answered'] ?? 0) + 1);
   }

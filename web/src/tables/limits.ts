@@ -35,7 +35,7 @@ function boundText(limit: LimitData): string {
   return limit.bounded_by?.replaceAll('_', ' ') ?? '–';
 }
 
-/** Lift-off speeds and load capacities, with the film on both sides of them and unstable states on the way; nothing where they were not asked for. */
+/** Lift-off speeds and load capacities, with the film on both sides of them and unstable states on the way; nothing where they were not requested. */
 export function limitTable(states: States): HTMLElement[] {
   const { limits } = states;
   if (limits.length === 0) return [];

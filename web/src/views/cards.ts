@@ -10,11 +10,11 @@ import { numberOf } from '../tables/results';
 import { curvesOfRun } from '../charts/curves';
 
 /** What cards tell, those of it that the results have, the first in large letters; of several runs what can be compared. */
-const told = ['loaded_stiffness', 'max_force', 'secant_stiffness', 'loss_factor'];
-const toldOfSeveral = ['loaded_stiffness', 'loss_factor'];
+const leading = ['loaded_stiffness', 'max_force', 'secant_stiffness', 'loss_factor'];
+const leadingOfSeveral = ['loaded_stiffness', 'loss_factor'];
 
 function quantitiesOf(runs: Run[], several: boolean): Quantity[] {
-  const names = several ? toldOfSeveral : told;
+  const names = several ? leadingOfSeveral : leading;
   const all = names.flatMap((name) => runs.flatMap((run) => run.quantities.filter((quantity) => quantity.name === name)));
   return all.filter((quantity, i) => all.findIndex(({ key }) => key === quantity.key) === i);
 }

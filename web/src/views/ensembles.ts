@@ -112,10 +112,10 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
 function warningsOf(ensemble: Ensemble): string[] {
   const { samples, samples_due: due } = ensemble.data.summary;
   const message = ensemble.attribute('status_message');
-  const told = [message, ...ensemble.attribute('warnings').split('\n')].filter((text) => text !== '');
+  const messages = [message, ...ensemble.attribute('warnings').split('\n')].filter((text) => text !== '');
   return [
     ...partialWarning(ensemble),
-    ...told.map((text) => `${text}.`),
+    ...messages.map((text) => `${text}.`),
     ...(samples < due && message === '' ? [`${samples} of ${due} samples are available.`] : []),
   ];
 }

@@ -64,7 +64,7 @@ function chartsOf(states: States): { title: string; measures: Measure[] }[] {
     .filter(({ measures }) => measures.length > 0);
 }
 
-/** Whether small motions are those at the speed of every state, and not at frequencies that were asked for. */
+/** Whether small motions are those at the speed of every state, and not at frequencies that were requested. */
 function isSynchronous(states: States): boolean {
   const speeds = numbersOf(states, 'speed');
   return numbersOf(states, 'whirl_frequency').every((frequency, i) => Number.isNaN(frequency) || frequency === Math.abs(speeds[i] ?? NaN));

@@ -129,7 +129,7 @@ function limitOf(grid: Grid, quantities: SweptQuantity[], measures: Measure[]): 
   })[0];
 }
 
-/** Over two keys of numbers: what the case is asked for, with the region that a limit leaves. */
+/** Over two keys of numbers: the quantity, with the region that a limit leaves. */
 function mapsOf(grid: Grid, keys: Coordinate[], quantities: SweptQuantity[], measures: Measure[], selection: GridSelection): HTMLElement[] {
   const axes = keys.filter(({ numbers = [] }) => new Set(numbers).size > 1);
   const [across, up] = axes;
