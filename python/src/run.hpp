@@ -34,7 +34,7 @@ struct Run {
   Outcome outcome;
   Provenance provenance;
 
-  /// Made when they are asked for; netCDF is not thread-safe.
+  /// Made when they are requested; netCDF is not thread-safe.
   [[nodiscard]] std::vector<ResultFile> files() const { return outcome.files(provenance); }
 };
 

@@ -64,13 +64,13 @@ RunningStepper::RunningStepper(const RunningStepper& other)
     : input_(other.input_), bearing_(other.bearing_), stepper_(bearing_, other.stepper_.options()) {}
 
 SharedInstant RunningStepper::begin(const OperatingPoint& point) {
-  Case asked = input_;
-  if (!asked.equilibrium) asked.equilibrium.emplace();
-  EquilibriumSettings& settings = *asked.equilibrium;
+  Case requested = input_;
+  if (!requested.equilibrium) requested.equilibrium.emplace();
+  EquilibriumSettings& settings = *requested.equilibrium;
   settings.speeds = {point.speed};
   (point.by_load() ? settings.loads : settings.positions) = {point.journal};
   (point.by_load() ? settings.positions : settings.loads).clear();
-  const EquilibriumResult result = run_equilibrium(asked, {settings.path});
+  const EquilibriumResult result = run_equilibrium(requested, {settings.path});
   const RunningState& found = result.states.back();
   ReachedInstant instant{.state = found.last.value_or(BearingState{}), .outcome = {}, .status = found.report.status};
   instant.state.time = 0.0;

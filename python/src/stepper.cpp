@@ -44,12 +44,12 @@ Excitation BearingStepper::excitation_of(Excitation excitation, const Destinatio
   return excitation;
 }
 
-SharedState BearingStepper::judged() {
+SharedState BearingStepper::checked() {
   ReachedState reached;
   const Eigen::Vector2d along = Eigen::Vector2d::UnitX();
   if (step_.converged()) {
     reached.increment = place_increment(*foils_, step_, along);
-    judge(*foils_, step_.state, reached.increment);
+    check_increment(*foils_, step_.state, reached.increment);
     reached.increment.work = step_.state.work;
     reached.increment.dissipated_energy = step_.state.dissipated_energy;
     reached.fields = make_fields(*foils_, 1);
@@ -66,7 +66,7 @@ SharedState BearingStepper::assemble(const Destination& to) {
     refuse_argument("load", "cannot be met by foils that are not assembled", "advance to it from a position");
   const std::scoped_lock lock(mutex_);
   stepper_.assemble(excitation_of({}, to), step_);
-  return judged();
+  return checked();
 }
 
 SharedState BearingStepper::advance(const ReachedState& from, const Destination& to) {
@@ -79,7 +79,7 @@ SharedState BearingStepper::advance(const ReachedState& from, const Destination&
   } else {
     stepper_.advance(from.state, excitation, step_);
   }
-  return judged();
+  return checked();
 }
 
 TangentMatrices BearingStepper::tangents(const ReachedState& state) {

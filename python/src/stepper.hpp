@@ -46,7 +46,7 @@ class BearingStepper {
 
  private:
   [[nodiscard]] Excitation excitation_of(Excitation excitation, const Destination& to) const;
-  [[nodiscard]] SharedState judged();
+  [[nodiscard]] SharedState checked();
 
   SharedFoils foils_;
   SolverSettings settings_;

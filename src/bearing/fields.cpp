@@ -59,7 +59,7 @@ InterfacePlace place_of(const Foils& foils, Interface interface) {
 
 /// Loads up to this count as zero, N.
 double open_threshold(const Foils& foils, const ContactState& state) {
-  return std::max(open_load * state.normal_force.maxCoeff(), foils.roundings.force);
+  return std::max(open_load * state.normal_force.maxCoeff(), foils.round_off.force);
 }
 
 /// Reported mode of contact `c`: contacts without load are open, frictionless ones slip if they move.
@@ -106,7 +106,7 @@ void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, 
   const auto put = [&](FieldMatrix& field, Eigen::Index column, const Vector& values) {
     if (values.size() == 0) return;
     field.row(increment).segment(column, values.size()) =
-        values.unaryExpr([&](double s) { return cleared(s, foils.roundings.stress); }).transpose();
+        values.unaryExpr([&](double s) { return cleared(s, foils.round_off.stress); }).transpose();
   };
   const auto put_one = [&](FieldMatrix& field, Eigen::Index column, const std::optional<double>& value) {
     if (value) put(field, column, Vector::Constant(1, *value));
@@ -334,7 +334,7 @@ void record(const Foils& foils, const BearingState& state, Eigen::Index incremen
   record_interface(foils, state, Interface::bump_sleeve, increment, fields.bump_sleeve);
   if (fields.pad_force_x.cols() > 0) {
     const Eigen::Matrix2Xd forces = pad_forces(foils, state.contacts.normal_force);
-    const auto shown = [&](double force) { return cleared(force, foils.roundings.force); };
+    const auto shown = [&](double force) { return cleared(force, foils.round_off.force); };
     fields.pad_force_x.row(increment) = forces.row(0).unaryExpr(shown);
     fields.pad_force_y.row(increment) = forces.row(1).unaryExpr(shown);
   }

@@ -138,8 +138,8 @@ void add_tilt(const FilmBearing& bearing, const JournalVector& journal, Matrix& 
 
 }  // namespace
 
-Matrix FilmBearing::undeformed_thickness(const JournalVector& journal, double opening) const {
-  Matrix H = field((clearance + opening) / scales.thickness);
+Matrix FilmBearing::undeformed_thickness(const JournalVector& journal, double clearance_offset) const {
+  Matrix H = field((clearance + clearance_offset) / scales.thickness);
   H.rowwise() += (sleeve.transpose() - journal.head<2>().transpose() * column_normals) / scales.thickness;
   add_tilt(*this, journal, H);
   for (const FilmPad& pad : pads) {
@@ -206,16 +206,17 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, const std
   bearing.sleeve.tail(angles.size()) = sleeve_deviations(alone, angles) + normals.transpose() * placed.centre;
 }
 
-double room_of(const FilmBearing& bearing) {
-  double room = bearing.clearance;
-  for (std::size_t k = 0; k < bearing.placed.size(); ++k) room = std::min(room, bearing.room_in(k));
+double assembled_clearance_of(const FilmBearing& bearing) {
+  double narrowest = bearing.clearance;
+  for (std::size_t k = 0; k < bearing.placed.size(); ++k)
+    narrowest = std::min(narrowest, bearing.assembled_clearance_in(k));
   double widening = std::numeric_limits<double>::infinity();
   for (const FilmPad& pad : bearing.pads) {
     for (int j = 0; j <= pad.foil.mesh.rows; ++j) {
       widening = std::min(widening, bearing.surroundings.profile.widening(pad.zeta(j)));
     }
   }
-  return room + widening;
+  return narrowest + widening;
 }
 
 /// Number of unknowns of a block.
@@ -262,7 +263,7 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
     bearing.sheet = resolution.sheet;
     bearing.lines = foil_lines_of(foil.lines, resolution.sheet, bearing.dofs(), bearing.behind_pressures());
   }
-  bearing.room = room_of(bearing);
+  bearing.assembled_clearance = assembled_clearance_of(bearing);
   BlockTridiagonal K(foils.structure.K.blocks() + bearing.pad_count(), block_size_of(bearing));
   if (split) {
     add_strips(bearing, strips, foil.lines, K);
@@ -286,19 +287,19 @@ FilmBearing formed_by(const FilmBearing& bearing, double part) {
     pad.bulge *= part;
   }
   if (part == 0.0) other.assembly.clear();
-  other.room = room_of(other);
+  other.assembled_clearance = assembled_clearance_of(other);
   return other;
 }
 
-BearingState resting(const FilmBearing& bearing, const JournalVector& journal, double speed, double opening) {
+BearingState resting(const FilmBearing& bearing, const JournalVector& journal, double speed, double clearance_offset) {
   BearingState state;
   FilmBearing::place_journal(journal, state);
   state.speed = speed;
-  state.opening = opening;
+  state.clearance_offset = clearance_offset;
   state.contacts = ContactState::unstressed(bearing.problem);
   const FoilFilm& foil = bearing.pads.front().foil;
   const Matrix of_lines = Matrix::Zero(foil.lines.count(), bearing.columns());
-  state.film = {{bearing.resting_pressure(), bearing.undeformed_thickness(journal, opening)},
+  state.film = {{bearing.resting_pressure(), bearing.undeformed_thickness(journal, clearance_offset)},
                 of_lines,
                 of_lines,
                 Matrix::Zero(2 * foil.stretching.rows(), bearing.columns())};
@@ -470,7 +471,7 @@ void find_drag(const FilmBearing& bearing, const BearingState& state, const Jour
                FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
   // Includes the increase of the sleeve radius.
-  Matrix wall = state.film.thickness - bearing.undeformed_thickness(bearing.journal_of(state), state.opening);
+  Matrix wall = state.film.thickness - bearing.undeformed_thickness(bearing.journal_of(state), state.clearance_offset);
   wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
   const double couette = scales.couette_torque(state.speed * scales.radius);
   double poiseuille_torque = 0.0;

@@ -41,7 +41,7 @@ struct FilmAnswer {
 ///     w - (s - shift) C w = S X_0 + a q,      C w = -S (J + shift S)^-1 w
 ///
 /// C is real, and its Krylov space on the right-hand side is the same for all s: Arnoldi's method [Saad2011] builds a
-/// basis of it until the residual of the Galerkin solution is small at every s asked for. The spaces of all motions
+/// basis of it until the residual of the Galerkin solution is small at every s requested. The spaces of all motions
 /// grow together: answers at once cost less than one by one.
 ///
 /// @param moved   of X_0, for a unit displacement in each motion of the journal

@@ -14,8 +14,8 @@ namespace {
 
 /// Largest change of the clearance in one step, in units of c, and residual weight of the remaining change, per c. Both
 /// dimensionless and equal to those of a journal at a given position, see journal_law.cpp.
-constexpr double longest_opening = 0.00625;
-constexpr double weight_of_opening = 30.0;
+constexpr double longest_clearance_step = 0.00625;
+constexpr double weight_of_clearance = 30.0;
 
 /// Rounds of mode changes in the contact problem of a step, before fallback to path following and interior point, which
 /// cost 10 to 30 factorisations.
@@ -108,7 +108,7 @@ void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balanc
 }
 
 /// Residuals of film and foil without contact forces. The norm includes them; its units are: film per cell area, forces
-/// EI' c / p^3, compatibility c / p, opening c / weight_of_opening.
+/// EI' c / p^3, compatibility c / p, clearance offset c / weight_of_clearance.
 double FilmNewton::find_residual() {
   const BearingState& state = trial_;
   const ContactState& contact = state.contacts;
@@ -132,8 +132,9 @@ double FilmNewton::find_residual() {
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
   force_ = journal_force(bearing_, state.film, state.speed);
-  const double opening = weight_of_opening * (opening_ - state.opening) / bearing_.scales.thickness;
-  return square + opening * opening;
+  const double clearance_offset =
+      weight_of_clearance * (clearance_offset_ - state.clearance_offset) / bearing_.scales.thickness;
+  return square + clearance_offset * clearance_offset;
 }
 
 /// Combines the condensed films and the bump foils in one matrix. Unknowns in m, rows in N.
@@ -509,7 +510,7 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
   if (!solved.converged()) return false;
   expand({&step_, 1});
   step_.displacement.setZero(bearing_.motions());
-  step_.opening = 0.0;
+  step_.clearance_offset = 0.0;
   return true;
 }
 
@@ -523,14 +524,14 @@ void FilmNewton::move_journal(const JournalVector& displacement) {
     add_to_step(displacement[i], rates_[static_cast<std::size_t>(i)]);
 }
 
-/// Moves the foils radially by the change of the clearance, limited to the longest opening of one step.
+/// Moves the foils radially by the change of the clearance, limited to the longest step.
 void FilmNewton::move_foils() {
-  if (opening_ == iterate_.opening) return;
-  const double longest = longest_opening * bearing_.scales.thickness;
-  step_.opening = std::clamp(opening_ - iterate_.opening, -longest, longest);
-  const Matrix opening = bearing_.field(1.0 / bearing_.scales.thickness);
-  find_rates({&opening, 1}, {&opening_rate_, 1});
-  add_to_step(step_.opening, opening_rate_);
+  if (clearance_offset_ == iterate_.clearance_offset) return;
+  const double longest = longest_clearance_step * bearing_.scales.thickness;
+  step_.clearance_offset = std::clamp(clearance_offset_ - iterate_.clearance_offset, -longest, longest);
+  const Matrix clearance_offset = bearing_.field(1.0 / bearing_.scales.thickness);
+  find_rates({&clearance_offset, 1}, {&clearance_rate_, 1});
+  add_to_step(step_.clearance_offset, clearance_rate_);
 }
 
 /// Adds the change of all unknowns for a displacement `way` (m) of the journal or the foils, from their rates per m.
@@ -550,7 +551,7 @@ void FilmNewton::take_step(double fraction, const BearingState& from, BearingSta
   const FoilFilmState& step = step_.film;
   FilmBearing::place_journal(bearing_.journal_of(from) + fraction * step_.displacement, to);
   to.speed = from.speed;
-  to.opening = from.opening + fraction * step_.opening;
+  to.clearance_offset = from.clearance_offset + fraction * step_.clearance_offset;
   to.film.pressure = from.film.pressure + fraction * step.pressure;
   to.film.thickness = from.film.thickness + fraction * step.thickness;
   to.film.lift = from.film.lift + fraction * step.lift;
@@ -572,12 +573,12 @@ double FilmNewton::distance(const BearingState& a, const BearingState& b) const 
 
 double FilmNewton::largest_change() const {
   return std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.lift.cwiseAbs().maxCoeff(),
-                   std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
+                   std::max(step_.displacement.norm(), std::abs(step_.clearance_offset)) / bearing_.scales.thickness});
 }
 
 bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const BearingState& guess) {
   equations_ = film_equations(bearing_, to.speed);
-  opening_ = to.opening;
+  clearance_offset_ = to.clearance_offset;
   taken_ = {};
   if (to.dt > 0.0) {
     const bool second_order = to.scheme == TimeScheme::bdf2;
@@ -590,7 +591,7 @@ bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const Be
   iterate_ = guess;
   iterate_.slip_origin = from.slip_origin;
   iterate_.speed = to.speed;
-  iterate_.film.thickness = bearing_.undeformed_thickness(bearing_.journal_of(iterate_), iterate_.opening);
+  iterate_.film.thickness = bearing_.undeformed_thickness(bearing_.journal_of(iterate_), iterate_.clearance_offset);
   iterate_.film.thickness += bearing_.over_the_width(iterate_.film.lift);
   trial_ = instead_ = iterate_;
   return iterate_.film.thickness.minCoeff() > 0.0;
@@ -598,7 +599,7 @@ bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const Be
 
 void FilmNewton::finish(const JournalVector& journal, BearingState& state, FilmReport& report) {
   FilmBearing::place_journal(journal, trial_);
-  trial_.opening = opening_;
+  trial_.clearance_offset = clearance_offset_;
   report.predicted_change = std::max(report.predicted_change, distance(predicted_, state));
   report.departure = std::max(report.departure, distance(trial_, predicted_));
   trial_.last_step = std::move(taken_);

@@ -48,7 +48,7 @@ class FilmNewton {
   void note_prediction() { take_step(1.0, iterate_, predicted_); }
   /// Largest fraction of the step that keeps P and H positive with a margin.
   [[nodiscard]] double longest_part() const { return longest_step(options_, iterate_.film, step_.film); }
-  /// Largest change of P, U, and journal position or opening over c in the step.
+  /// Largest change of P, U, and journal position or clearance offset over c in the step.
   [[nodiscard]] double largest_change() const;
   void try_step(double part) { take_step(part, iterate_, trial_); }
   [[nodiscard]] bool touches() const { return trial_.film.thickness.minCoeff() < options_.thickness_floor; }
@@ -80,7 +80,7 @@ class FilmNewton {
     FoilFilmState film;
     ContactState contact;  ///< x as its change, the rest as at the end of the step
     JournalVector displacement;
-    double opening{};
+    double clearance_offset{};
   };
   /// Storage per pad.
   struct Part {
@@ -137,11 +137,11 @@ class FilmNewton {
   std::vector<Step> rates_;  ///< per displacement of the journal in each of its motions, m
   JournalMatrix K_film_;     ///< rates of the force, see find_rates()
   int factors_of_rates_{};   ///< ModeSystem::factorisations() at their computation
-  Step opening_rate_;        ///< per opening of the clearance, m
+  Step clearance_rate_;      ///< per change of the clearance, m
   BearingState iterate_, trial_;
   BearingState instead_;  ///< of a full step that may be undone
   FilmEquations equations_;
-  double opening_{};  ///< target of the clearance, m
+  double clearance_offset_{};  ///< target of the clearance, m
   LastStep taken_;
   JournalVector force_;
   double friction_{};       ///< of asperities at the last linearisation

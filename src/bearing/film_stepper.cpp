@@ -17,7 +17,7 @@ OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, c
   OperatingPoint point{.control = like.control,
                        .journal = state.position,
                        .speed = state.speed,
-                       .opening = state.opening,
+                       .clearance_offset = state.clearance_offset,
                        .tilt = {like.tilt.control, state.tilt}};
   const bool by_moment = bearing.tilts() && like.tilt.control == Control::load;
   if (!point.by_load() && !by_moment) return point;
@@ -46,7 +46,7 @@ Move FilmStepper::move_to(const OperatingPoint& point, double dt, TimeScheme sch
   return {
       .law = bearing_->tilts() ? with_tilt(in_mid_plane, law_of(point.tilt.control, point.tilt.value)) : in_mid_plane,
       .speed = point.speed,
-      .opening = point.opening,
+      .clearance_offset = point.clearance_offset,
       .dt = dt,
       .scheme = scheme};
 }
@@ -55,7 +55,7 @@ FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_
   if (options_.keep_going && !options_.keep_going()) return {.status = Status::interrupted};
   const bool finds_states = move.dt > 0.0 && move.scheme == TimeScheme::implicit_euler;
   const double tolerance = finds_states ? options_.marching_tolerance : options_.newton.step_tolerance;
-  const JointMove to{law_of_one(move.law), move.speed, move.opening, move.dt, move.scheme};
+  const JointMove to{law_of_one(move.law), move.speed, move.clearance_offset, move.dt, move.scheme};
   if (!newton_->set_out(to, state, state)) return {.status = Status::no_room};
   Eigen::VectorXd journal = bearing_->journal_of(state);
   NewtonAim aim{.tolerance = tolerance};

@@ -24,12 +24,12 @@ Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
   const BumpDofs& dofs = foils.structure.dofs;
   foils.problem.K = foils.structure.K;
   foils.problem.force_scale = bump_force_scale(design);
-  foils.roundings.force = 1e-12 * foils.problem.force_scale;
+  foils.round_off.force = 1e-12 * foils.problem.force_scale;
   foils.rise = std::max_element(design.bumps.begin(), design.bumps.end(), [](const BumpShape& a, const BumpShape& b) {
                  return a.rise < b.rise;
                })->rise;
-  foils.roundings.energy = 1e-6 * foils.rise * foils.roundings.force;
-  foils.roundings.stress = 1e-12 * pad.bump_foil.youngs_modulus;
+  foils.round_off.energy = 1e-6 * foils.rise * foils.round_off.force;
+  foils.round_off.stress = 1e-12 * pad.bump_foil.youngs_modulus;
   std::vector<ContactSite> pattern;
   if (design.top_foil) pattern.push_back({.plus = dofs.top_u});
   pattern.push_back({.plus = dofs.crest_v,
@@ -97,9 +97,9 @@ void append(const Foils& pad, Foils& foils) {
   foils.problem.K = foils.structure.K;
   foils.problem.force_scale = std::max(foils.problem.force_scale, pad.problem.force_scale);
   foils.rise = std::max(foils.rise, pad.rise);
-  foils.roundings.force = std::max(foils.roundings.force, pad.roundings.force);
-  foils.roundings.energy = std::max(foils.roundings.energy, pad.roundings.energy);
-  foils.roundings.stress = std::max(foils.roundings.stress, pad.roundings.stress);
+  foils.round_off.force = std::max(foils.round_off.force, pad.round_off.force);
+  foils.round_off.energy = std::max(foils.round_off.energy, pad.round_off.energy);
+  foils.round_off.stress = std::max(foils.round_off.stress, pad.round_off.stress);
   const Eigen::Index bumps = foils.normals.cols();
   foils.normals.conservativeResize(Eigen::NoChange, bumps + pad.normals.cols());
   foils.normals.rightCols(pad.normals.cols()) = pad.normals;

@@ -31,7 +31,7 @@ Increment place(const Step& step, const Eigen::Vector2d& direction) {
 Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vector2d& direction) {
   Increment increment = place(step, direction);
   const Eigen::Vector2d force = holding_force(foils, step.state.contacts.normal_force);
-  const auto force_along = [&](const Eigen::Vector2d& axis) { return cleared(force.dot(axis), foils.roundings.force); };
+  const auto force_along = [&](const Eigen::Vector2d& axis) { return cleared(force.dot(axis), foils.round_off.force); };
   increment.force_x = force_along(Eigen::Vector2d::UnitX());
   increment.force_y = force_along(Eigen::Vector2d::UnitY());
   increment.force_direct = force_along(direction);
@@ -42,14 +42,14 @@ Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vec
   const Eigen::Vector2d slope = journal_slope(foils, step.state.contacts.x);
   increment.tilt_x = slope.x();
   increment.tilt_y = slope.y();
-  increment.dissipated_energy = cleared(step.state.dissipated_energy, foils.roundings.energy);
-  increment.work = cleared(step.state.work, foils.roundings.energy);
+  increment.dissipated_energy = cleared(step.state.dissipated_energy, foils.round_off.energy);
+  increment.work = cleared(step.state.work, foils.round_off.energy);
   return increment;
 }
 
-void judge(const Foils& foils, const BearingState& state, Increment& increment) {
+void check_increment(const Foils& foils, const BearingState& state, Increment& increment) {
   const ElasticResponse elastic = elastic_response(foils, state.contacts.x);
-  increment.elastic_energy = cleared(elastic.energy, foils.roundings.energy);
+  increment.elastic_energy = cleared(elastic.energy, foils.round_off.energy);
   // The loads include forming.
   increment.residuals = contact_residuals(foils.problem, elastic.forces + foils.forming, state.loading,
                                           state.slip_origin, state.contacts);

@@ -15,7 +15,7 @@
 #include "case/toml_document.hpp"
 #include "case/unit_table.hpp"
 #include "case/value_reader.hpp"
-#include "model/judge.hpp"
+#include "model/checks.hpp"
 
 namespace bumpfoil {
 namespace {

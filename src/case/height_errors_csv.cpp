@@ -106,7 +106,7 @@ class HeightErrorsReader {
     std::vector<double> errors;
     if (column_) {
       errors = errors_in(column_->unit.size);
-      judge(errors);
+      check(errors);
     }
     rows_.throw_if_faulty();
     return errors;
@@ -173,7 +173,7 @@ class HeightErrorsReader {
   }
 
   /// Reports implausible values once, at the first line.
-  void judge(const std::vector<double>& errors) {
+  void check(const std::vector<double>& errors) {
     if (are_plausible(errors)) return;
     std::vector<std::size_t> beyond;
     for (std::size_t i = 0; i < errors.size(); ++i) {

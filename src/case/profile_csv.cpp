@@ -47,7 +47,7 @@ class ProfileReader {
     if (!rows_.faulty() && deviations_.empty()) {
       rows_.fault("contains no deviations", "write angle_deg,deviation_um and a line for each of equal angles");
     }
-    if (!rows_.faulty() && angle_) judge_angles();
+    if (!rows_.faulty() && angle_) check_angles();
     rows_.throw_if_faulty();
     return std::move(deviations_);
   }
@@ -79,7 +79,7 @@ class ProfileReader {
         found == 0 ? column_advice(names, {"deviation_um"}, Dimension::length, "name one deviation_um") : "leave one");
   }
 
-  void judge_angles() {
+  void check_angles() {
     const double step = 360.0 / static_cast<double>(angles_.size());
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       const double due = static_cast<double>(i) * step;

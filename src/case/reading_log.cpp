@@ -62,12 +62,12 @@ void ReadingLog::later_fault(const Fault& fault) {
   Fault placed = fault;
   if (const auto other = taken_from_.find(fault.key); other != taken_from_.end()) {
     placed.key = other->second;
-    if (judged_.contains(placed.key)) return;
+    if (checked_.contains(placed.key)) return;
   }
   for (std::string holder = placed.key; !holder.empty(); holder = holder_of(holder)) {
     if (faulty_.contains(holder)) return;
   }
-  judged_.insert(placed.key);
+  checked_.insert(placed.key);
   const Origin* place = place_of(placed.key);
   if (place != nullptr && place->implied) place = nullptr;  // missing in the file, regardless of overrides
   placed.file = place != nullptr ? place->file : file_;

@@ -75,7 +75,7 @@ class ReadingLog {
   bool input_fault_{};
   std::map<std::string, Origin> origins_;
   std::set<std::string> faulty_;                   ///< keys with an error during reading
-  std::set<std::string> judged_;                   ///< keys with a later error
+  std::set<std::string> checked_;                  ///< keys with a later error
   std::map<std::string, std::string> taken_from_;  ///< keys whose value was taken from another
 };
 

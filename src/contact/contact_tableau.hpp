@@ -50,7 +50,7 @@ class ContactTableau {
 
  private:
   /// Rows of whole vectors that never straddle two cache lines.
-  using LineMatrix = Eigen::Map<RowMajor, Eigen::Aligned64>;
+  using LineMatrix = Eigen::Map<RowMajorMatrix, Eigen::Aligned64>;
 
   /// Position of a contact among the unknowns and the coordinates; -1: none.
   struct Place {
@@ -84,7 +84,7 @@ class ContactTableau {
   Vector rate_;                       ///< w' of the whole path, not scaled
   Eigen::Index pending_{};            ///< exchanges not yet applied: T - left^T right
   LineMatrix left_, right_;
-  RowMajor unit_x_, unit_force_;
+  RowMajorMatrix unit_x_, unit_force_;
   ContactLoading path_rate_;
   ContactRates rates_;
   ContactState answer_;

@@ -87,7 +87,8 @@ inline Eigen::Index coordinate_count(const std::vector<ContactSite>& sites) {
          std::count_if(sites.begin(), sites.end(), [](const ContactSite& site) { return !is_frictionless(site); });
 }
 
-/// What code for blocks of B rows may be compiled for: small ones gain by code of their size, the others share it.
+/// The size that code for blocks of B rows is compiled for: small blocks gain by a fixed size, larger ones share the
+/// dynamic code.
 template <int B>
 inline constexpr int shared_size = has_wide_rows<B> ? Eigen::Dynamic : B;
 
@@ -110,27 +111,28 @@ struct Stiffness {
 
   /// Blocks (b, b-1), (b, b), (b, b+1) side by side; zero beyond the ends of the matrix.
   void copy_rows(std::size_t b, Rows& rows) const {
-    const Eigen::Index numbers = Eigen::Index{block_size} * block_size;
+    BUMPFOIL_ASSERT(rows.rows() == block_size && rows.cols() == 3 * Eigen::Index{block_size});
+    const Eigen::Index entries = Eigen::Index{block_size} * block_size;
     double* to = rows.data();
     if (b == 0) {
-      std::fill_n(to, numbers, 0.0);
+      std::fill_n(to, entries, 0.0);
     } else if (lower.empty()) {
       Eigen::Map<Block>(to, block_size, block_size) = upper[b - 1].transpose();
     } else {
-      std::copy_n(lower[b - 1].data(), numbers, to);
+      std::copy_n(lower[b - 1].data(), entries, to);
     }
-    std::copy_n(diagonal[b].data(), numbers, to + numbers);
+    std::copy_n(diagonal[b].data(), entries, to + entries);
     if (b + 1 < diagonal.size()) {
-      std::copy_n(upper[b].data(), numbers, to + 2 * numbers);
+      std::copy_n(upper[b].data(), entries, to + 2 * entries);
     } else {
-      std::fill_n(to + 2 * numbers, numbers, 0.0);
+      std::fill_n(to + 2 * entries, entries, 0.0);
     }
   }
 
   void multiply(const Vector& x, Vector& y) const { multiply_blocks<B>(*this, block_size, x, y); }
 
   /// Y <- K X - Y for many columns.
-  void multiply_panel(const RowMajor& X, RowMajor& Y) const {
+  void multiply_panel(const RowMajorMatrix& X, RowMajorMatrix& Y) const {
     const Eigen::Index columns = X.cols();
     const Eigen::Index n = block_size;
     const auto rows_of = [&](std::size_t b) { return static_cast<Eigen::Index>(b) * n * columns; };

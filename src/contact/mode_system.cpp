@@ -78,7 +78,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     recover_forces(loading, state);
   }
 
-  void solve_units(RowMajor& x, RowMajor& force) override {
+  void solve_units(RowMajorMatrix& x, RowMajorMatrix& force) override {
     BUMPFOIL_ASSERT(factored_);
     const std::vector<SiteCoordinates> coordinates = coordinates_of(sites_);
     const Eigen::Index count = coordinate_count(sites_);
@@ -86,7 +86,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     // Index range of a block: loads and forces act within their block only.
     const auto begin_of = [&](std::size_t site) { return site < sites_.size() ? coordinates[site].normal : count; };
     // Loads first, moved through the rows as in solve().
-    RowMajor& load = unit_loads_;
+    RowMajorMatrix& load = unit_loads_;
     load.setZero(std::ssize(K_.diagonal) * n, count);
     for (std::size_t c = 0; c < sites_.size(); ++c) {
       const ContactSite& site = sites_[c];
@@ -120,7 +120,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
       x(row + e.owner, coordinates[e.site].normal) = constraint_scale_;
     });
     lu_.solve_panel_in_place(x);
-    RowMajor& imbalance = load;
+    RowMajorMatrix& imbalance = load;
     K_.multiply_panel(x, imbalance);
     force.setZero(count, count);
     for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
@@ -204,7 +204,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
 
   std::vector<ContactMode> mode_;
   double constraint_scale_{0.0};  ///< brings constraint rows to the size of the stiffness, so that pivots compare
-  RowMajor unit_loads_;           ///< of solve_units(), and then what they leave of the balance
+  RowMajorMatrix unit_loads_;     ///< of solve_units(), and then what they leave of the balance
   bool factored_{false};
   int factorisations_{0};
 };

@@ -163,8 +163,8 @@ void NewtonSolver::Workspace::find_changes(const ContactState& previous, const C
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const Eigen::Index c = contact.index;
     const ContactMode m = state.mode[static_cast<std::size_t>(c)];
-    const ModeChange change =
-        judge(c, m, contact.f, trial_of(contact, state, previous.x), options.displacement_tolerance, force_tolerance);
+    const ModeChange change = check_mode(c, m, contact.f, trial_of(contact, state, previous.x),
+                                         options.displacement_tolerance, force_tolerance);
     if (change.to != m) changes.push_back(change);
   });
 }

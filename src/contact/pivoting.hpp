@@ -101,8 +101,8 @@ struct ModeChange {
 };
 
 /// The change that a contact needs; `to` is its own mode if it needs none.
-inline ModeChange judge(Eigen::Index contact, ContactMode mode, double f, const ContactTrial& trial,
-                        double length_tolerance, double force_tolerance) {
+inline ModeChange check_mode(Eigen::Index contact, ContactMode mode, double f, const ContactTrial& trial,
+                             double length_tolerance, double force_tolerance) {
   const ContactMode to = next_mode(mode, f, trial, length_tolerance, force_tolerance);
   double excess = std::abs(trial.slip);  // slip in the wrong direction
   if (mode == ContactMode::open) {

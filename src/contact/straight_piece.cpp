@@ -209,7 +209,7 @@ void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
   const ContactMode m = target.mode[static_cast<std::size_t>(c)];
   ContactTrial trial{
       .gap = target.gap[c], .normal = target.normal_force[c], .friction = target.friction_force[c], .slip = slip_[c]};
-  const auto change = [&] { return judge(c, m, f, trial, displacement_tolerance, force_tolerance); };
+  const auto change = [&] { return check_mode(c, m, f, trial, displacement_tolerance, force_tolerance); };
   if (m == ContactMode::open) {
     if (trial.gap >= -displacement_tolerance) return;
     limit(c, begin.gap[c], trial.gap, change().to);

@@ -50,18 +50,18 @@ std::optional<Eigen::MatrixXd> definite_inverse(const Eigen::MatrixXd& A, double
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
   // The last columns of Q in A^T = Q R. Eigen's QR without pivoting would take 5 s to compile.
   const Eigen::Index n = A.cols();
-  const Eigen::Index held = A.rows();
+  const Eigen::Index rank = A.rows();
   Eigen::MatrixXd R = A.transpose();
-  Eigen::VectorXd tau(held);
+  Eigen::VectorXd tau(rank);
   Eigen::VectorXd work(n);
-  for (Eigen::Index k = 0; k < held; ++k) {
+  for (Eigen::Index k = 0; k < rank; ++k) {
     R.col(k).tail(n - k).makeHouseholderInPlace(tau[k], R(k, k));
-    R.bottomRightCorner(n - k, held - k - 1).applyHouseholderOnTheLeft(R.col(k).tail(n - k - 1), tau[k], work.data());
+    R.bottomRightCorner(n - k, rank - k - 1).applyHouseholderOnTheLeft(R.col(k).tail(n - k - 1), tau[k], work.data());
   }
-  Eigen::MatrixXd null = Eigen::MatrixXd::Zero(n, n - held);
-  null.bottomRows(n - held).setIdentity();
-  for (Eigen::Index k = held; k-- > 0;) {
-    null.bottomRightCorner(n - k, n - held).applyHouseholderOnTheLeft(R.col(k).tail(n - k - 1), tau[k], work.data());
+  Eigen::MatrixXd null = Eigen::MatrixXd::Zero(n, n - rank);
+  null.bottomRows(n - rank).setIdentity();
+  for (Eigen::Index k = rank; k-- > 0;) {
+    null.bottomRows(n - k).applyHouseholderOnTheLeft(R.col(k).tail(n - k - 1), tau[k], work.data());
   }
   return null;
 }

@@ -99,13 +99,13 @@ void lay_out_states(const Case& input, EnsembleLayout& layout) {
   // Errors that every bearing would have are those of the case, not of a sample.
   const FilmBearing bearing = require_running_bearing(input);
   for (const RunningState& state : planned_states(*input.equilibrium, Status::not_reached)) {
-    layout.places.push_back({name_of_point(state.asked), state.asked});
+    layout.places.push_back({name_of_point(state.requested), state.requested});
   }
   const bool by_load = !input.equilibrium->loads.empty();
   add_sampled(running_quantities(bearing, input.montecarlo->limits), [&](const RunningQuantity& quantity) {
     // Requested values do not scatter.
-    const bool asked = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
-    if (!asked) layout.columns.push_back(column_of(quantity));
+    const bool requested = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
+    if (!requested) layout.columns.push_back(column_of(quantity));
   });
 }
 

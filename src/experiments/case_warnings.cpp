@@ -86,7 +86,7 @@ std::vector<std::string> case_warnings(const Case& input) {
       warnings.emplace_back("the shape of the formed top foil without a journal was not found");
       break;
     }
-    const double room = foils->room_in(k);
+    const double room = foils->assembled_clearance_in(k);
     if (room > 0.0) continue;
     warnings.push_back(fmt::format(
         "the top foil{} bulges by {:.4g} um where it leaves its bumps and presses on a centred journal at rest, {:.4g} "

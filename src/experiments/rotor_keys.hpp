@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bumpfoil/model/case.hpp"
-#include "model/judge.hpp"
+#include "model/checks.hpp"
 
 namespace bumpfoil {
 
@@ -14,9 +14,9 @@ class CaseVisitor;
 void describe_rotor(CaseVisitor& keys, Case& input);
 
 /// Checks the table [rotor].
-void judge_rotor(Judge& judge, const Case& input);
+void check_rotor(Checks& checks, const Case& input);
 
 /// Checks the rotor speeds of an experiment.
-void judge_rotor_speeds(Judge& judge, const std::string& key, const std::vector<double>& speeds);
+void check_rotor_speeds(Checks& checks, const std::string& key, const std::vector<double>& speeds);
 
 }  // namespace bumpfoil

@@ -33,7 +33,7 @@ class RotorFile {
             "give {\"M\": [[...], ...], \"C\": ..., \"G\": ..., \"K\": ..., \"bearing\": [...]}");
       throw_if_faulty();
     }
-    judge_names(json_, "", rotor_file_keys);
+    check_names(json_, "", rotor_file_keys);
     rows("M", matrices.mass);
     rows("C", matrices.damping);
     rows("G", matrices.gyroscopic);
@@ -57,7 +57,7 @@ class RotorFile {
   }
 
   template <std::size_t N>
-  void judge_names(const nlohmann::json& object, const std::string& holder,
+  void check_names(const nlohmann::json& object, const std::string& holder,
                    const std::array<std::string_view, N>& known) {
     for (const auto& [name, value] : object.items()) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -111,7 +111,7 @@ class RotorFile {
         fault(name, "is no object", "write {\"name\": \"drive end\", \"z\": 0.04, \"x\": 8, \"y\": 9}");
         continue;
       }
-      judge_names(entry, name + ".", place_keys);
+      check_names(entry, name + ".", place_keys);
       const auto part = [&](const char* what, bool right_kind, const char* kind) {
         if (entry.contains(what) && right_kind) return true;
         fault(fmt::format("{}.{}", name, what), entry.contains(what) ? fmt::format("is no {}", kind) : "is missing",

@@ -226,39 +226,39 @@ void describe_bearings(CaseVisitor& keys, Case& input) {
 }
 
 /// Checks positive numbers that may be absent.
-bool judge_optional(Judge& judge, const std::string& key, const std::optional<double>& value, const Range& range) {
-  return !value || judge.within(key, *value, range);
+bool check_optional(Checks& checks, const std::string& key, const std::optional<double>& value, const Range& range) {
+  return !value || checks.within(key, *value, range);
 }
 
-bool judge_shaft(Judge& judge, const RotorSettings& rotor) {
+bool check_shaft(Checks& checks, const RotorSettings& rotor) {
   if (!rotor.is_flexible()) return true;
   bool right = true;
   for (std::size_t i = 0; i < rotor.shaft.size(); ++i) {
     const ShaftSection& section = rotor.shaft[i];
     const auto key = [i](const char* name) { return fmt::format("rotor.shaft[{}].{}", i + 1, name); };
-    right &= judge.within(key("length"), section.length, length_range);
-    right &= judge.within(key("outer_diameter"), section.outer_diameter, length_range);
-    right &= judge.within(key("inner_diameter"), section.inner_diameter, {0.0, length_range.most, "m"});
-    right &= judge.require(section.inner_diameter < section.outer_diameter || section.outer_diameter <= 0.0,
-                           key("inner_diameter"), quantity(section.inner_diameter, "m"),
-                           "is not smaller than the outer diameter", "give a smaller one, or 0 for a solid shaft");
-    right &= judge.within(key("youngs_modulus"), section.youngs_modulus, modulus_range);
-    right &= judge.within(key("poisson_ratio"), section.poisson_ratio, poisson_range);
-    right &= judge.within(key("density"), section.density, density_of_shaft_range);
+    right &= checks.within(key("length"), section.length, length_range);
+    right &= checks.within(key("outer_diameter"), section.outer_diameter, length_range);
+    right &= checks.within(key("inner_diameter"), section.inner_diameter, {0.0, length_range.most, "m"});
+    right &= checks.require(section.inner_diameter < section.outer_diameter || section.outer_diameter <= 0.0,
+                            key("inner_diameter"), quantity(section.inner_diameter, "m"),
+                            "is not smaller than the outer diameter", "give a smaller one, or 0 for a solid shaft");
+    right &= checks.within(key("youngs_modulus"), section.youngs_modulus, modulus_range);
+    right &= checks.within(key("poisson_ratio"), section.poisson_ratio, poisson_range);
+    right &= checks.within(key("density"), section.density, density_of_shaft_range);
   }
   if (!right) return false;
   const double end = length_of(rotor.shaft);
   const auto lies_on_it = [&](const std::string& key, double z) {
-    return judge.require(z >= 0.0 && z <= end * (1.0 + round_off), key, quantity(z, "m"), "is not on the shaft",
-                         fmt::format("give a position between its start, 0 m, and its end, {:.6g} m", end));
+    return checks.require(z >= 0.0 && z <= end * (1.0 + round_off), key, quantity(z, "m"), "is not on the shaft",
+                          fmt::format("give a position between its start, 0 m, and its end, {:.6g} m", end));
   };
   for (std::size_t i = 0; i < rotor.disks.size(); ++i) {
     const ShaftDisc& disk = rotor.disks[i];
     const std::string name = fmt::format("rotor.disk[{}]", i + 1);
     right &= lies_on_it(name + ".at", disk.z);
-    right &= judge.within(name + ".mass", disk.mass, mass_range);
-    right &= judge.within(name + ".transverse_inertia", disk.transverse_inertia, inertia_range);
-    right &= judge.within(name + ".polar_inertia", disk.polar_inertia, {0.0, inertia_range.most, "kg m2"});
+    right &= checks.within(name + ".mass", disk.mass, mass_range);
+    right &= checks.within(name + ".transverse_inertia", disk.transverse_inertia, inertia_range);
+    right &= checks.within(name + ".polar_inertia", disk.polar_inertia, {0.0, inertia_range.most, "kg m2"});
   }
   for (std::size_t i = 0; i < rotor.bearings.size(); ++i) {
     right &= lies_on_it(fmt::format("rotor.bearings[{}]", i + 1), rotor.bearings[i]);
@@ -266,44 +266,44 @@ bool judge_shaft(Judge& judge, const RotorSettings& rotor) {
   return right;
 }
 
-bool judge_unbalances(Judge& judge, const RotorSettings& rotor) {
+bool check_unbalances(Checks& checks, const RotorSettings& rotor) {
   bool right = true;
   const double end = length_of(rotor.shaft);
   for (std::size_t i = 0; i < rotor.unbalances.size(); ++i) {
     const RotorUnbalance& one = rotor.unbalances[i];
     const std::string name = fmt::format("rotor.unbalance[{}]", i + 1);
-    right &= judge_optional(judge, name + ".amount", one.amount, {0.0, 1.0, "kg m"});
-    right &= judge_optional(judge, name + ".grade", one.grade, {0.0, 10.0, "m/s"});
-    right &= judge_optional(judge, name + ".grade_speed", one.grade_speed, frequency_range);
-    right &= judge.require(one.amount.has_value() != one.grade.has_value(), name + ".amount", "",
-                           one.amount ? "is given in addition to a grade" : "is missing, as is a grade",
-                           "give an amount such as \"2 g mm\", or a grade such as \"2.5 mm/s\" with its grade_speed");
-    right &= judge.require(one.grade.has_value() == one.grade_speed.has_value(), name + ".grade_speed", "",
-                           one.grade ? "is missing: a grade applies at a speed" : "is given without a grade",
-                           "give both, such as grade = \"2.5 mm/s\" and grade_speed = \"60000 rpm\"");
-    right &= judge.finite(name + ".phase", one.phase, "rad");
+    right &= check_optional(checks, name + ".amount", one.amount, {0.0, 1.0, "kg m"});
+    right &= check_optional(checks, name + ".grade", one.grade, {0.0, 10.0, "m/s"});
+    right &= check_optional(checks, name + ".grade_speed", one.grade_speed, frequency_range);
+    right &= checks.require(one.amount.has_value() != one.grade.has_value(), name + ".amount", "",
+                            one.amount ? "is given in addition to a grade" : "is missing, as is a grade",
+                            "give an amount such as \"2 g mm\", or a grade such as \"2.5 mm/s\" with its grade_speed");
+    right &= checks.require(one.grade.has_value() == one.grade_speed.has_value(), name + ".grade_speed", "",
+                            one.grade ? "is missing: a grade applies at a speed" : "is given without a grade",
+                            "give both, such as grade = \"2.5 mm/s\" and grade_speed = \"60000 rpm\"");
+    right &= checks.finite(name + ".phase", one.phase, "rad");
     if (rotor.matrices) {
-      right &= judge.require(place_at(*rotor.matrices, one.at) != nullptr, name + ".at", quantity(one.at, "m"),
-                             "is not a bearing or station of the matrices", "give the z of a bearing or station");
+      right &= checks.require(place_at(*rotor.matrices, one.at) != nullptr, name + ".at", quantity(one.at, "m"),
+                              "is not a bearing or station of the matrices", "give the z of a bearing or station");
     } else if (rotor.is_flexible()) {
-      right &= judge.require(one.at >= 0.0 && one.at <= end * (1.0 + round_off), name + ".at", quantity(one.at, "m"),
-                             "is not on the shaft",
-                             fmt::format("give a position between its start, 0 m, and its end, {:.6g} m", end));
+      right &= checks.require(one.at >= 0.0 && one.at <= end * (1.0 + round_off), name + ".at", quantity(one.at, "m"),
+                              "is not on the shaft",
+                              fmt::format("give a position between its start, 0 m, and its end, {:.6g} m", end));
     } else {
-      right &= judge.finite(name + ".at", one.at, "m");
-      right &= judge.require(rotor.tilts() || one.at == 0.0, name + ".at", quantity(one.at, "m"),
-                             "is a position on a rotor that does not tilt",
-                             "remove it, or give rotor.bearings and rotor.transverse_inertia");
+      right &= checks.finite(name + ".at", one.at, "m");
+      right &= checks.require(rotor.tilts() || one.at == 0.0, name + ".at", quantity(one.at, "m"),
+                              "is a position on a rotor that does not tilt",
+                              "remove it, or give rotor.bearings and rotor.transverse_inertia");
     }
   }
   return right;
 }
 
 /// Checks for keys of another kind of rotor, and for missing keys of its own kind.
-bool judge_kind(Judge& judge, const RotorSettings& rotor) {
+bool check_kind(Checks& checks, const RotorSettings& rotor) {
   bool right = true;
   const auto belongs = [&](bool is_right, const char* key, const char* what, const char* advice) {
-    right &= judge.require(is_right, key, "", what, advice);
+    right &= checks.require(is_right, key, "", what, advice);
   };
   if (rotor.matrices) {
     const std::array others{std::pair("rotor.mass", rotor.mass.has_value()),
@@ -346,30 +346,30 @@ bool judge_kind(Judge& judge, const RotorSettings& rotor) {
   return right;
 }
 
-bool judge_matrices(Judge& judge, const RotorMatrices& matrices) {
+bool check_matrices(Checks& checks, const RotorMatrices& matrices) {
   const std::vector<Fault> faults = find_matrix_faults(matrices);
   for (const Fault& fault : faults) {
-    judge.require(false, "rotor.matrix." + fault.key, fault.value, fault.what, fault.advice);
+    checks.require(false, "rotor.matrix." + fault.key, fault.value, fault.what, fault.advice);
   }
   return faults.empty();
 }
 
 /// Checks that bearings that differ match one position each.
-void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t count) {
+void check_own_bearings(Checks& checks, const RotorSettings& rotor, std::size_t count) {
   if (count == 0) return;
-  if (!judge.require(rotor.tilts(), "rotor.bearing", "",
-                     "is given for a rotor that does not tilt, which has two equal bearings",
-                     "remove all [[rotor.bearing]], or give rotor.bearings and rotor.transverse_inertia")) {
+  if (!checks.require(rotor.tilts(), "rotor.bearing", "",
+                      "is given for a rotor that does not tilt, which has two equal bearings",
+                      "remove all [[rotor.bearing]], or give rotor.bearings and rotor.transverse_inertia")) {
     return;
   }
-  judge.require(
+  checks.require(
       count == rotor.bearing_count(), "rotor.bearing", "",
       fmt::format("is given {} times, for {} bearing positions", count, rotor.bearing_count()),
       "give one [[rotor.bearing]] for each position, in the same order; an empty one is the bearing of the case");
 }
 
 /// Bearings that resist tilt require a rotor model with tilt.
-void judge_tilting(Judge& judge, const RotorSettings& rotor, const Case& input) {
+void check_tilting(Checks& checks, const RotorSettings& rotor, const Case& input) {
   if (!rotor.matrices) return;
   bool resists = false;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, input.rotor_bearings.size()); ++i) {
@@ -378,7 +378,7 @@ void judge_tilting(Judge& judge, const RotorSettings& rotor, const Case& input) 
   }
   if (!resists) return;
   for (const char* const command : {"stability", "unbalance", "transient"}) {
-    judge.require_for(
+    checks.require_for(
         command, false, "rotor.matrices", "",
         "name only displacements at the bearings, but these bearings also resist inclinations",
         "set width.modes = 1 without tilt, conicity, unlike side pressures and split top foils, or give the rotor by "
@@ -404,7 +404,7 @@ Eigen::VectorXcd unbalance_force(const RotorSettings& settings, const Rotor& rot
 }
 
 RotorForces forces_on(const RotorSettings& settings, const Rotor& rotor) {
-  const Eigen::VectorXd weight = rotor.weight(settings.gravity_vector());
+  const Eigen::VectorXd weight = rotor.inertia_force(settings.gravity_vector());
   return [weight, placed = placed_unbalances(settings, rotor)](const RotorInstant& now) -> Eigen::VectorXd {
     Eigen::VectorXd force = weight;
     for (const auto& [plane, unbalance] : placed) {
@@ -435,56 +435,56 @@ void describe_rotor(CaseVisitor& keys, Case& input) {
              });
 }
 
-void judge_rotor(Judge& judge, const Case& input) {
+void check_rotor(Checks& checks, const Case& input) {
   const RotorSettings* const rotor = input.settings.find<RotorSettings>();
   if (rotor == nullptr) return;
   const bool gravity_right =
-      judge.require(rotor->gravity.size() == 2 && std::hypot(rotor->gravity[0], rotor->gravity[1]) > 0.0 &&
-                        std::hypot(rotor->gravity[0], rotor->gravity[1]) <= most_gravity,
-                    "rotor.gravity", "", "is not an acceleration along X and Y",
-                    "give two components such as [\"0 m/s2\", \"-9.81 m/s2\"]");
-  bool right = judge_optional(judge, "rotor.mass", rotor->mass, mass_range);
-  right &= judge_optional(judge, "rotor.transverse_inertia", rotor->transverse_inertia, inertia_range);
-  right &= judge_optional(judge, "rotor.polar_inertia", rotor->polar_inertia, {0.0, inertia_range.most, "kg m2"});
+      checks.require(rotor->gravity.size() == 2 && std::hypot(rotor->gravity[0], rotor->gravity[1]) > 0.0 &&
+                         std::hypot(rotor->gravity[0], rotor->gravity[1]) <= most_gravity,
+                     "rotor.gravity", "", "is not an acceleration along X and Y",
+                     "give two components such as [\"0 m/s2\", \"-9.81 m/s2\"]");
+  bool right = check_optional(checks, "rotor.mass", rotor->mass, mass_range);
+  right &= check_optional(checks, "rotor.transverse_inertia", rotor->transverse_inertia, inertia_range);
+  right &= check_optional(checks, "rotor.polar_inertia", rotor->polar_inertia, {0.0, inertia_range.most, "kg m2"});
   if (right && rotor->transverse_inertia && rotor->polar_inertia) {
-    right &= judge.require(*rotor->polar_inertia <= 2.0 * *rotor->transverse_inertia, "rotor.polar_inertia",
-                           quantity(*rotor->polar_inertia, "kg m2"),
-                           "is more than twice the transverse inertia, which no body can have",
-                           "give I_p about the axis, and I_t about a diameter");
+    right &= checks.require(*rotor->polar_inertia <= 2.0 * *rotor->transverse_inertia, "rotor.polar_inertia",
+                            quantity(*rotor->polar_inertia, "kg m2"),
+                            "is more than twice the transverse inertia, which no body can have",
+                            "give I_p about the axis, and I_t about a diameter");
   }
   for (std::size_t i = 0; i < rotor->bearings.size(); ++i) {
-    right &= judge.finite(fmt::format("rotor.bearings[{}]", i + 1), rotor->bearings[i], "m");
+    right &= checks.finite(fmt::format("rotor.bearings[{}]", i + 1), rotor->bearings[i], "m");
   }
-  if (rotor->matrices && !judge_matrices(judge, *rotor->matrices)) return;
-  right &= judge_kind(judge, *rotor);
-  judge_own_bearings(judge, *rotor, input.rotor_bearings.size());
-  judge_tilting(judge, *rotor, input);
-  right &= judge_shaft(judge, *rotor);
-  right &= judge_unbalances(judge, *rotor);
+  if (rotor->matrices && !check_matrices(checks, *rotor->matrices)) return;
+  right &= check_kind(checks, *rotor);
+  check_own_bearings(checks, *rotor, input.rotor_bearings.size());
+  check_tilting(checks, *rotor, input);
+  right &= check_shaft(checks, *rotor);
+  right &= check_unbalances(checks, *rotor);
   if (!right || !gravity_right) return;
   const Rotor made = full_rotor(*rotor);
   const std::vector<Eigen::Vector2d> loads = weights_on_bearings(made, rotor->gravity_vector());
   const double weight = made.total_mass() * rotor->gravity_vector().norm();
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    judge.require(loads[i].norm() > least_part_of_weight * weight, fmt::format("rotor.bearings[{}]", i + 1), "",
-                  "carries nothing: the centre of mass lies over the other bearing", "move one of the bearings");
+    checks.require(loads[i].norm() > least_part_of_weight * weight, fmt::format("rotor.bearings[{}]", i + 1), "",
+                   "carries nothing: the centre of mass lies over the other bearing", "move one of the bearings");
   }
 }
 
-void judge_rotor_speeds(Judge& judge, const std::string& key, const std::vector<double>& speeds) {
-  judge.require(!speeds.empty(), key, "[]", "is empty", "give a list such as [\"10000 rpm\", \"14000 rpm\"]");
-  judge.require(speeds.size() <= most_rotor_speeds, key, fmt::format("{} speeds", speeds.size()), "are too many",
-                fmt::format("give {} at most", most_rotor_speeds));
+void check_rotor_speeds(Checks& checks, const std::string& key, const std::vector<double>& speeds) {
+  checks.require(!speeds.empty(), key, "[]", "is empty", "give a list such as [\"10000 rpm\", \"14000 rpm\"]");
+  checks.require(speeds.size() <= most_rotor_speeds, key, fmt::format("{} speeds", speeds.size()), "are too many",
+                 fmt::format("give {} at most", most_rotor_speeds));
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     const double speed = speeds[i];
     const std::string entry = fmt::format("{}[{}]", key, i + 1);
-    if (!judge.finite(entry, speed, "rad/s")) continue;
-    const bool turns = judge.require(speed != 0.0 && std::abs(speed) <= most_rotor_speed, entry,
-                                     quantity(speed, "rad/s"), "is not a speed at which a film carries",
-                                     fmt::format("give a speed other than zero, {} rad/s at most", most_rotor_speed));
+    if (!checks.finite(entry, speed, "rad/s")) continue;
+    const bool turns = checks.require(speed != 0.0 && std::abs(speed) <= most_rotor_speed, entry,
+                                      quantity(speed, "rad/s"), "is not a speed at which a film carries",
+                                      fmt::format("give a speed other than zero, {} rad/s at most", most_rotor_speed));
     if (!turns) continue;
-    judge.require(speed * speeds.front() >= 0.0, entry, quantity(speed, "rad/s"), "has another sign than the first",
-                  "give speeds of one sense of rotation");
+    checks.require(speed * speeds.front() >= 0.0, entry, quantity(speed, "rad/s"), "has another sign than the first",
+                   "give speeds of one sense of rotation");
   }
 }
 

@@ -12,7 +12,7 @@ namespace bumpfoil {
 /// ring.
 class ColumnChain {
  public:
-  using Block = Eigen::Map<RowMajor>;
+  using Block = Eigen::Map<RowMajorMatrix>;
 
   virtual ~ColumnChain() = default;
 
@@ -33,7 +33,7 @@ class ColumnChain {
 
   /// Negative change of the first and last columns per unit of a neighbour's unknown.
   struct Response {
-    RowMajor first, last;
+    RowMajorMatrix first, last;
   };
   /// Responses to the previous and the next neighbour: A^-1 times lower(0), and times upper(columns() - 1).
   virtual void respond(Response& to_before, Response& to_after) = 0;

@@ -26,9 +26,9 @@ class PressureSystem {
   FilmMesh mesh_;
   std::unique_ptr<ColumnChain> chain_;
   // Couplings of column 0 of a closed film to the previous column, itself and the next one.
-  RowMajor border_before_, border_own_, border_after_;
+  RowMajorMatrix border_before_, border_own_, border_after_;
   ColumnChain::Response to_before_, to_after_;
-  BlockTridiagonalLU<Eigen::Dynamic> border_;  ///< one block: what the chain leaves of the equations of column 0
+  BlockTridiagonalLU<Eigen::Dynamic> border_;  ///< one block: the Schur complement of column 0
   Vector right_, border_step_;
 };
 

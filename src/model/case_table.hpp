@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "bumpfoil/model/case.hpp"
-#include "model/judge.hpp"
-#include "model/judge_bump_foil.hpp"
+#include "model/check_bump_foil.hpp"
+#include "model/checks.hpp"
 
 namespace bumpfoil {
 
@@ -19,7 +19,7 @@ struct CaseTable {
   /// Visits its keys; those outside the case file's tables keep their defaults.
   void (*describe)(CaseVisitor& keys, Case& input);
   /// Checks its settings, if any. @param foil  known properties of the bump foil, possibly none
-  void (*check)(Judge& judge, const Case& input, const JudgedBumpFoil& foil);
+  void (*check)(Checks& checks, const Case& input, const CheckedBumpFoil& foil);
   /// Whether the case gives the settings of this experiment; null if it has none of its own.
   bool (*given)(const Case& input){};
   /// Another part that the case requests, or another command that it runs, with checks of its own; empty: none.

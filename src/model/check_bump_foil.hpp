@@ -1,12 +1,12 @@
 #pragma once
 
 #include "bumpfoil/model/case.hpp"
-#include "model/judge.hpp"
+#include "model/checks.hpp"
 
 namespace bumpfoil {
 
 /// Properties of a bump foil that other checks need.
-struct JudgedBumpFoil {
+struct CheckedBumpFoil {
   bool bumps{};    ///< whether their number is usable
   bool pitches{};  ///< whether all pitches are, too
   double rise{};   ///< of the mid-surface of the tallest nominal bump, m; 0 if unknown
@@ -14,9 +14,9 @@ struct JudgedBumpFoil {
 
 /// Checks the shape of a bump foil, its lists and its shims, not its material.
 /// @param radius  of the bearing; 0 if unusable
-JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius);
+CheckedBumpFoil check_bump_foil(Checks& checks, const BumpFoil& foil, double radius);
 
 /// Checks whether lists and gradings along the foil match the number of bumps of a strip.
-void judge_strip_of(Judge& judge, const BumpFoil& foil, int bumps);
+void check_strip_of(Checks& checks, const BumpFoil& foil, int bumps);
 
 }  // namespace bumpfoil

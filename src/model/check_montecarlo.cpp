@@ -1,4 +1,4 @@
-#include "model/judge_montecarlo.hpp"
+#include "model/check_montecarlo.hpp"
 
 #include <array>
 #include <optional>
@@ -17,7 +17,7 @@ constexpr int most_waves = 1000;
 constexpr double least_share = 1e-12;
 
 /// Whether exactly the numbers that each kind needs are given.
-bool judge_parts(Judge& judge, const std::string& table, const Distribution& distribution) {
+bool check_parts(Checks& checks, const std::string& table, const Distribution& distribution) {
   const DistributionKind kind = distribution.kind;
   const bool normal = kind == DistributionKind::normal || kind == DistributionKind::truncated_normal;
   const bool bounded = kind == DistributionKind::uniform || kind == DistributionKind::truncated_normal;
@@ -30,34 +30,34 @@ bool judge_parts(Judge& judge, const std::string& table, const Distribution& dis
   for (const auto& [name, given, needed] : parts) {
     const std::string what =
         fmt::format("{} a distribution that is {}", given ? "is not used by" : "is missing in", name_of(kind));
-    right = judge.require(given == needed, table + "." + name, "", what,
-                          given ? "remove it, or give another distribution" : "give it") &&
+    right = checks.require(given == needed, table + "." + name, "", what,
+                           given ? "remove it, or give another distribution" : "give it") &&
             right;
   }
   return right;
 }
 
-void judge_distribution(Judge& judge, const std::string& table, const Distribution& distribution,
+void check_distribution(Checks& checks, const std::string& table, const Distribution& distribution,
                         std::string_view unit) {
-  bool right = judge_parts(judge, table, distribution);
+  bool right = check_parts(checks, table, distribution);
   for (const auto& [name, value] : {std::pair{".std", distribution.sigma}, std::pair{".lower", distribution.lower},
                                     std::pair{".upper", distribution.upper}}) {
-    right = (!value || judge.finite(table + name, *value, unit)) && right;
+    right = (!value || checks.finite(table + name, *value, unit)) && right;
   }
   for (std::size_t i = 0; i < distribution.values.size(); ++i) {
-    judge.finite(fmt::format("{}.values[{}]", table, i + 1), distribution.values[i], unit);
+    checks.finite(fmt::format("{}.values[{}]", table, i + 1), distribution.values[i], unit);
   }
   if (!right) return;
   if (distribution.sigma &&
-      !judge.require(*distribution.sigma > 0.0, table + ".std", quantity(*distribution.sigma, unit), "must be positive",
-                     "leave the table out where nothing scatters")) {
+      !checks.require(*distribution.sigma > 0.0, table + ".std", quantity(*distribution.sigma, unit),
+                      "must be positive", "leave the table out where nothing scatters")) {
     return;
   }
   if (!distribution.lower) return;
   const double lower = *distribution.lower;
   const double upper = *distribution.upper;
-  if (!judge.require(lower < upper, table + ".upper", quantity(upper, unit),
-                     fmt::format("is not above the lower bound, {}", quantity(lower, unit)), "exchange them")) {
+  if (!checks.require(lower < upper, table + ".upper", quantity(upper, unit),
+                      fmt::format("is not above the lower bound, {}", quantity(lower, unit)), "exchange them")) {
     return;
   }
   if (!distribution.sigma) return;
@@ -65,46 +65,46 @@ void judge_distribution(Judge& judge, const std::string& table, const Distributi
   const double to = upper / *distribution.sigma;
   const double share = from > 0.0 ? normal_probability(-from) - normal_probability(-to)
                                   : normal_probability(to) - normal_probability(from);
-  judge.require(share >= least_share, table + ".lower", quantity(lower, unit),
-                "leaves almost nothing of the normal distribution between the bounds", "give bounds nearer to zero");
+  checks.require(share >= least_share, table + ".lower", quantity(lower, unit),
+                 "leaves almost nothing of the normal distribution between the bounds", "give bounds nearer to zero");
 }
 
 }  // namespace
 
-void judge_waves(Judge& judge, const std::string& table, int harmonic, double amplitude, double radius) {
-  judge.require(harmonic >= 1 && harmonic <= most_waves, table + ".harmonic", std::to_string(harmonic),
-                "is not a valid number of waves around the circumference",
-                fmt::format("give a whole number from 1 to {}", most_waves));
-  if (!judge.within(table + ".amplitude", amplitude, length_range) || radius <= 0.0) return;
-  judge.require(amplitude <= thin * radius, table + ".amplitude", quantity(amplitude, "m"),
-                "is too large for this radius",
-                fmt::format("give at most {:.6g} m; is the unit right?", thin * radius));
+void check_waves(Checks& checks, const std::string& table, int harmonic, double amplitude, double radius) {
+  checks.require(harmonic >= 1 && harmonic <= most_waves, table + ".harmonic", std::to_string(harmonic),
+                 "is not a valid number of waves around the circumference",
+                 fmt::format("give a whole number from 1 to {}", most_waves));
+  if (!checks.within(table + ".amplitude", amplitude, length_range) || radius <= 0.0) return;
+  checks.require(amplitude <= thin * radius, table + ".amplitude", quantity(amplitude, "m"),
+                 "is too large for this radius",
+                 fmt::format("give at most {:.6g} m; is the unit right?", thin * radius));
 }
 
-void judge_montecarlo(Judge& judge, const MonteCarloSettings& ensemble, double radius) {
-  judge.require(ensemble.samples >= 1 && ensemble.samples <= most_samples, "montecarlo.samples",
-                std::to_string(ensemble.samples), "is not a valid number of samples",
-                fmt::format("give a whole number from 1 to {}", most_samples));
-  judge.require(ensemble.seed >= 0, "montecarlo.seed", std::to_string(ensemble.seed), "must not be negative",
-                "give any whole number from 0 on");
+void check_montecarlo(Checks& checks, const MonteCarloSettings& ensemble, double radius) {
+  checks.require(ensemble.samples >= 1 && ensemble.samples <= most_samples, "montecarlo.samples",
+                 std::to_string(ensemble.samples), "is not a valid number of samples",
+                 fmt::format("give a whole number from 1 to {}", most_samples));
+  checks.require(ensemble.seed >= 0, "montecarlo.seed", std::to_string(ensemble.seed), "must not be negative",
+                 "give any whole number from 0 on");
   bool any = ensemble.bump_height || ensemble.sleeve_waviness;
   if (ensemble.bump_height) {
-    judge_distribution(judge, "montecarlo.bump_height", ensemble.bump_height->distribution, "m");
+    check_distribution(checks, "montecarlo.bump_height", ensemble.bump_height->distribution, "m");
     const double length = ensemble.bump_height->correlation_length;
-    if (length != 0.0) judge.within("montecarlo.bump_height.correlation_length", length, length_range);
+    if (length != 0.0) checks.within("montecarlo.bump_height.correlation_length", length, length_range);
   }
   for (const ScatteredNumber& number : scattered_numbers()) {
     const std::optional<Distribution>& distribution = ensemble.*number.distribution;
     if (!distribution) continue;
     any = true;
-    judge_distribution(judge, fmt::format("montecarlo.{}", number.name), *distribution,
+    check_distribution(checks, fmt::format("montecarlo.{}", number.name), *distribution,
                        number.unit == "1" ? std::string_view() : number.unit);
   }
   if (const auto& waves = ensemble.sleeve_waviness) {
-    judge_waves(judge, "montecarlo.sleeve_waviness", waves->harmonic, waves->amplitude, radius);
+    check_waves(checks, "montecarlo.sleeve_waviness", waves->harmonic, waves->amplitude, radius);
   }
-  judge.require_for("montecarlo", any, "montecarlo", "", "nothing scatters: all bearings would be identical",
-                    "give one at least, such as bump_height = { distribution = \"normal\", std = \"10 um\" }");
+  checks.require_for("montecarlo", any, "montecarlo", "", "nothing scatters: all bearings would be identical",
+                     "give one at least, such as bump_height = { distribution = \"normal\", std = \"10 um\" }");
 }
 
 }  // namespace bumpfoil

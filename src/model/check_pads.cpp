@@ -1,4 +1,4 @@
-#include "model/judge_pads.hpp"
+#include "model/check_pads.hpp"
 
 #include <fmt/format.h>
 
@@ -18,10 +18,10 @@ std::string degrees(double angle) {
 }
 
 /// Checks properties that the foils of all pads must share: one contact problem and one result hold all of them.
-void judge_common(Judge& judge, const std::string& table, const Case& input, const Pad& pad) {
+void check_common(Checks& checks, const std::string& table, const Case& input, const Pad& pad) {
   const auto require_same = [&](bool same, std::string_view key, std::string_view common) {
-    judge.require(same, fmt::format("{}.{}", table, key), "", "is not that of the other pads",
-                  fmt::format("leave it out here, and give {}", common));
+    checks.require(same, fmt::format("{}.{}", table, key), "", "is not that of the other pads",
+                   fmt::format("leave it out here, and give {}", common));
   };
   if (pad.bump_foil) {
     require_same(pad.bump_foil->model == input.bump_foil.model, "bump_foil.model", "bump_foil.model for all");
@@ -45,49 +45,50 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
 }
 
 /// Checks for commands and models that support only one foil around the circumference.
-void judge_use(Judge& judge, const Case& input) {
-  judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "", "does not support pads",
-                "set model = \"truss\" or \"frame\", or remove [[pad]]");
-  judge.require_for("strip", !input.strip, "strip", "", "lies flat, cut from one foil, and the bearing has pads",
-                    "remove [[pad]], and give the foils of one in [bump_foil] and [top_foil]");
+void check_use(Checks& checks, const Case& input) {
+  checks.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "", "does not support pads",
+                 "set model = \"truss\" or \"frame\", or remove [[pad]]");
+  checks.require_for("strip", !input.strip, "strip", "", "lies flat, cut from one foil, and the bearing has pads",
+                     "remove [[pad]], and give the foils of one in [bump_foil] and [top_foil]");
 }
 
 }  // namespace
 
-bool judge_pads(Judge& judge, const Case& input, double radius) {
+bool check_pads(Checks& checks, const Case& input, double radius) {
   const auto& gap = input.bearing.pad_gap;
   if (input.pads.empty()) {
-    judge.require(!gap, "bearing.pad_gap", "", "applies between pads, but there are none", "remove it, or add [[pad]]");
+    checks.require(!gap, "bearing.pad_gap", "", "applies between pads, but there are none",
+                   "remove it, or add [[pad]]");
     return false;
   }
-  judge_use(judge, input);
+  check_use(checks, input);
   const double share = turn / static_cast<double>(input.pads.size());
-  bool placed = !gap || (judge.finite("bearing.pad_gap", *gap, "rad") &&
-                         judge.require(*gap >= 0.0 && *gap < share, "bearing.pad_gap", degrees(*gap),
-                                       fmt::format("leaves no arc of the share of a pad, {}", degrees(share)),
-                                       "give a smaller gap, which is not negative"));
+  bool placed = !gap || (checks.finite("bearing.pad_gap", *gap, "rad") &&
+                         checks.require(*gap >= 0.0 && *gap < share, "bearing.pad_gap", degrees(*gap),
+                                        fmt::format("leaves no arc of the share of a pad, {}", degrees(share)),
+                                        "give a smaller gap, which is not negative"));
   for (std::size_t k = 0; k < input.pads.size(); ++k) {
     const Pad& pad = input.pads[k];
     const std::string table = fmt::format("pad[{}]", k + 1);
-    if (pad.weld_angle) placed = judge.angle(table + ".weld_angle", *pad.weld_angle) && placed;
+    if (pad.weld_angle) placed = checks.angle(table + ".weld_angle", *pad.weld_angle) && placed;
     if (pad.arc) {
-      placed = judge.angle(table + ".arc", *pad.arc) &&
-               judge.require(*pad.arc > 0.0, table + ".arc", degrees(*pad.arc), "must be positive",
-                             "give the angle from the weld to the free end") &&
+      placed = checks.angle(table + ".arc", *pad.arc) &&
+               checks.require(*pad.arc > 0.0, table + ".arc", degrees(*pad.arc), "must be positive",
+                              "give the angle from the weld to the free end") &&
                placed;
     }
-    placed = judge.finite(table + ".lobe", pad.lobe, "m") &&
+    placed = checks.finite(table + ".lobe", pad.lobe, "m") &&
              (radius <= 0.0 ||
-              judge.require(std::abs(pad.lobe) <= thin * radius, table + ".lobe", quantity(pad.lobe, "m"),
-                            "is too large for this radius",
-                            fmt::format("give at most {:.6g} m either way; is the unit right?", thin * radius))) &&
+              checks.require(std::abs(pad.lobe) <= thin * radius, table + ".lobe", quantity(pad.lobe, "m"),
+                             "is too large for this radius",
+                             fmt::format("give at most {:.6g} m either way; is the unit right?", thin * radius))) &&
              placed;
-    judge_common(judge, table, input, pad);
+    check_common(checks, table, input, pad);
   }
   return placed;
 }
 
-void judge_overlaps(Judge& judge, const Case& input, const std::vector<PlacedPad>& pads) {
+void check_overlaps(Checks& checks, const Case& input, const std::vector<PlacedPad>& pads) {
   struct Cover {
     std::size_t pad;
     double from, arc;  // in the foil direction of the bearing
@@ -105,9 +106,9 @@ void judge_overlaps(Judge& judge, const Case& input, const std::vector<PlacedPad
     const bool last = i + 1 == covers.size();
     const Cover& next = covers[last ? 0 : i + 1];
     const double over = covers[i].from + covers[i].arc - next.from - (last ? turn : 0.0);
-    judge.require(over <= turn * round_off, fmt::format("pad[{}]", std::max(covers[i].pad, next.pad) + 1), "",
-                  fmt::format("overlaps pad {} by {}", std::min(covers[i].pad, next.pad) + 1, degrees(over)),
-                  "give fewer bumps, smaller arcs, or other weld angles");
+    checks.require(over <= turn * round_off, fmt::format("pad[{}]", std::max(covers[i].pad, next.pad) + 1), "",
+                   fmt::format("overlaps pad {} by {}", std::min(covers[i].pad, next.pad) + 1, degrees(over)),
+                   "give fewer bumps, smaller arcs, or other weld angles");
   }
 }
 

@@ -56,10 +56,10 @@ struct CheckedKey {
 std::vector<CheckedKey> checked_keys(const Case& input);
 
 /// Collects the errors of a case.
-class Judge {
+class Checks {
  public:
   /// @param checked  receives the ranges of all keys checked, for callers that list them
-  explicit Judge(std::vector<CheckedKey>* checked = nullptr) : checked_(checked) {}
+  explicit Checks(std::vector<CheckedKey>* checked = nullptr) : checked_(checked) {}
 
   /// Keeps the error if `right` is false; returns `right`.
   bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
@@ -118,23 +118,23 @@ class Judge {
                                 std::move(what), std::move(advice));
   }
 
-  std::vector<JudgedFault> take() { return std::move(faults_); }
+  std::vector<CommandFault> take() { return std::move(faults_); }
 
  private:
   void note(const std::string& key, const Range& range) {
     if (checked_ != nullptr) checked_->push_back({key, range});
   }
 
-  std::vector<JudgedFault> faults_;
+  std::vector<CommandFault> faults_;
   std::vector<CheckedKey>* checked_;
 };
 
 /// Whether a run with this number of increments and bumps fits in memory.
-inline void judge_memory(Judge& judge, std::string_view command, const std::string& key, int steps,
+inline void check_memory(Checks& checks, std::string_view command, const std::string& key, int steps,
                          std::int64_t increments, int bumps) {
-  judge.require_for(command, increments <= most_bump_increments / bumps, key, std::to_string(steps),
-                    fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
-                    "give fewer steps, or fewer directions or cycles");
+  checks.require_for(command, increments <= most_bump_increments / bumps, key, std::to_string(steps),
+                     fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
+                     "give fewer steps, or fewer directions or cycles");
 }
 
 /// Journal displacement that flattens the bumps, m; 0 if unknown.
@@ -144,10 +144,10 @@ inline double flattening(const Bearing& bearing, double rise) {
 }
 
 /// Whether a foil of this thickness, given by `key`, is plausible for the bearing.
-inline bool judge_thinness(Judge& judge, const std::string& key, double thickness, double radius) {
-  return judge.require(thickness <= thin * radius, key, quantity(thickness, "m"),
-                       "is too thick for a foil in this bearing",
-                       fmt::format("give at most a tenth of the radius, {:.6g} m", thin * radius));
+inline bool check_thinness(Checks& checks, const std::string& key, double thickness, double radius) {
+  return checks.require(thickness <= thin * radius, key, quantity(thickness, "m"),
+                        "is too thick for a foil in this bearing",
+                        fmt::format("give at most a tenth of the radius, {:.6g} m", thin * radius));
 }
 
 }  // namespace bumpfoil

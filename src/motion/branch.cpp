@@ -65,7 +65,7 @@ double BranchFollower::steps() const {
     const double speed = std::max(std::abs(from_.speed), std::abs(to_.speed));
     steps = std::max(steps, std::abs(to_.speed - from_.speed) / (options_.speed_step * speed));
   }
-  steps = std::max(steps, std::abs(to_.opening - from_.opening) / (options_.position_step * c));
+  steps = std::max(steps, std::abs(to_.clearance_offset - from_.clearance_offset) / (options_.position_step * c));
   const auto by_way = [&](Control control, const Eigen::Vector2d& way) {
     if (control == Control::displacement) steps = std::max(steps, way.norm() / (options_.position_step * c));
   };
@@ -78,7 +78,7 @@ OperatingPoint BranchFollower::at(double fraction) const {
   OperatingPoint point = to_;
   point.journal = from_.journal + fraction * (to_.journal - from_.journal);
   point.speed = from_.speed + fraction * (to_.speed - from_.speed);
-  point.opening = from_.opening + fraction * (to_.opening - from_.opening);
+  point.clearance_offset = from_.clearance_offset + fraction * (to_.clearance_offset - from_.clearance_offset);
   point.tilt.value = from_.tilt.value + fraction * (to_.tilt.value - from_.tilt.value);
   return point;
 }

@@ -220,7 +220,7 @@ void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, M
     const FilmBearing& bearing = stepper.bearings()[i]->bearing();
     const BearingState& there = state.bearings[i];
     const Eigen::VectorXd y = state.rotor.y + part * motion.real();
-    Matrix thickness = bearing.undeformed_thickness(journals[i].place(y), there.opening);
+    Matrix thickness = bearing.undeformed_thickness(journals[i].place(y), there.clearance_offset);
     return Matrix(thickness + bearing.over_the_width(there.film.lift));
   };
   double part = 1.0;

@@ -11,7 +11,7 @@ OperatingPoint Leg::point(double step) const {
   return {.control = control,
           .journal = line.place(target(step)),
           .speed = speed.at(fraction),
-          .opening = opening.at(fraction),
+          .clearance_offset = clearance_offset.at(fraction),
           .tilt = {tilt.control, tilt_from + fraction * (tilt.value - tilt_from)}};
 }
 
@@ -22,7 +22,7 @@ Leg ramp(const OperatingPoint& from, const OperatingPoint& to, int steps) {
           .end = 1.0,
           .steps = steps,
           .speed = {from.speed, to.speed},
-          .opening = {from.opening, to.opening},
+          .clearance_offset = {from.clearance_offset, to.clearance_offset},
           .tilt_from = from.tilt.value,
           .tilt = to.tilt};
 }

@@ -132,16 +132,16 @@ FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, Bearing
   return search.report();
 }
 
-BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, double opening) {
+BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, double clearance_offset) {
   const FilmBearing& bearing = stepper.bearing();
-  BearingState foils = resting(bearing, position, speed, opening);
+  BearingState foils = resting(bearing, position, speed, clearance_offset);
   if (bearing.assembly.empty()) return foils;
   // Far from the journal, without motion or supply of gas, one Newton step is exact.
   const Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double bulge = 0.0;
   for (const PadAssembly& pad : bearing.assembly) bulge = std::max(bulge, pad.bulge);
   const OperatingPoint far = OperatingPoint::held_at(centre, 0.0, bulges_away * bulge + bearing.scales.thickness);
-  BearingState state = resting(bearing, centre, 0.0, far.opening);
+  BearingState state = resting(bearing, centre, 0.0, far.clearance_offset);
   state.film.pressure = bearing.field(1.0);
   if (stepper.solve(stepper.move_to(far), state).status != Status::converged) return foils;
   foils.contacts = std::move(state.contacts);
@@ -159,9 +159,9 @@ FilmReport settle(FilmStepper& stepper, const OperatingPoint& to, BearingState& 
 }
 
 FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, BearingState& state,
-                      double opening) {
-  BearingState start = assembled(stepper, position, speed, opening);
-  const FilmReport report = settle(stepper, OperatingPoint::held_at(position, speed, opening), start);
+                      double clearance_offset) {
+  BearingState start = assembled(stepper, position, speed, clearance_offset);
+  const FilmReport report = settle(stepper, OperatingPoint::held_at(position, speed, clearance_offset), start);
   if (report.status == Status::converged) state = std::move(start);
   return report;
 }

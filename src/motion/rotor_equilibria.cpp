@@ -23,7 +23,7 @@ constexpr int starting_steps = 10;
 
 RotorEquilibria::RotorEquilibria(const Rotor& rotor, std::vector<FilmStepper*> steppers, const Eigen::Vector2d& gravity)
     : rotor_(rotor),
-      weight_(rotor.weight(gravity)),
+      weight_(rotor.inertia_force(gravity)),
       steppers_(std::move(steppers)),
       law_(law_of_rotor(rotor_, steppers_)),
       loads_(weights_on_bearings(rotor, gravity)) {}
@@ -76,14 +76,15 @@ FilmReport RotorEquilibria::join(double speed, std::vector<BearingState>& states
 FilmReport RotorEquilibria::start(std::size_t bearing, double speed, BearingState& state) const {
   const Eigen::Vector2d& load = loads_[bearing];
   const OperatingPoint loaded = OperatingPoint::loaded_by(load, speed);
-  const auto begin = [&](FilmStepper& stepper, double opening, BearingState& begun) {
-    const Eigen::Vector2d held = held_along_load * (stepper.bearing().room + opening) * load.normalized();
-    FilmReport report = cold_start(stepper, held, speed, begun, opening);
+  const auto begin = [&](FilmStepper& stepper, double clearance_offset, BearingState& begun) {
+    const Eigen::Vector2d held =
+        held_along_load * (stepper.bearing().assembled_clearance + clearance_offset) * load.normalized();
+    FilmReport report = cold_start(stepper, held, speed, begun, clearance_offset);
     if (report.status != Status::converged) return report;
     OperatingPoint opened = loaded;
-    opened.opening = opening;
+    opened.clearance_offset = clearance_offset;
     report += settle(stepper, opened, begun);
-    if (report.status == Status::converged && opening > 0.0) {
+    if (report.status == Status::converged && clearance_offset > 0.0) {
       report += close_clearance(stepper, loaded, starting_steps, begun);
     }
     return report;

@@ -12,9 +12,10 @@ constexpr double room_left_by_journal = 0.3;
 
 }  // namespace
 
-double opening_to_start(const FilmBearing& bearing, double floor) {
-  const bool has_room = bearing.room > 0.0 && room_left_by_journal * bearing.room >= floor;
-  return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
+double clearance_offset_to_start(const FilmBearing& bearing, double floor) {
+  const bool has_room =
+      bearing.assembled_clearance > 0.0 && room_left_by_journal * bearing.assembled_clearance >= floor;
+  return has_room ? 0.0 : bearing.scales.thickness - bearing.assembled_clearance;
 }
 
 FilmReport close_clearance(FilmStepper& stepper, const OperatingPoint& to, int steps, BearingState& state) {
@@ -33,10 +34,10 @@ FilmReport start_from_rest(FilmStepper& stepper, const OperatingPoint& to, int s
   const FilmBearing& bearing = stepper.bearing();
   const FilmBearingOptions& options = stepper.options();
   const double floor = options.newton.thickness_floor * bearing.scales.thickness;
-  const double opening = opening_to_start(bearing, floor);
-  if (opening == 0.0 || bearing.assembly.empty()) return begin(stepper, opening, state);
+  const double clearance_offset = clearance_offset_to_start(bearing, floor);
+  if (clearance_offset == 0.0 || bearing.assembly.empty()) return begin(stepper, clearance_offset, state);
   FilmStepper unformed(formed_by(bearing, 0.0), options);
-  FilmReport report = begin(unformed, opening_to_start(unformed.bearing(), floor), state);
+  FilmReport report = begin(unformed, clearance_offset_to_start(unformed.bearing(), floor), state);
   for (int i = 1; i < steps && report.status == Status::converged; ++i) {
     FilmStepper forming(formed_by(bearing, static_cast<double>(i) / steps), options);
     report += settle(forming, to, state);

@@ -90,13 +90,13 @@ Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactStat
 ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position,
                                   const ContactState& state) {
   // Friction depends on |N| only; the difference to N is applied as a load.
-  ContactState judged = state;
-  judged.normal_force = state.normal_force.cwiseAbs();
+  ContactState checked = state;
+  checked.normal_force = state.normal_force.cwiseAbs();
   ContactLoading balanced = loading_under(model, position);
   balanced.load +=
-      contact_forces(model.problem, state.normal_force - judged.normal_force, Vector::Zero(model.problem.contacts()));
+      contact_forces(model.problem, state.normal_force - checked.normal_force, Vector::Zero(model.problem.contacts()));
   return contact_residuals(model.problem, elastic_response(model.structure, state.x).forces, balanced,
-                           Vector::Zero(state.x.size()), judged);
+                           Vector::Zero(state.x.size()), checked);
 }
 
 /// Unknowns, multipliers and friction bounds of the augmented Lagrangian, and derived quantities.

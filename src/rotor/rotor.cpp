@@ -61,8 +61,8 @@ double Rotor::total_mass() const {
   return rigid.col(0).dot(momentum);
 }
 
-Eigen::VectorXd Rotor::weight(const Eigen::Vector2d& gravity) const {
-  const Eigen::VectorXd accelerations = rigid.leftCols(2) * gravity;
+Eigen::VectorXd Rotor::inertia_force(const Eigen::Vector2d& acceleration) const {
+  const Eigen::VectorXd accelerations = rigid.leftCols(2) * acceleration;
   return mass * accelerations;
 }
 
@@ -104,7 +104,7 @@ std::vector<Eigen::Vector2d> weights_on_bearings(const Rotor& rotor, const Eigen
   const Eigen::MatrixXd motions = stacked(rotor, [](const RotorStation& bearing) { return bearing.motion; });
   const Eigen::MatrixXd balance = product(motions, rotor.rigid).transpose();
   BUMPFOIL_ASSERT(balance.rows() == balance.cols());
-  const Eigen::VectorXd weight = rotor.rigid.transpose() * rotor.weight(gravity);
+  const Eigen::VectorXd weight = rotor.rigid.transpose() * rotor.inertia_force(gravity);
   const Eigen::VectorXd forces = solve(balance, weight);
   std::vector<Eigen::Vector2d> loads;
   for (Eigen::Index i = 0; i < forces.size(); i += 2) loads.emplace_back(forces.segment<2>(i));

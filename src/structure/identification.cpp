@@ -132,7 +132,7 @@ std::vector<TrussConstants> given_or_identified(const FoilDesign& foils) {
 
 std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussConstants>& constants) {
   std::vector<Fault> faults;
-  const auto judge = [&](const char* name, double TrussConstants::*value, std::size_t bumps) {
+  const auto check = [&](const char* name, double TrussConstants::*value, std::size_t bumps) {
     const auto end = constants.begin() + static_cast<std::ptrdiff_t>(bumps);
     const auto worst =
         std::find_if(constants.begin(), end, [&](const TrussConstants& own) { return own.*value < 0.0; });
@@ -152,10 +152,10 @@ std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussCon
     }
     faults.push_back(fault);
   };
-  judge("k1", &TrussConstants::k1, constants.size());
-  judge("k2", &TrussConstants::k2, constants.size());
-  judge("k3", &TrussConstants::k3, constants.size());
-  judge("k4", &TrussConstants::k4, 1);  // other bumps have no weld before them
+  check("k1", &TrussConstants::k1, constants.size());
+  check("k2", &TrussConstants::k2, constants.size());
+  check("k3", &TrussConstants::k3, constants.size());
+  check("k4", &TrussConstants::k4, 1);  // other bumps have no weld before them
   return faults;
 }
 

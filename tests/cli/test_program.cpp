@@ -209,9 +209,9 @@ TEST_F(Program, TakesAFrameForATrussThatNobodyAskedFor) {
   EXPECT_EQ(summary().at("case").at("bump_foil").at("model"), "frame");
   EXPECT_NE(summary().at("cycles").at(0).at("warnings").at(0).get<std::string>().find(said), std::string::npos);
   for (const std::string command : {"check", "properties"}) {
-    const ProgramOutcome asked = run(std::vector<std::string>{command, case_path_} + steep);
-    EXPECT_EQ(asked.exit_code, 0) << asked.errors;
-    EXPECT_EQ(asked.errors.find("warning: " + said), 0U) << asked.errors;
+    const ProgramOutcome requested = run(std::vector<std::string>{command, case_path_} + steep);
+    EXPECT_EQ(requested.exit_code, 0) << requested.errors;
+    EXPECT_EQ(requested.errors.find("warning: " + said), 0U) << requested.errors;
   }
   const ProgramOutcome ensemble =
       run(std::vector<std::string>{"montecarlo", case_path_, "-o", results_, "--force", "--samples", "2", "--set",

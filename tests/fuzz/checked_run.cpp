@@ -1,4 +1,4 @@
-#include "fuzz/judged_run.hpp"
+#include "fuzz/checked_run.hpp"
 
 #include <fmt/format.h>
 
@@ -101,7 +101,7 @@ std::string wrong_push(const Case& input) {
       total_bumps(input) > 60) {
     return {};
   }
-  const BearingVerdict verdict = judge_bearing(input, false);
+  const BearingVerdict verdict = check_bearing(input, false);
   if (!verdict.newton.wrong.empty()) return "newton: " + verdict.newton.wrong;
   if (!verdict.events.wrong.empty()) return "events: " + verdict.events.wrong;
   return {};
@@ -111,11 +111,11 @@ std::string wrong_states(const EquilibriumResult& result) {
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
     if (std::string wrong = wrong_film(*result.bearing, *state.last); !wrong.empty()) return wrong;
-    if (state.last->opening != 0.0) return "is found with its clearance open";
+    if (state.last->clearance_offset != 0.0) return "is found with its clearance open";
     const Eigen::Vector2d force = state.outcome->force;
-    if (state.asked.by_load() && (force - state.asked.journal).norm() > 1e-6 * state.asked.journal.norm()) {
+    if (state.requested.by_load() && (force - state.requested.journal).norm() > 1e-6 * state.requested.journal.norm()) {
       return fmt::format("carries ({:.6g}, {:.6g}) N in place of ({:.6g}, {:.6g}) N", force.x(), force.y(),
-                         state.asked.journal.x(), state.asked.journal.y());
+                         state.requested.journal.x(), state.requested.journal.y());
     }
     const FilmFlows& flows = state.outcome->flows;
     const double largest = std::max({std::abs(flows.start), std::abs(flows.end), std::abs(flows.sides)});
@@ -128,7 +128,7 @@ std::string wrong_states(const EquilibriumResult& result) {
 
 }  // namespace
 
-Verdict judge_case(const DrawnCase& drawn, double budget) {
+Verdict check_case(const DrawnCase& drawn, double budget) {
   Verdict verdict;
   Case input;
   try {

@@ -15,6 +15,6 @@ struct Verdict {
 
 /// Runs a case for at most `budget` seconds, and checks the results by solver-independent criteria: residuals of all
 /// equations, inequalities of the contacts, balances of forces, energies and masses.
-Verdict judge_case(const DrawnCase& drawn, double budget);
+Verdict check_case(const DrawnCase& drawn, double budget);
 
 }  // namespace bumpfoil

@@ -10,13 +10,13 @@
 #include <string>
 
 #include "fuzz/byte_targets.hpp"
-#include "fuzz/judged_run.hpp"
+#include "fuzz/checked_run.hpp"
 
 namespace {
 
-void judge_bearing_of(std::span<const std::uint8_t> bytes) {
+void check_bearing_of(std::span<const std::uint8_t> bytes) {
   const bumpfoil::DrawnCase drawn = bumpfoil::draw_case(bumpfoil::DrawsOfBytes(bytes));
-  const bumpfoil::Verdict verdict = bumpfoil::judge_case(drawn, 1.0);
+  const bumpfoil::Verdict verdict = bumpfoil::check_case(drawn, 1.0);
   if (verdict.wrong.empty()) return;
   fmt::print(stderr, "{}\n# {}\n{}", verdict.wrong, drawn.command, drawn.text);
   std::abort();
@@ -27,7 +27,7 @@ void judge_bearing_of(std::span<const std::uint8_t> bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::string name = std::getenv("FUZZ_TARGET") == nullptr ? "bearing" : std::getenv("FUZZ_TARGET");
   if (name == "bearing") {
-    judge_bearing_of({data, size});
+    check_bearing_of({data, size});
   } else {
     bumpfoil::byte_targets().at(name)({reinterpret_cast<const char*>(data), size});
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fuzz/byte_targets.hpp"
-#include "fuzz/judged_run.hpp"
+#include "fuzz/checked_run.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -43,7 +43,7 @@ TEST(Fuzz, CasesThatWereFoundAreRight) {
   for (const auto& file : files_in("fuzz/cases")) {
     const std::string text = read(file);
     const std::size_t end = text.find('\n');
-    EXPECT_EQ(judge_case({text.substr(2, end - 2), text}, 1e3).wrong, "") << file;
+    EXPECT_EQ(check_case({text.substr(2, end - 2), text}, 1e3).wrong, "") << file;
   }
 }
 
@@ -52,7 +52,7 @@ TEST(Fuzz, CasesThatAreDrawnAreRight) {
   int failed = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const DrawnCase drawn = draw_case(DrawsOfBytes(bytes_of_seed(seed)));
-    const Verdict verdict = judge_case(drawn, 0.1);
+    const Verdict verdict = check_case(drawn, 0.1);
     EXPECT_EQ(verdict.wrong, "") << drawn.text;
     solved += verdict.end == Verdict::End::solved ? 1 : 0;
     failed += verdict.end == Verdict::End::failed ? 1 : 0;

@@ -1,8 +1,8 @@
-// A random walk over cases that are drawn from seeds, each judged in a process of its own, which may crash, hang or
+// A random walk over cases that are drawn from seeds, each checked in a process of its own, which may crash, hang or
 // take too much memory without ending the walk.
 //
-//     fuzz_walk SECONDS [FIRST_SEED [FOLDER]]    judges seed after seed; keeps what is wrong in the folder
-//     fuzz_walk CASE.toml...                     judges these again
+//     fuzz_walk SECONDS [FIRST_SEED [FOLDER]]    checks seed after seed; keeps what is wrong in the folder
+//     fuzz_walk CASE.toml...                     checks these again
 //     fuzz_walk --draw SEED                      prints the case of a seed
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 #include <map>
 #include <string>
 
-#include "fuzz/judged_run.hpp"
+#include "fuzz/checked_run.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -30,9 +30,9 @@ constexpr rlim_t patience = 20;      // s of processor time, until it counts as 
 constexpr rlim_t most_memory = 4e9;  // bytes
 
 /// One word for the outcome, followed by the error.
-std::string judged_here(const DrawnCase& drawn) {
+std::string checked_here(const DrawnCase& drawn) {
   try {
-    const Verdict verdict = judge_case(drawn, budget);
+    const Verdict verdict = check_case(drawn, budget);
     if (!verdict.wrong.empty()) return "WRONG " + verdict.wrong;
     constexpr std::array words{"refused", "solved", "failed", "interrupted"};
     return words.at(static_cast<std::size_t>(verdict.end));
@@ -42,7 +42,7 @@ std::string judged_here(const DrawnCase& drawn) {
 }
 
 /// The same in a separate process.
-std::string judged_apart(const DrawnCase& drawn) {
+std::string checked_apart(const DrawnCase& drawn) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) std::abort();
   const pid_t child = fork();
@@ -51,7 +51,7 @@ std::string judged_apart(const DrawnCase& drawn) {
     setrlimit(RLIMIT_AS, &memory);
     const rlimit time{patience, patience + 1};
     setrlimit(RLIMIT_CPU, &time);
-    const std::string word = judged_here(drawn);
+    const std::string word = checked_here(drawn);
     const ssize_t written = write(ends[1], word.data(), word.size());
     _exit(written < 0 ? 1 : 0);
   }
@@ -91,7 +91,7 @@ int walk(double seconds, std::uint64_t seed, const std::filesystem::path& folder
   int wrong = 0;
   for (; std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds; ++seed) {
     const DrawnCase drawn = from_seed(seed);
-    const std::string word = judged_apart(drawn);
+    const std::string word = checked_apart(drawn);
     ++count[drawn.command][word.substr(0, word.find(' '))];
     if (!word.starts_with("WRONG")) continue;
     ++wrong;
@@ -109,10 +109,10 @@ int walk(double seconds, std::uint64_t seed, const std::filesystem::path& folder
   return wrong == 0 ? 0 : 1;
 }
 
-int judge_files(int argc, char** argv) {
+int check_files(int argc, char** argv) {
   int wrong = 0;
   for (int i = 1; i < argc; ++i) {
-    const std::string word = judged_apart(from_file(argv[i]));
+    const std::string word = checked_apart(from_file(argv[i]));
     fmt::print("{}: {}\n", argv[i], word);
     wrong += word.starts_with("WRONG") ? 1 : 0;
   }
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
     fmt::print("{}", as_file(from_seed(std::strtoull(argc > 2 ? argv[2] : "0", nullptr, 10))));
     return 0;
   }
-  if (first.ends_with(".toml")) return judge_files(argc, argv);
+  if (first.ends_with(".toml")) return check_files(argc, argv);
   return walk(std::strtod(first.c_str(), nullptr), argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0,
               argc > 3 ? argv[3] : "");
 }

@@ -39,7 +39,7 @@ def test_ranges_are_lists():
         bumpfoil.Case(GEN1, cycle={"clearance_forces": {"from": "1 N", "to": "9 N"}})
 
 
-def test_each_command_judges_what_it_uses():
+def test_each_command_checks_what_it_uses():
     states = {"speeds": ["45000 rpm"], "loads": [["20 N", "0 N"]]}
     dry = bumpfoil.check(GEN1, solver={"name": "events"}, equilibrium=states)
     assert bumpfoil.run_cycle(dry, cycle={"steps": 2, "directions": ["+X"]}).status == "complete"

@@ -66,7 +66,7 @@ class Push {
 
  private:
   void keep(Step& next);
-  void judge_state(const Step& step);
+  void check_state(const Step& step);
   void refuse(const std::string& what) {
     if (verdict().wrong.empty()) verdict().wrong = fmt::format("increment {}: {}", increment_, what);
   }
@@ -87,16 +87,16 @@ class Push {
   double balanced_{};       ///< work up to the last check
 };
 
-void Push::judge_state(const Step& step) {
-  Increment judged;
-  judge(*foils_, step.state, judged);
-  const ContactResiduals& r = judged.residuals;
+void Push::check_state(const Step& step) {
+  Increment checked;
+  check_increment(*foils_, step.state, checked);
+  const ContactResiduals& r = checked.residuals;
   if (!r.within(1e-9, 1e-12)) {
     refuse(fmt::format(
         "equilibrium {:.2g}, penetration {:.2g} m, slip in stick {:.2g} m, complementarity {:.2g}, cone {:.2g}",
         r.equilibrium, r.penetration, r.slip_in_stick, r.complementarity, r.cone));
   }
-  energy_ = judged.elastic_energy;
+  energy_ = checked.elastic_energy;
   largest_force_ = std::max(largest_force_, step.state.contacts.normal_force.sum());
 }
 
@@ -106,7 +106,7 @@ void Push::keep(Step& next) {
   verdict().substeps += next.substeps;
   if (!next.converged()) return;
   const double energy_before = energy_;
-  judge_state(next);
+  check_state(next);
   if (increment_ == 0) {
     start_energy_ = energy_;
     start_dissipation_ = next.state.dissipated_energy;
@@ -194,7 +194,7 @@ Case drawn_bearing(std::uint64_t number) {
   return input;
 }
 
-BearingVerdict judge_bearing(const Case& input, bool compared) {
+BearingVerdict check_bearing(const Case& input, bool compared) {
   const SharedFoils foils = make_bearing_foils(input);
   const Run newton = Push(input, foils, SolverName::newton).run(1);
   const Run events = Push(input, foils, SolverName::events).run(1);

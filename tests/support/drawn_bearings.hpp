@@ -37,6 +37,6 @@ inline constexpr double agreement = 1e-2;
 
 /// Runs a drawn bearing with both solvers.
 /// @param compared  whether their forces are compared, too
-BearingVerdict judge_bearing(const Case& input, bool compared);
+BearingVerdict check_bearing(const Case& input, bool compared);
 
 }  // namespace bumpfoil

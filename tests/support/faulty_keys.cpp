@@ -13,7 +13,7 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
   Case input = reference_case();
   change(input);
   Keys keys;
-  for (const auto& [command, fault] : judge_case(input)) {
+  for (const auto& [command, fault] : check_case(input)) {
     // Skips commands without a table.
     if (command == "film" || command == "limits" || (command == "equilibrium" && !input.equilibrium) ||
         (command == "stability" && input.settings.find<StabilitySettings>() == nullptr) ||

@@ -53,7 +53,7 @@ std::string wrong_film(const FilmBearing& bearing, const BearingState& state) {
   // Negated so that NaN fails.
   if (!(state.film.pressure.minCoeff() > 0.0)) return "a pressure below 0";
   if (!(state.film.thickness.minCoeff() > 0.0)) return "a thickness below 0";
-  Matrix H = bearing.undeformed_thickness(bearing.journal_of(state), state.opening);
+  Matrix H = bearing.undeformed_thickness(bearing.journal_of(state), state.clearance_offset);
   H += bearing.over_the_width(state.film.lift);
   const double apart = (H - state.film.thickness).cwiseAbs().maxCoeff();
   if (!(apart <= 1e-11 * std::max(1.0, H.maxCoeff()))) return fmt::format("thickness by {:.2g}", apart);

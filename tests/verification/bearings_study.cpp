@@ -60,7 +60,7 @@ void tell(const BearingVerdict& verdict, std::uint64_t number, Tally& tally) {
 void study(std::uint64_t count, std::uint64_t from) {
   std::vector<BearingVerdict> verdicts(count);
   run_in_parallel(count, available_threads(), [&](std::size_t i, const ProgressCallback&) {
-    verdicts[i] = judge_bearing(drawn_bearing(from + i), (from + i) % compared_every == 0);
+    verdicts[i] = check_bearing(drawn_bearing(from + i), (from + i) % compared_every == 0);
   });
   Tally tally;
   for (std::size_t i = 0; i < count; ++i) tell(verdicts[i], from + i, tally);

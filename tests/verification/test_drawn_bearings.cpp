@@ -14,7 +14,7 @@ namespace {
 TEST(DrawnBearings, AreResolvedAndNoneIsWronglyCalledConverged) {
   for (std::uint64_t number = 0; number < 100; ++number) {
     const Case input = drawn_bearing(number);
-    const BearingVerdict verdict = judge_bearing(input, number % 10 == 0);
+    const BearingVerdict verdict = check_bearing(input, number % 10 == 0);
     for (const SolverVerdict& solver : {verdict.newton, verdict.events}) {
       EXPECT_EQ(solver.status, Status::converged) << input.title;
       EXPECT_EQ(solver.wrong, "") << input.title;

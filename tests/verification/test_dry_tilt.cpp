@@ -166,7 +166,7 @@ Increment taken(const Foils& foils, const std::vector<Eigen::Vector2d>& places) 
     EXPECT_TRUE(step.converged());
   }
   Increment last = place_increment(foils, step, Eigen::Vector2d::UnitX());
-  judge(foils, step.state, last);
+  check_increment(foils, step.state, last);
   EXPECT_TRUE(last.residuals.within());
   return last;
 }

@@ -24,7 +24,7 @@ TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
   for (const double clearance : {-0.05e-6, -0.01e-6, 0.0, 1e-9, 0.01e-6, 0.02e-6, 0.05e-6, 0.07e-6, 0.1e-6}) {
     const RunningState state = state_of(clearance, 50.0, {.columns_per_pitch = 4, .rows = 6});
     ASSERT_TRUE(state.found()) << clearance;
-    EXPECT_EQ(state.last->opening, 0.0) << clearance;
+    EXPECT_EQ(state.last->clearance_offset, 0.0) << clearance;
     const double h = film_thickness_scale(clearance) * state.last->film.thickness.minCoeff();
     if (before > 0.0) {
       EXPECT_GT(h, before) << clearance;
@@ -59,7 +59,7 @@ TEST(FilmInterference, FreeEndsLetInNoMoreThanTheClearance) {
   }
   const RunningState none = state_of(0.0, 50.0, coarse, 45000.0);
   EXPECT_EQ(none.report.status, Status::touchdown);
-  EXPECT_NEAR(none.last->opening, 0.28e-6, 0.03e-6);
+  EXPECT_NEAR(none.last->clearance_offset, 0.28e-6, 0.03e-6);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(FilmInterferenceRefinement, ConvergesWithTheMesh) {
     input.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(-45000.0)}, .loads = {{50.0, 0.0}}};
     const RunningState state = run_equilibrium(input).states.at(0);
     ASSERT_TRUE(state.found()) << fineness;
-    EXPECT_EQ(state.last->opening, 0.0);
+    EXPECT_EQ(state.last->clearance_offset, 0.0);
     x.push_back(state.last->position.x());
   }
   EXPECT_LT(std::abs(x[2] - x[1]), 3e-3 * x[2]);

@@ -81,7 +81,7 @@ Taken taken_to(const Foils& foils, const std::vector<Eigen::Vector2d>& places) {
   Taken taken{.last = place_increment(foils, step, Eigen::Vector2d::UnitX()),
               .strips = strip_loads(foils, step.state.contacts),
               .fields = make_fields(foils, 1)};
-  judge(foils, step.state, taken.last);
+  check_increment(foils, step.state, taken.last);
   EXPECT_TRUE(taken.last.residuals.within());
   record(foils, step.state, 0, taken.fields);
   return taken;

@@ -21,7 +21,7 @@ struct BearingState : Excitation {
   double time{};                   ///< s; quasi-static increments take none
   Eigen::Vector2d tilt{0.0, 0.0};  ///< of the journal under a film, see JournalVector, m
   double speed{};                  ///< Omega of it, rad/s
-  double opening{};                ///< by which the clearance of a film is wider than that of the bearing, m
+  double clearance_offset{};       ///< by which the clearance of a film is wider than that of the bearing, m
   ContactLoading loading;          ///< gaps and loads that the contact problem was solved for; none under a film
   ContactState contacts;           ///< displacements, forces and modes; friction refers to them
   Vector slip_origin;              ///< unknowns that the slip of the last part of the last increment is measured from

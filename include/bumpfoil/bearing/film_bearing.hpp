@@ -38,7 +38,7 @@ struct FilmSurroundings {
   double inlet_pressure{1.0};               ///< P at the free ends of the foils
   Eigen::Vector2d side_pressure{1.0, 1.0};  ///< P at the sides z < 0 and z > 0; on half the width the same
   std::optional<Asperities> asperities{};   ///< of journal and top foils, in m and Pa; none: smooth surfaces
-  JournalTilt tilt{};                       ///< in all states that are asked for
+  JournalTilt tilt{};                       ///< in all states that are requested
   WidthProfile profile{};                   ///< of journal and sleeve
 };
 
@@ -105,8 +105,8 @@ struct FilmPad {
 struct FilmBearing : Foils {
   FilmScales scales;  ///< c is film_thickness_scale()
   std::vector<FilmPad> pads;
-  double room{};  ///< C_r less lobe, bulge and what it is narrower at a side where they take most of it, m: what a
-                  ///< journal at the centre has everywhere in a round sleeve
+  double assembled_clearance{};  ///< C_r less lobe, bulge and what it is narrower at a side where they take most of it,
+                                 ///< m: what a journal at the centre has everywhere in a round sleeve
   FilmSurroundings surroundings;
   Eigen::Matrix2Xd column_normals;  ///< outward at all columns
   Vector sleeve;  ///< how much farther out than the nominal circle the undeformed foils lie at all columns, m: what
@@ -147,8 +147,8 @@ struct FilmBearing : Foils {
     return pads.front().foil.mesh.half_width() * scales.radius / pads.front().part;
   }
   /// H of the undeformed foils with the journal at a place (m; of two entries: not tilted), at all nodes, where the
-  /// foils stand farther out than they do by `opening` (m).
-  [[nodiscard]] Matrix undeformed_thickness(const JournalVector& journal, double opening = 0.0) const;
+  /// foils stand farther out than they do by `clearance_offset` (m).
+  [[nodiscard]] Matrix undeformed_thickness(const JournalVector& journal, double clearance_offset = 0.0) const;
   /// Change of H by a displacement of the journal alone (m): the foils stay.
   [[nodiscard]] Matrix thinning(const JournalVector& displacement) const;
   /// Places in the block of a bump. Only where there are foils.
@@ -192,7 +192,8 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
 FilmBearing formed_by(const FilmBearing& bearing, double part);
 
 /// Gas at rest, unstressed foils; H is positive where the journal leaves room.
-BearingState resting(const FilmBearing& bearing, const JournalVector& journal, double speed, double opening = 0.0);
+BearingState resting(const FilmBearing& bearing, const JournalVector& journal, double speed,
+                     double clearance_offset = 0.0);
 
 /// What a state is good for.
 struct FilmBearingOutcome {

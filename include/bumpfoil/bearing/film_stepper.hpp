@@ -39,7 +39,7 @@ struct FilmBearingOptions {
   double resolved_departure{1e-4};
   int max_ends{24};                    ///< of branches, in one follow()
   int max_time_steps{200};             ///< of a march: what does not rest by then oscillates
-  std::function<bool()> keep_going{};  ///< asked before every solve; false ends the search
+  std::function<bool()> keep_going{};  ///< called before every solve; false ends the search
 };
 
 /// Operating conditions of a running bearing: a prescribed journal position or load, at a speed. A plain value.
@@ -47,17 +47,18 @@ struct OperatingPoint {
   Control control{Control::displacement};
   Eigen::Vector2d journal{Eigen::Vector2d::Zero()};  ///< its position, m, or the load on it, N
   double speed{};                                    ///< Omega, rad/s
-  double opening{};                                  ///< by which the clearance is wider than that of the bearing, m
+  double clearance_offset{};                         ///< by which the clearance is wider than that of the bearing, m
   JournalTilt tilt{};                                ///< only where the journal may tilt
 
   bool operator==(const OperatingPoint&) const = default;
   [[nodiscard]] bool by_load() const { return control == Control::load; }
 
-  static OperatingPoint held_at(const Eigen::Vector2d& position, double speed, double opening = 0.0) {
-    return {.control = Control::displacement, .journal = position, .speed = speed, .opening = opening};
+  static OperatingPoint held_at(const Eigen::Vector2d& position, double speed, double clearance_offset = 0.0) {
+    return {
+        .control = Control::displacement, .journal = position, .speed = speed, .clearance_offset = clearance_offset};
   }
-  static OperatingPoint loaded_by(const Eigen::Vector2d& load, double speed, double opening = 0.0) {
-    return {.control = Control::load, .journal = load, .speed = speed, .opening = opening};
+  static OperatingPoint loaded_by(const Eigen::Vector2d& load, double speed, double clearance_offset = 0.0) {
+    return {.control = Control::load, .journal = load, .speed = speed, .clearance_offset = clearance_offset};
   }
 };
 
@@ -69,10 +70,10 @@ enum class TimeScheme : std::uint8_t {
 
 /// The target of an increment of a running bearing, and its time step. A plain value.
 struct Move {
-  JournalLaw law;    ///< what holds the journal
-  double speed{};    ///< Omega, rad/s
-  double opening{};  ///< of the clearance, m
-  double dt{};       ///< time step, journal and foils without mass, s; 0: quasi-static
+  JournalLaw law;             ///< what holds the journal
+  double speed{};             ///< Omega, rad/s
+  double clearance_offset{};  ///< of the clearance, m
+  double dt{};                ///< time step, journal and foils without mass, s; 0: quasi-static
   TimeScheme scheme{TimeScheme::bdf2};
 };
 
@@ -80,7 +81,7 @@ struct Move {
 struct JointMove {
   JointLaw law;
   double speed{};
-  double opening{};
+  double clearance_offset{};
   double dt{};
   TimeScheme scheme{TimeScheme::bdf2};
 };

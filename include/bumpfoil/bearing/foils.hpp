@@ -15,14 +15,14 @@
 
 namespace bumpfoil {
 
-/// What is smaller is none: a rounding of quantities as large as the foils are made for.
-struct Roundings {
+/// What is smaller is none: round-off of quantities as large as the foils are made for.
+struct RoundOff {
   double force{};   ///< N: 1e-12 of a bump's stiffness times its rise
   double energy{};  ///< J: that times 1e-6 of the rise
   double stress{};  ///< Pa: 1e-12 of Young's modulus
 };
 
-/// `value`, or 0 where it is a rounding.
+/// `value`, or 0 where it is round-off.
 inline double cleared(double value, double rounding) {
   return std::abs(value) < rounding ? 0.0 : value;
 }
@@ -87,7 +87,7 @@ struct Foils {
   double rise{};             ///< of the mid-surface of the tallest bump, m
   double clearance{};        ///< gap between the journal, at the origin, and the undeformed foils, m
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
-  Roundings roundings;
+  RoundOff round_off;
   Vector assembled_gap;  ///< g0 of each contact without the journal, m: height errors, sleeve gaps and waviness; and
                          ///< by what it stands nearer or farther over the width (JournalOverWidth)
   Vector forming;        ///< FoilStructure::forming on the unknowns of the problem without a film, N
@@ -144,7 +144,7 @@ struct Foils {
   [[nodiscard]] int feet_per_block() const { return structure.dofs.feet(); }
   /// What the assembled foils of a pad (from 0) leave a journal at the centre of a round sleeve, m: C_r less lobe and
   /// bulge. Negative: they press on it at rest.
-  [[nodiscard]] double room_in(std::size_t pad) const {
+  [[nodiscard]] double assembled_clearance_in(std::size_t pad) const {
     return clearance - placed[pad].lobe - (assembly.empty() ? 0.0 : assembly[pad].bulge);
   }
   /// Block of the problem that holds a block of the structure.

@@ -39,7 +39,7 @@ class ModeSystem {
   /// x[tangential] if it sticks, t beyond that of its normal force if it slips.
   /// @param x      receives all unknowns
   /// @param force  receives p and, with friction, t of all contacts, in that order
-  virtual void solve_units(RowMajor& x, RowMajor& force) = 0;
+  virtual void solve_units(RowMajorMatrix& x, RowMajorMatrix& force) = 0;
 
   /// The loading that `state` is in balance with: g0 = g - x[plus] + x[minus], load = K x - contact forces.
   /// @param loading  result; its storage is reused

@@ -25,7 +25,7 @@ struct ContactResiduals {
 /// 0.1 mm in foils whose condition number reaches 1e9.
 inline constexpr double displacement_resolution = 1e-12;
 
-/// Judges a state.
+/// Checks a state.
 /// @param problem          sites and friction coefficients
 /// @param elastic_force    K x or e(x), N, without any part of the solver: see elastic_response in structure/
 /// @param loading          initial gaps and loads

@@ -7,8 +7,8 @@ namespace bumpfoil {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
-/// A row lies in one piece: of many right-hand sides side by side, or of the equations of a block.
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// Stored by rows: for many right-hand sides side by side.
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Block-tridiagonal matrix of `blocks()` square blocks of `block_size()` rows: a plain value. Foil structures are so
 /// because bump i is coupled to bumps i-1 and i+1 only. They are symmetric; what a gas film adds to them is not.

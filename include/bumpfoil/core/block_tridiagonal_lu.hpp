@@ -151,7 +151,7 @@ class BlockTridiagonalLU {
   [[nodiscard]] const double* reduced_upper(int i) const { return reduced_upper_.data() + i * size() * stride(); }
   [[nodiscard]] const int* pivots(int i) const { return pivot_rows_.data() + i * size(); }
 
-  /// Calls body(kernels) compiled for the instructions that were asked for.
+  /// Calls body(kernels) compiled for the instructions that were requested.
   template <typename Body>
   bool with_kernels(Body&& body) const {
     if constexpr (has_wide_rows<B>) {

@@ -16,7 +16,7 @@ inline constexpr int most_bumps = 100'000;
 inline constexpr int most_points = 1'000'000;
 
 /// An error of a case, and the command that it prevents; empty: all of them.
-struct JudgedFault {
+struct CommandFault {
   /// "cycle", "strip", "path", "vibration", "equilibrium", "limits" of it, "film" or "montecarlo"
   std::string_view command;
   Fault fault;
@@ -30,7 +30,7 @@ struct JudgedFault {
 ///
 /// A case without directions and amplitude has no cycle to run, and one with a strip may have no bearing, neither of
 /// which is a fault.
-std::vector<JudgedFault> judge_case(const Case& input);
+std::vector<CommandFault> check_case(const Case& input);
 
 /// Those that concern all commands, and those of some; empty when the case can be built, and run by these.
 std::vector<Fault> find_faults(const Case& input, const std::vector<std::string>& commands = {});

@@ -71,13 +71,13 @@ struct MachineStep {
 using MachineSchedule = std::function<std::optional<TimeStep>(const MachineState&)>;
 using MachineObserver = std::function<Verdict(const MachineStep&)>;
 
-/// `count` times the same step.
+/// `count` times the same step, for one march.
 MachineSchedule equal_steps(int count, const TimeStep& step);
 
 /// Advances a machine in time, step by step.
 /// @param state  where the march begins; receives the last state that was kept
 /// @param step   receives the steps, one after the other; its storage is reused
-/// @return whether the schedule was taken to its end
+/// @return false if the observer ended it
 bool march(MachineStepper& stepper, const MachineSchedule& next_step, const RotorForces& forces, MachineState& state,
            MachineStep& step, const MachineObserver& observe);
 

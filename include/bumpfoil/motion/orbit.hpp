@@ -31,7 +31,7 @@ struct OrbitOptions {
   int steps_per_turn{100};
   double tolerance{1e-7};              ///< change of journals over c, and of their velocities over c |Omega|, in a turn
   int max_turns{60};                   ///< and one more, which is recorded, and those after a disturbance
-  std::function<bool()> keep_going{};  ///< asked before every turn; false ends the search
+  std::function<bool()> keep_going{};  ///< called before every turn; false ends the search
 };
 
 /// The motion of a machine over a turn.

@@ -33,9 +33,9 @@ struct Leg {
   double begin{};  ///< s on the line, m or N: where the leg before ends
   double end{};
   int steps{};
-  Ramp speed{};    ///< Omega of a bearing that runs, rad/s
-  Ramp opening{};  ///< of its clearance, m
-  double dt{};     ///< time that each increment takes, s; 0: quasi-static
+  Ramp speed{};             ///< Omega of a bearing that runs, rad/s
+  Ramp clearance_offset{};  ///< of its clearance, m
+  double dt{};              ///< time that each increment takes, s; 0: quasi-static
   Eigen::Vector2d tilt_from{0.0, 0.0};
   JournalTilt tilt{};  ///< at the end of the leg
 

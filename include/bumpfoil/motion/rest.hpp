@@ -14,12 +14,13 @@ namespace bumpfoil {
 
 /// Gas at rest, and foils as they lie in the sleeve without a journal: unstressed, or where top foils are formed
 /// otherwise than their circles, after an increment of its own, their assembly.
-BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, double opening = 0.0);
+BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, double speed,
+                       double clearance_offset = 0.0);
 
 /// settle() with the journal at `position`, where it must not touch the assembled foils, and at `speed`, from
-/// assembled(). Friction refers to the foils there. With an `opening` (m) in a clearance wider by that, which follow()
-/// closes.
+/// assembled(). Friction refers to the foils there. With an `clearance_offset` (m) in a clearance wider by that, which
+/// follow() closes.
 [[nodiscard]] FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed,
-                                    BearingState& state, double opening = 0.0);
+                                    BearingState& state, double clearance_offset = 0.0);
 
 }  // namespace bumpfoil

@@ -60,7 +60,7 @@ struct SpeedMap {
 /// @param steppers    of the bearings in the order of Rotor::bearings
 /// @param gravity     m/s^2; each bearing must carry something
 /// @param speeds      rad/s, all of one sign
-/// @param keep_going  asked before every speed; false ends the map
+/// @param keep_going  called before every speed; false ends the map
 SpeedMap map_speeds(const Rotor& rotor, const std::vector<FilmStepper*>& steppers, const Eigen::Vector2d& gravity,
                     const std::vector<double>& speeds, const std::function<bool()>& keep_going = {});
 

@@ -25,9 +25,10 @@ class SpeedProgram {
   [[nodiscard]] double duration() const { return ends_.back(); }  ///< s
   [[nodiscard]] double highest() const;                           ///< largest |Omega|, rad/s
   [[nodiscard]] double start() const { return ramps_.front().from; }
+
   /// The next step from a state; nothing at the end. `steps_per_turn` equal angles in a turn, so that turns end with a
-  /// step; where a rotor turns so slowly that a step would be longer than `longest` (s), more of them, of equal time.
-  /// Ramps end with a step too.
+  /// step; where a rotor is so slow that one would take longer than `longest` (s), shorter ones of equal time. Ramps
+  /// end with a step too.
   [[nodiscard]] std::optional<TimeStep> next_step(const MachineState& state, int steps_per_turn, double longest) const;
 
  private:

@@ -6,14 +6,14 @@
 
 namespace bumpfoil {
 
-/// Reaches a first state from rest. It begins in a clearance that is wider by `opening` (m), and closes it.
+/// Reaches a first state from rest. It begins in a clearance that is wider by `clearance_offset` (m), and closes it.
 /// @param state  receives the result; after a failure the last state that was found, if there was one
-using Beginning = std::function<FilmReport(FilmStepper& stepper, double opening, BearingState& state)>;
+using Beginning = std::function<FilmReport(FilmStepper& stepper, double clearance_offset, BearingState& state)>;
 
 /// By how much the clearance is opened, m, for a running bearing to start: where foils leave too little room for a
 /// film, until they leave c.
 /// @param floor  film thickness that counts as contact, m
-double opening_to_start(const FilmBearing& bearing, double floor);
+double clearance_offset_to_start(const FilmBearing& bearing, double floor);
 
 /// Closes a clearance in equal increments.
 /// @param to  where it is closed, by the same position or load

@@ -50,7 +50,7 @@ struct ReadingOptions {
 ///
 /// Cycles (`cycle`, `strip`): `summary` is summary.json as it is; `meanings` (`unit` and `text` of the variables of
 /// cycles and increments, as result.nc says them), `geometry` (variables without increments: a number, or one per bump,
-/// foot or pad), `nodes` (sizes of the dimensions of nodes), `last_increment` (that was asked for), and `cycles`, one
+/// foot or pad), `nodes` (sizes of the dimensions of nodes), `last_increment` (that was requested), and `cycles`, one
 /// for each direction of a bearing. A cycle has `at` (the direction in degrees, or the number of the cycle),
 /// `increments` (numbers of those that are kept: all, or every n-th one of each branch, always with its ends), `series`
 /// (variables per increment) and `fields` (per increment and node: `{"at": "bump" | "foot" | "pad", "values"}`). Left

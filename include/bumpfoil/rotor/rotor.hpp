@@ -44,9 +44,9 @@ struct Rotor {
   [[nodiscard]] Eigen::Index size() const { return mass.rows(); }
   /// Mass in these equations, kg: of a point mass what one bearing carries.
   [[nodiscard]] double total_mass() const;
-  /// Force on the unknowns by which an acceleration along X and Y moves the whole rotor: its weight. @param gravity
-  /// m/s^2
-  [[nodiscard]] Eigen::VectorXd weight(const Eigen::Vector2d& gravity) const;
+  /// Force on the unknowns, N, that gives the whole rotor an acceleration along X and Y (m/s^2): of gravity, its
+  /// weight.
+  [[nodiscard]] Eigen::VectorXd inertia_force(const Eigen::Vector2d& acceleration) const;
 };
 
 /// Half of a rotor on two equal bearings that moves without tilting: one of the bearings is computed.

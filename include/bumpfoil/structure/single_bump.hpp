@@ -28,7 +28,7 @@ double shallow_bump_stiffness(const BumpArc& arc, const Section& section);
 double guided_bump_stiffness(const BumpArc& arc, const Section& section);
 
 /// Scale of the forces in such foils, N: stiffness of bump 1, taken as shallow, times its rise. Round-off of forces is
-/// judged by it where nothing is loaded.
+/// checked by it where nothing is loaded.
 double bump_force_scale(const FoilDesign& foils);
 
 }  // namespace bumpfoil

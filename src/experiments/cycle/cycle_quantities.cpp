@@ -127,13 +127,13 @@ std::optional<CompressionPeak> compression_peak(const FieldMatrix& compression,
   return peak;
 }
 
-void CycleQuantities::add(const Increment& increment, bool judged, bool ends_leg,
+void CycleQuantities::add(const Increment& increment, bool checked, bool ends_leg,
                           std::span<const LoadingCurve::Point> way) {
   cycle_.cost += increment.cost;
   cycle_.substeps += increment.substeps;
   // NaN must not count as a small residual.
   double& largest = cycle_.max_residual;
-  if (judged && !std::isnan(largest) && !(increment.residuals.equilibrium <= largest)) {
+  if (checked && !std::isnan(largest) && !(increment.residuals.equilibrium <= largest)) {
     largest = increment.residuals.equilibrium;
   }
   if (!increment.converged()) {

@@ -25,13 +25,13 @@ class CycleRecorder {
   bool add(const Step& step, Branch branch, bool ends_leg, double displacement) {
     // The residual of a cycle is sampled at the same increments, whatever is recorded. This includes the last: its work
     // is the loop energy.
-    const bool judged = ends_leg || !cycle_.start;
-    const Increment next = log_.make(step, branch, normal_, displacement, judged);
+    const bool checked = ends_leg || !cycle_.start;
+    const Increment next = log_.make(step, branch, normal_, displacement, checked);
     way_.clear();
     for (const Waypoint& point : step.waypoints) {
-      way_.push_back({point.position.dot(normal_), cleared(point.force.dot(normal_), foils().roundings.force)});
+      way_.push_back({point.position.dot(normal_), cleared(point.force.dot(normal_), foils().round_off.force)});
     }
-    quantities_.add(next, judged && step.converged(), ends_leg, way_);
+    quantities_.add(next, checked && step.converged(), ends_leg, way_);
     if (next.index == 0 && step.converged()) {
       cycle_.initial_journal_load = interface_loads(foils(), step.state.contacts, Interface::journal_top).sum();
     }

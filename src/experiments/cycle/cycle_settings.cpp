@@ -50,7 +50,7 @@ void describe_cycle(CaseVisitor& keys, Case& input) {
 }
 
 /// Repeated directions, including full turns, would only repeat their results.
-void judge_repetition(Judge& judge, const std::vector<double>& directions) {
+void check_repetition(Checks& checks, const std::vector<double>& directions) {
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     if (!std::isfinite(directions[i])) continue;  // already checked
@@ -65,17 +65,17 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   }
   std::sort(again.begin(), again.end());  // as written in the case, not by angle
   for (const auto& [second, first] : again) {
-    judge.require(false, fmt::format("cycle.directions[{}]", second + 1), quantity(directions[second], "rad"),
-                  fmt::format("repeats cycle.directions[{}]", first + 1), "give every direction once");
+    checks.require(false, fmt::format("cycle.directions[{}]", second + 1), quantity(directions[second], "rad"),
+                   fmt::format("repeats cycle.directions[{}]", first + 1), "give every direction once");
   }
 }
 
 /// Checks the extent of journal cycles from their preload on; `limit`: displacement that flattens the bumps, 0 if
 /// unknown.
-void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
+void check_course(Checks& checks, const CycleSettings& cycle, double limit) {
   const bool by_load = cycle.amplitude.control == Control::load;
-  const bool amplitude = by_load ? judge.within("cycle.load", cycle.amplitude.value, load_range)
-                                 : judge.within("cycle.amplitude", cycle.amplitude.value, length_range);
+  const bool amplitude = by_load ? checks.within("cycle.load", cycle.amplitude.value, load_range)
+                                 : checks.within("cycle.amplitude", cycle.amplitude.value, length_range);
   double start = 0.0;
   if (cycle.preload) {
     const auto& [control, value] = *cycle.preload;
@@ -83,52 +83,52 @@ void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
     const std::string_view unit = is_load ? "N" : "m";
     const std::string shown = fmt::format("({}, {})", quantity(value.x(), unit), quantity(value.y(), unit));
     const double most = is_load ? load_range.most : length_range.most;
-    if (!judge.require(value.norm() <= most, "cycle.preload", shown, "is unphysical",
-                       fmt::format("give at most {}", quantity(most, unit)))) {
+    if (!checks.require(value.norm() <= most, "cycle.preload", shown, "is unphysical",
+                        fmt::format("give at most {}", quantity(most, unit)))) {
       return;
     }
-    judge.require(!is_load || value.norm() >= load_range.least, "cycle.preload", shown,
-                  "is zero: the journal position would be undetermined",
-                  "give a load, or leave it out for cycles from the centre");
-    judge.require(is_load || !by_load, "cycle.preload", shown,
-                  "is a displacement where the cycles are controlled by load",
-                  "give a load, or cycle.amplitude in place of cycle.load");
+    checks.require(!is_load || value.norm() >= load_range.least, "cycle.preload", shown,
+                   "is zero: the journal position would be undetermined",
+                   "give a load, or leave it out for cycles from the centre");
+    checks.require(is_load || !by_load, "cycle.preload", shown,
+                   "is a displacement where the cycles are controlled by load",
+                   "give a load, or cycle.amplitude in place of cycle.load");
     if (!is_load) start = value.norm();
-    judge.require_for("cycle", is_load || limit <= 0.0 || start < limit, "cycle.preload", shown,
-                      "would press the bumps flat",
-                      fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+    checks.require_for("cycle", is_load || limit <= 0.0 || start < limit, "cycle.preload", shown,
+                       "would press the bumps flat",
+                       fmt::format("give less than clearance and rise together, {:.6g} m", limit));
   }
   if (by_load || !amplitude || limit <= 0.0 || start >= limit) return;
   const bool flat = start + cycle.amplitude.value >= limit;
-  judge.require_for("cycle", !flat, "cycle.amplitude", quantity(cycle.amplitude.value, "m"),
-                    start > 0.0 ? "would press the bumps flat on top of cycle.preload" : "would press the bumps flat",
-                    fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
-                                start > 0.0 ? ", preload included" : ""));
+  checks.require_for("cycle", !flat, "cycle.amplitude", quantity(cycle.amplitude.value, "m"),
+                     start > 0.0 ? "would press the bumps flat on top of cycle.preload" : "would press the bumps flat",
+                     fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
+                                 start > 0.0 ? ", preload included" : ""));
 }
 
-void judge_cycle(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+void check_cycle(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
   const CycleSettings& cycle = input.cycle;
   if (cycle.directions.empty() && cycle.amplitude.value == 0.0) return;
-  judge.require(!cycle.directions.empty(), "cycle.directions", "", "no direction specified",
-                "give a list such as [\"+X\", \"90 deg\"]");
+  checks.require(!cycle.directions.empty(), "cycle.directions", "", "no direction specified",
+                 "give a list such as [\"+X\", \"90 deg\"]");
   for (std::size_t i = 0; i < cycle.directions.size(); ++i) {
-    judge.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
+    checks.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
   }
-  judge_repetition(judge, cycle.directions);
-  judge_course(judge, cycle, flattening(input.bearing, foil.rise));
-  const bool steps = judge.count("cycle.steps", cycle.steps, "increments");
-  judge.count("cycle.cycles", cycle.cycles, "cycles");
+  check_repetition(checks, cycle.directions);
+  check_course(checks, cycle, flattening(input.bearing, foil.rise));
+  const bool steps = checks.count("cycle.steps", cycle.steps, "increments");
+  checks.count("cycle.cycles", cycle.cycles, "cycles");
   for (std::size_t i = 0; i < cycle.clearance_forces.size(); ++i) {
-    judge.within(fmt::format("cycle.clearance_forces[{}]", i + 1), cycle.clearance_forces[i], load_range);
+    checks.within(fmt::format("cycle.clearance_forces[{}]", i + 1), cycle.clearance_forces[i], load_range);
   }
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
-  judge.require_history(
+  checks.require_history(
       "cycle", plain || input.bump_foil.model != BumpFoilModel::former,
       "has no history: it can only be pushed from the centre",
       "set model = \"truss\" or \"frame\", or remove cycle.preload, cycle.load, cycle.swing and cycle.cycles");
   if (!foil.bumps || !steps) return;
   const auto increments = std::int64_t{cycle.swings() ? 4 : 2} * cycle.steps * std::ssize(cycle.directions);
-  judge_memory(judge, "cycle", "cycle.steps", cycle.steps, increments, total_bumps(input));
+  check_memory(checks, "cycle", "cycle.steps", cycle.steps, increments, total_bumps(input));
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ CaseTable cycle_settings() {
       .experiment = "cycle",
       .needs = "cycle",
       .describe = describe_cycle,
-      .check = judge_cycle,
+      .check = check_cycle,
       .given = [](const Case& input) { return !input.cycle.directions.empty() || input.cycle.amplitude.value != 0.0; }};
 }
 

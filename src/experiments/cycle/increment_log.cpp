@@ -59,13 +59,13 @@ IncrementLog::IncrementLog(FoilStepper& stepper, Recording recording, Cycle& cyc
 }
 
 Increment IncrementLog::make(const Step& step, Branch branch, const Eigen::Vector2d& direction, double displacement,
-                             bool judged) {
+                             bool checked) {
   Increment next = step.converged() ? place_increment(foils(), step, direction) : failed_increment(step, direction);
   next.index = count_++;
   next.branch = branch;
   next.displacement = displacement;
-  if (step.converged() && (everything_ || judged)) {
-    judge(foils(), step.state, next);
+  if (step.converged() && (everything_ || checked)) {
+    check_increment(foils(), step.state, next);
     const SolverBounds bounds = stepper_.bounds();
     if (!next.residuals.within(bounds.force, bounds.displacement)) next.status = Status::residual_above_bound;
     if (next.converged()) balance_.add(next, step.is_linear);

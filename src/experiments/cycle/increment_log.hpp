@@ -35,8 +35,8 @@ class IncrementLog {
   /// Makes the next increment.
   /// @param direction     unit vector of displacement and direct force
   /// @param displacement  its end; if prescribed, without round-off
-  /// @param judged        compute its residual even if not everything is recorded
-  Increment make(const Step& step, Branch branch, const Eigen::Vector2d& direction, double displacement, bool judged);
+  /// @param checked        compute its residual even if not everything is recorded
+  Increment make(const Step& step, Branch branch, const Eigen::Vector2d& direction, double displacement, bool checked);
 
   /// Records it, unless only quantities are requested.
   void write_down(const Step& step, const Increment& increment, const Eigen::Vector2d& direction);

@@ -126,7 +126,7 @@ void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultL
     lifted.values.push_back(assembly.lifted);
     bulge.values.push_back(assembly.bulge);
     place.values.push_back(assembly.bulge_theta);
-    room.values.push_back(foils.room_in(k));
+    room.values.push_back(foils.assembled_clearance_in(k));
   }
   std::vector<NamedNumbers>& list = pads.size() == 1 ? layout.scalars : layout.at_pads;
   list.insert(list.end(), {formed, hold, lifted, bulge, place, room});

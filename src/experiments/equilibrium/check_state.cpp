@@ -1,4 +1,4 @@
-#include "experiments/equilibrium/judge_state.hpp"
+#include "experiments/equilibrium/check_state.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -93,7 +93,7 @@ void find_stresses(const FilmBearing& bearing, RunningState& found) {
 
 }  // namespace
 
-void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
+void check_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
                  RunningState& found) {
   const auto begin = std::chrono::steady_clock::now();
   FilmStepper stepper(bearing);

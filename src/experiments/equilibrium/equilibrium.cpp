@@ -13,7 +13,7 @@
 #include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "bumpfoil/motion/start.hpp"
-#include "experiments/equilibrium/judge_state.hpp"
+#include "experiments/equilibrium/check_state.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -34,10 +34,10 @@ OperatingPoint at_speed(OperatingPoint point, double speed) {
 class PathWalker {
  public:
   PathWalker(const EquilibriumSettings& settings, double thickness_floor, EquilibriumResult& result,
-             const std::function<bool(double)>& progress, StateJudges* judges, std::size_t states)
+             const std::function<bool(double)>& progress, StateCheckers* checkers, std::size_t states)
       : result_(result),
         progress_(progress),
-        judges_(judges),
+        checkers_(checkers),
         states_(states),
         settings_(settings),
         options_(options(thickness_floor)),
@@ -51,7 +51,7 @@ class PathWalker {
       done_of_state_ = 0.0;
       RunningState& found = result_.states.emplace_back();
       found.path = path;
-      found.asked = point;
+      found.requested = point;
       found.before = std::exchange(before, point);
       const auto begin = std::chrono::steady_clock::now();
       found.report.status = Status::converged;
@@ -84,9 +84,9 @@ class PathWalker {
 
   void hand_over(RunningState& found) {
     found.last = state_;
-    const auto judge = [bearing = result_.bearing, &settings = settings_, tabulates = judges_ && found.found(),
-                        &found] { judge_state(bearing, settings, tabulates, found); };
-    judges_ ? judges_->take(result_.bearing, found, judge) : judge();
+    const auto check = [bearing = result_.bearing, &settings = settings_, tabulates = checkers_ && found.found(),
+                        &found] { check_state(bearing, settings, tabulates, found); };
+    checkers_ ? checkers_->take(result_.bearing, found, check) : check();
   }
 
   /// From the initial guess to the first state of a path.
@@ -94,9 +94,9 @@ class PathWalker {
     BearingState last;
     total += start_from_rest(
         stepper_, point, settings_.steps,
-        [&](FilmStepper& starting, double opening, BearingState& begun) {
+        [&](FilmStepper& starting, double clearance_offset, BearingState& begun) {
           starting_ = &starting;
-          opening_ = opening;
+          clearance_offset_ = clearance_offset;
           FilmReport report{.status = Status::converged};
           start_assembled(path, point, report);
           if (state_) begun = *state_;
@@ -110,7 +110,7 @@ class PathWalker {
   void start_assembled(FilmPath path, const OperatingPoint& point, FilmReport& total) {
     const bool by_load = point.by_load();
     OperatingPoint opened = point;
-    opened.opening = opening_;
+    opened.clearance_offset = clearance_offset_;
     // A journal at rest settles onto the foils under its load.
     switch (by_load && point.speed == 0.0 ? FilmPath::cold_start : path) {
       case FilmPath::load_ramp:
@@ -120,7 +120,7 @@ class PathWalker {
       case FilmPath::position_ray:
         if (by_load) {
           begin(Eigen::Vector2d::Zero(), point.speed, total);
-          ramp(OperatingPoint::held_at(along(point), point.speed, opening_), total);
+          ramp(OperatingPoint::held_at(along(point), point.speed, clearance_offset_), total);
         } else {
           begin_gently(towards(point), point.speed, total);
         }
@@ -140,21 +140,22 @@ class PathWalker {
         }
         break;
     }
-    if (state_ && state_->opening > 0.0) ramp(point, total);
+    if (state_ && state_->clearance_offset > 0.0) ramp(point, total);
   }
 
   [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
-    return start_along_load * (starting_->bearing().room + opening_) * point.journal.normalized();
+    return start_along_load * (starting_->bearing().assembled_clearance + clearance_offset_) *
+           point.journal.normalized();
   }
 
   [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
-    const double farthest = start_towards_position * (starting_->bearing().room + opening_);
+    const double farthest = start_towards_position * (starting_->bearing().assembled_clearance + clearance_offset_);
     return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
   }
 
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     BearingState started;
-    total += cold_start(*starting_, position, speed, started, opening_);
+    total += cold_start(*starting_, position, speed, started, clearance_offset_);
     if (total.status == Status::converged) state_ = std::move(started);
   }
 
@@ -163,7 +164,7 @@ class PathWalker {
     begin(position, speed, total);
     if (total.status != Status::touchdown) return;
     begin(Eigen::Vector2d::Zero(), speed, total);
-    ramp(OperatingPoint::held_at(position, speed, opening_), total);
+    ramp(OperatingPoint::held_at(position, speed, clearance_offset_), total);
   }
 
   /// Proceeds to a point in equal increments; none if already there.
@@ -188,7 +189,7 @@ class PathWalker {
 
   EquilibriumResult& result_;
   const std::function<bool(double)>& progress_;
-  StateJudges* judges_;
+  StateCheckers* checkers_;
   std::size_t states_;
   const EquilibriumSettings& settings_;
   FilmBearingOptions options_;
@@ -196,7 +197,7 @@ class PathWalker {
   bool reached_{true};
   FilmStepper stepper_;
   FilmStepper* starting_{};            ///< of the start: its foils may be formed differently from those of stepper_
-  double opening_{};                   ///< initial opening of the clearance, m
+  double clearance_offset_{};          ///< initial clearance offset, m
   std::optional<BearingState> state_;  ///< current state on the path
   Step step_;
 };
@@ -207,7 +208,7 @@ std::optional<double> least_torque_between(const std::array<const RunningState*,
   std::array<double, 3> torque{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!states.at(i)->found()) return std::nullopt;
-    speed.at(i) = std::abs(states.at(i)->asked.speed);
+    speed.at(i) = std::abs(states.at(i)->requested.speed);
     torque.at(i) = std::abs(states.at(i)->outcome->torque);
   }
   if (torque[1] >= torque[0] || torque[1] > torque[2]) return std::nullopt;
@@ -255,8 +256,8 @@ std::optional<RunningState> stable_instead(const EquilibriumResult& result, cons
                                            double thickness_floor, const RunningState& unstable,
                                            const std::function<bool(double)>& progress) {
   EquilibriumSettings alone = equilibrium;
-  alone.speeds = {unstable.asked.speed};
-  (unstable.asked.by_load() ? alone.loads : alone.positions) = {unstable.asked.journal};
+  alone.speeds = {unstable.requested.speed};
+  (unstable.requested.by_load() ? alone.loads : alone.positions) = {unstable.requested.journal};
   for (const FilmPath path : possible_paths(equilibrium)) {
     if (path == unstable.path && !unstable.before) continue;
     EquilibriumResult other = find_states(result.bearing, alone, thickness_floor, {path}, progress);
@@ -277,18 +278,18 @@ void add_least_torque_speeds(EquilibriumResult& result) {
     // States of the same path, journal and direction of rotation, by increasing speed.
     std::vector<const RunningState*> curve;
     for (const RunningState& other : result.states) {
-      if (other.path == state.path && other.asked.control == state.asked.control &&
-          other.asked.journal == state.asked.journal && other.asked.speed * state.asked.speed >= 0.0) {
+      if (other.path == state.path && other.requested.control == state.requested.control &&
+          other.requested.journal == state.requested.journal && other.requested.speed * state.requested.speed >= 0.0) {
         curve.push_back(&other);
       }
     }
     std::stable_sort(curve.begin(), curve.end(), [](const RunningState* a, const RunningState* b) {
-      return std::abs(a->asked.speed) < std::abs(b->asked.speed);
+      return std::abs(a->requested.speed) < std::abs(b->requested.speed);
     });
     // From rest, the torque jumps before it falls.
     std::optional<double> least;
     for (std::size_t i = 1; i + 1 < curve.size() && !least; ++i) {
-      if (curve[i - 1]->asked.speed == 0.0) continue;
+      if (curve[i - 1]->requested.speed == 0.0) continue;
       least = least_torque_between({curve[i - 1], curve[i], curve[i + 1]});
     }
     state.least_torque_speed = least;
@@ -307,7 +308,7 @@ std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium,
     for (const OperatingPoint& point : chain) {
       RunningState& state = states.emplace_back();
       state.path = equilibrium.path;
-      state.asked = point;
+      state.requested = point;
       state.before = std::exchange(before, point);
       state.report.status = status;
     }
@@ -329,10 +330,11 @@ FilmBearing require_running_bearing(const Case& input) {
 }
 
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
-                                  const std::function<bool(double)>& progress, StateJudges* judges) {
+                                  const std::function<bool(double)>& progress, StateCheckers* checkers) {
   const auto bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
   if (paths.empty()) paths.push_back(input.equilibrium->path);
-  EquilibriumResult result = find_states(bearing, *input.equilibrium, thickness_floor(input), paths, progress, judges);
+  EquilibriumResult result =
+      find_states(bearing, *input.equilibrium, thickness_floor(input), paths, progress, checkers);
   add_least_torque_speeds(result);
   if (!input.equilibrium->prefer_stable || paths.size() > 1) return result;
   for (RunningState& state : result.states) {
@@ -340,7 +342,7 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
     const auto keep_going = [&](double) { return !progress || progress(1.0); };
     if (auto better = stable_instead(result, *input.equilibrium, thickness_floor(input), state, keep_going)) {
       state = std::move(*better);
-      if (judges) judge_state(result.bearing, *input.equilibrium, true, state);
+      if (checkers) check_state(result.bearing, *input.equilibrium, true, state);
     }
   }
   return result;
@@ -348,22 +350,22 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
 
 EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
                               double thickness_floor, const std::vector<FilmPath>& paths,
-                              const std::function<bool(double)>& progress, StateJudges* judges) {
+                              const std::function<bool(double)>& progress, StateCheckers* checkers) {
   EquilibriumResult result;
   result.bearing = bearing;
   const std::size_t states =
       paths.size() * equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
   result.states.reserve(states);  // so that references stay valid during the checks
-  PathWalker walker(equilibrium, thickness_floor, result, progress, judges, states);
+  PathWalker walker(equilibrium, thickness_floor, result, progress, checkers, states);
   try {
     for (const FilmPath path : paths) {
       for (const auto& chain : chains_of(path, equilibrium, bearing->surroundings.tilt)) walker.walk(path, chain);
     }
   } catch (...) {
-    if (judges) judges->finish();
+    if (checkers) checkers->finish();
     throw;
   }
-  if (judges) judges->finish();
+  if (checkers) checkers->finish();
   return result;
 }
 

@@ -28,7 +28,7 @@ Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
   json["states"] = spread.states;
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
     if (quantity.form.kind != Form::real && quantity.name != "loaded_bumps") continue;
-    if (quantity.is(tag::asked) && quantity.name == "wall_time") continue;
+    if (quantity.is(tag::requested) && quantity.name == "wall_time") continue;
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
     for (const std::size_t i : spread.states) {
@@ -89,10 +89,10 @@ std::string film_coefficients_csv(const EquilibriumResult& result) {
   for (const WhirlQuantity& quantity : quantities) out += ',' + key_of(quantity.name(), quantity.unit);
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
-    const bool by_load = state.asked.by_load();
+    const bool by_load = state.requested.by_load();
     for (const FilmWhirl& whirl : state.whirls) {
-      append_csv(out += '\n', state.asked.speed);
-      for (const int axis : {0, 1}) append_csv(out += ',', by_load ? state.asked.journal[axis] : absent);
+      append_csv(out += '\n', state.requested.speed);
+      for (const int axis : {0, 1}) append_csv(out += ',', by_load ? state.requested.journal[axis] : absent);
       for (const int axis : {0, 1}) append_csv(out += ',', state.last->position[axis]);
       out += fmt::format(",{}", name_of(state.path));
       append_csv(out += ',', whirl.frequency);
@@ -109,7 +109,7 @@ std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
     if (!state.found()) continue;
     const auto same = std::find_if(spreads.begin(), spreads.end(), [&](const PathSpread& spread) {
       const RunningState& first = result.states[spread.states.front()];
-      return first.asked == state.asked && first.path != state.path;
+      return first.requested == state.requested && first.path != state.path;
     });
     if (same == spreads.end()) {
       spreads.push_back({{i}});

@@ -38,7 +38,7 @@ void add_motions(Json& json, const FilmBearing& bearing, const RunningState& sta
 Json found_json(const FilmBearing& bearing, const RunningState& state) {
   Json json;
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
-    if (quantity.is(tag::asked)) continue;
+    if (quantity.is(tag::requested)) continue;
     json[quantity.key()] = value_json(quantity.value(bearing, state), quantity.form);
   }
   add_pad_forces(json, bearing, state, true);
@@ -61,7 +61,7 @@ Json state_json(const FilmBearing& bearing, const RunningState& state) {
   if (!state.found() && state.outcome) {
     json["last_state"] = found_json(bearing, state);
     json["last_state"]["speed_rad_per_s"] = state.last->speed;
-    json["last_state"]["radial_clearance_m"] = bearing.clearance + state.last->opening;
+    json["last_state"]["radial_clearance_m"] = bearing.clearance + state.last->clearance_offset;
   }
   return json;
 }

@@ -23,8 +23,8 @@ double relative(double part, double whole_of_it) {
 }
 
 template <Control control, int axis>
-double asked_journal(const FilmBearing&, const RunningState& state) {
-  return state.asked.control == control ? state.asked.journal[axis] : absent;
+double requested_journal(const FilmBearing&, const RunningState& state) {
+  return state.requested.control == control ? state.requested.journal[axis] : absent;
 }
 
 template <int axis>
@@ -144,10 +144,10 @@ using By = Control;
 
 constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"speed", "rad/s", "speed of the journal, positive from X to Y",
-     [](const B&, const S& state) { return state.asked.speed; }, csv | asked | demand, "speed", shown::revolutions},
-    {"load_x", "N", "requested load on the journal, X", asked_journal<By::load, 0>, csv | asked | demand, "load, X",
+     [](const B&, const S& state) { return state.requested.speed; }, csv | requested | demand, "speed", shown::revolutions},
+    {"load_x", "N", "requested load on the journal, X", requested_journal<By::load, 0>, csv | requested | demand, "load, X",
      shown::newtons},
-    {"load_y", "N", "requested load on the journal, Y", asked_journal<By::load, 1>, csv | asked | demand, "load, Y",
+    {"load_y", "N", "requested load on the journal, Y", requested_journal<By::load, 1>, csv | requested | demand, "load, Y",
      shown::newtons},
     {"x", "m", "journal centre, X", position<0>, csv | sampled, "journal, X", shown::micrometres},
     {"y", "m", "journal centre, Y", position<1>, csv | sampled, "journal, Y", shown::micrometres},
@@ -286,9 +286,9 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
        const auto *const place = std::find(running_statuses.begin(), running_statuses.end(), state.report.status);
        return static_cast<double>(place - running_statuses.begin());
      },
-     of_solver | csv | asked | shown_first | sampled, "status", shown::unitless, running_status},
+     of_solver | csv | requested | shown_first | sampled, "status", shown::unitless, running_status},
     {"path", "", "path that leads to the state",
-     [](const B&, const S& state) { return static_cast<double>(state.path); }, of_solver | csv | asked, "path",
+     [](const B&, const S& state) { return static_cast<double>(state.path); }, of_solver | csv | requested, "path",
      shown::unitless, flags<FilmPath>},
     {"kxx", "N/m", "dF_x/dx, sliding contacts keep sliding", entry<&S::stiffness, 0, 0>,
      csv | shown_first | sampled, "stiffness, xx", shown::stiffness},
@@ -399,39 +399,39 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, full stick",
      whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>, of_foils},
     {"jumps", "1", "jumps on the path to the state: from a branch of states that ends to another one",
-     cost<&FilmReport::jumps>, of_solver | asked | of_foils | sampled, "", shown::in_files, whole_number},
-    {"iterations", "1", "Newton steps on the path to the state", cost<&FilmReport::iterations>, of_solver | asked, "",
+     cost<&FilmReport::jumps>, of_solver | requested | of_foils | sampled, "", shown::in_files, whole_number},
+    {"iterations", "1", "Newton steps on the path to the state", cost<&FilmReport::iterations>, of_solver | requested, "",
      shown::in_files, whole_number},
     {"factorisations", "1", "factorisations of contact systems on the path to the state",
-     cost<&FilmReport::factorisations>, of_solver | asked | of_foils, "", shown::in_files, whole_number},
+     cost<&FilmReport::factorisations>, of_solver | requested | of_foils, "", shown::in_files, whole_number},
     {"residual", "1", "norm of all scaled residuals before the last Newton step",
      [](const B&, const S& state) { return state.report.residual; }, of_solver | sampled},
     {"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; },
-     of_solver | asked},
+     of_solver | requested},
     {"lift_off_speed", "rad/s",
      "lowest speed of the path coasting down under the load whose state is stable and whose minimum film thickness is "
      "film.h_lift_off or more",
-     limit_value<&S::lift_off_speed>, csv | asked | of_foils | of_limits | headline | sampled, "lift-off speed",
+     limit_value<&S::lift_off_speed>, csv | requested | of_foils | of_limits | headline | sampled, "lift-off speed",
      shown::revolutions},
     {"load_capacity", "N",
      "largest load of the path, along the first load, whose state at the speed is stable and whose minimum film "
      "thickness is film.h_lift_off or more",
-     limit_value<&S::load_capacity>, csv | asked | of_foils | of_limits | headline | sampled, "load capacity",
+     limit_value<&S::load_capacity>, csv | requested | of_foils | of_limits | headline | sampled, "load capacity",
      shown::newtons},
     {"lift_off_bounded_by", "", "why states below lift_off_speed do not count", limit_bound<&S::lift_off_speed>,
-     csv | asked | of_foils | of_limits, "", shown::in_files, flags<LimitBound>},
+     csv | requested | of_foils | of_limits, "", shown::in_files, flags<LimitBound>},
     {"lift_off_unstable_from", "rad/s",
      "lowest speed of that path whose state is unstable with the journal held; none where all are stable",
-     unstable_from<&S::lift_off_speed>, csv | asked | of_foils | of_limits},
+     unstable_from<&S::lift_off_speed>, csv | requested | of_foils | of_limits},
     {"lift_off_unstable_to", "rad/s", "highest speed of that path whose state is unstable",
-     unstable_to<&S::lift_off_speed>, csv | asked | of_foils | of_limits},
+     unstable_to<&S::lift_off_speed>, csv | requested | of_foils | of_limits},
     {"capacity_bounded_by", "", "why states above load_capacity do not count", limit_bound<&S::load_capacity>,
-     csv | asked | of_foils | of_limits, "", shown::in_files, flags<LimitBound>},
+     csv | requested | of_foils | of_limits, "", shown::in_files, flags<LimitBound>},
     {"capacity_unstable_from", "N",
      "smallest load of that path whose state is unstable with the journal held; none where all are stable",
-     unstable_from<&S::load_capacity>, csv | asked | of_foils | of_limits},
+     unstable_from<&S::load_capacity>, csv | requested | of_foils | of_limits},
     {"capacity_unstable_to", "N", "largest load of that path whose state is unstable", unstable_to<&S::load_capacity>,
-     csv | asked | of_foils | of_limits},
+     csv | requested | of_foils | of_limits},
 });
 
 /// Displacement by P_k over the width, at zeta = 1: 0 for foils without this mode.
@@ -528,7 +528,7 @@ std::span<const ColumnQuantity> column_quantities() {
 }
 
 double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state) {
-  return quantity.is(asked) || state.found() ? quantity.value(bearing, state) : absent;
+  return quantity.is(requested) || state.found() ? quantity.value(bearing, state) : absent;
 }
 
 Matrix film_pressure(const FilmBearing& bearing, const BearingState& state) {
@@ -571,7 +571,8 @@ std::string name_of_point(const OperatingPoint& point) {
 
 std::string name_of_state(const RunningState& state) {
   return fmt::format("{} from {}, {}", name_of(state.path),
-                     state.before ? where_from(*state.before, state.asked) : "rest", name_of_point(state.asked));
+                     state.before ? where_from(*state.before, state.requested) : "rest",
+                     name_of_point(state.requested));
 }
 
 std::string running_failure(const FilmBearing& bearing, const RunningState& state) {
@@ -584,9 +585,9 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
         state.last->speed / shown::revolutions.size, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
         state.outcome->force.x(), state.outcome->force.y(),
         1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness);
-    if (state.last->opening > 0.0) {
+    if (state.last->clearance_offset > 0.0) {
       text += fmt::format(", with the clearance at {:.5g} um, closing to {:.5g} um",
-                          1e6 * (bearing.clearance + state.last->opening), 1e6 * bearing.clearance);
+                          1e6 * (bearing.clearance + state.last->clearance_offset), 1e6 * bearing.clearance);
     }
   }
   return text;
@@ -608,7 +609,7 @@ int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state)
   Eigen::Index bump = 0;
   for (const FilmPad& pad : bearing.pads) {
     Vector own = loads.segment(bump, pad.bumps());
-    if (bearing.surface_speed(pad, state.asked.speed) < 0.0) own.reverseInPlace();
+    if (bearing.surface_speed(pad, state.requested.speed) < 0.0) own.reverseInPlace();
     most = std::max(most, std::find_if(own.begin(), own.end(), [](double load) { return load > 0.0; }) - own.begin());
     bump += pad.bumps();
   }

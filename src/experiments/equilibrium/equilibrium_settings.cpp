@@ -69,80 +69,80 @@ constexpr double most_speed = 1e6;  // rad/s
 /// Limit of mesh nodes of all states together: films are kept until all are written, about 40 bytes per node.
 constexpr double most_state_nodes = 1e8;
 
-void judge_memory(Judge& judge, const Case& input, const EquilibriumSettings& equilibrium) {
+void check_memory(Checks& checks, const Case& input, const EquilibriumSettings& equilibrium) {
   const std::size_t states =
       equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
   const double nodes = static_cast<double>(states) * film_bumps(input) * input.film.columns_per_pitch * input.film.rows;
   for (const char* const command : {"equilibrium", "film"}) {
-    judge.require_for(command, nodes <= most_state_nodes, "equilibrium.speeds", fmt::format("{} states", states),
-                      "would not fit in memory with their films", "give fewer speeds or loads, or a coarser film");
+    checks.require_for(command, nodes <= most_state_nodes, "equilibrium.speeds", fmt::format("{} states", states),
+                       "would not fit in memory with their films", "give fewer speeds or loads, or a coarser film");
   }
 }
 
 /// Checks a list of pairs, each entry within +-`most`.
-void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen::Vector2d>& vectors, double most,
+void check_vectors(Checks& checks, const std::string& key, const std::vector<Eigen::Vector2d>& vectors, double most,
                    std::string_view unit) {
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     for (const int axis : {0, 1}) {
       const double value = vectors[i][axis];
       const std::string entry = fmt::format("{}[{}][{}]", key, i + 1, axis + 1);
-      if (!judge.finite(entry, value, unit)) continue;
-      judge.require(std::abs(value) <= most, entry, quantity(value, unit), "is unphysical",
-                    fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
+      if (!checks.finite(entry, value, unit)) continue;
+      checks.require(std::abs(value) <= most, entry, quantity(value, unit), "is unphysical",
+                     fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
     }
   }
 }
 
-void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
-  judge.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
-                    "is missing: the minimum film thickness at lift-off",
-                    "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
-  judge.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
-                    "no load specified", "give a list such as [[\"50 N\", \"0 N\"]]");
+void check_equilibrium(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
+  checks.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
+                     "is missing: the minimum film thickness at lift-off",
+                     "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
+  checks.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
+                     "no load specified", "give a list such as [[\"50 N\", \"0 N\"]]");
   if (!input.equilibrium) return;
   const EquilibriumSettings& equilibrium = *input.equilibrium;
-  judge.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "no speed specified",
-                "give a list such as [\"45000 rpm\"]");
+  checks.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "no speed specified",
+                 "give a list such as [\"45000 rpm\"]");
   for (std::size_t i = 0; i < equilibrium.speeds.size(); ++i) {
     const double speed = equilibrium.speeds[i];
     const std::string entry = fmt::format("equilibrium.speeds[{}]", i + 1);
-    if (!judge.finite(entry, speed, "rad/s")) continue;
-    judge.require(speed != 0.0 || input.asperity, entry, quantity(speed, "rad/s"), "a journal at rest has no film",
-                  "give a speed that is not zero, or add [asperity], which carries a load at rest");
-    judge.require_for("limits", speed != 0.0, entry, quantity(speed, "rad/s"),
-                      "has neither a lift-off speed nor a load capacity", "find limits from speeds that are not zero");
-    judge.require(std::abs(speed) <= most_speed, entry, quantity(speed, "rad/s"), "is unphysical",
-                  fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
+    if (!checks.finite(entry, speed, "rad/s")) continue;
+    checks.require(speed != 0.0 || input.asperity, entry, quantity(speed, "rad/s"), "a journal at rest has no film",
+                   "give a speed that is not zero, or add [asperity], which carries a load at rest");
+    checks.require_for("limits", speed != 0.0, entry, quantity(speed, "rad/s"),
+                       "has neither a lift-off speed nor a load capacity", "find limits from speeds that are not zero");
+    checks.require(std::abs(speed) <= most_speed, entry, quantity(speed, "rad/s"), "is unphysical",
+                   fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
   }
   const bool by_load = !equilibrium.loads.empty();
-  judge.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "",
-                    "no load specified", "give a list such as [[\"50 N\", \"0 N\"]], or positions");
-  judge.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
-                "conflicts with equilibrium.loads, which is also given", "give one of the two");
-  judge.require(by_load || equilibrium.positions.empty() || equilibrium.path != FilmPath::load_ramp, "equilibrium.path",
-                std::string(name_of(equilibrium.path)), "needs loads, but there are positions",
-                "write path = \"position_ray\", \"speed_ramp\" or \"cold_start\"");
-  judge_vectors(judge, "equilibrium.loads", equilibrium.loads, load_range.most, "N");
-  judge_vectors(judge, "equilibrium.positions", equilibrium.positions, thin * input.bearing.radius, "m");
+  checks.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "",
+                     "no load specified", "give a list such as [[\"50 N\", \"0 N\"]], or positions");
+  checks.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
+                 "conflicts with equilibrium.loads, which is also given", "give one of the two");
+  checks.require(by_load || equilibrium.positions.empty() || equilibrium.path != FilmPath::load_ramp,
+                 "equilibrium.path", std::string(name_of(equilibrium.path)), "needs loads, but there are positions",
+                 "write path = \"position_ray\", \"speed_ramp\" or \"cold_start\"");
+  check_vectors(checks, "equilibrium.loads", equilibrium.loads, load_range.most, "N");
+  check_vectors(checks, "equilibrium.positions", equilibrium.positions, thin * input.bearing.radius, "m");
   for (std::size_t i = 0; i < equilibrium.loads.size(); ++i) {
-    judge.require(!equilibrium.loads[i].isZero(0.0), fmt::format("equilibrium.loads[{}]", i + 1), "0 N",
-                  "is zero, so the path to it has no direction", "give a load that is not zero, however small");
+    checks.require(!equilibrium.loads[i].isZero(0.0), fmt::format("equilibrium.loads[{}]", i + 1), "0 N",
+                   "is zero, so the path to it has no direction", "give a load that is not zero, however small");
   }
-  judge.count("equilibrium.steps", equilibrium.steps, "increments");
-  if (foil.bumps) judge_memory(judge, input, equilibrium);
-  judge.require(equilibrium.ross_version == 2 || equilibrium.ross_version == 3, "equilibrium.ross_version",
-                std::to_string(equilibrium.ross_version), "is not a supported version", "give 2 or 3");
+  checks.count("equilibrium.steps", equilibrium.steps, "increments");
+  if (foil.bumps) check_memory(checks, input, equilibrium);
+  checks.require(equilibrium.ross_version == 2 || equilibrium.ross_version == 3, "equilibrium.ross_version",
+                 std::to_string(equilibrium.ross_version), "is not a supported version", "give 2 or 3");
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
-    judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
+    checks.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
   }
-  judge.require_for("equilibrium", input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                    std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
-                    "set model = \"truss\" or \"frame\"");
-  judge.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
-                    std::string(name_of(input.bump_foil.geometry)), "a film supports foils of small displacements only",
-                    "set geometry = \"linear\"");
-  judge.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
-                    std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
+  checks.require_for("equilibrium", input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                     std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
+                     "set model = \"truss\" or \"frame\"");
+  checks.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
+                     std::string(name_of(input.bump_foil.geometry)),
+                     "a film supports foils of small displacements only", "set geometry = \"linear\"");
+  checks.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
+                     std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ CaseTable equilibrium_settings() {
   return {.experiment = "equilibrium",
           .needs = "equilibrium",
           .describe = describe_equilibrium,
-          .check = judge_equilibrium,
+          .check = check_equilibrium,
           .given = [](const Case& input) { return input.equilibrium.has_value(); },
           .requested_part = [](const Case& input) -> std::string_view {
             return input.equilibrium && input.equilibrium->limits ? "limits" : "";

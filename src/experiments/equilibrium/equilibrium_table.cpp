@@ -35,7 +35,7 @@ std::string label_of(const RunningQuantity& quantity, const EquilibriumResult& r
   constexpr std::string_view dynamic = "dynamic";
   const bool synchronous = std::all_of(result.states.begin(), result.states.end(), [](const RunningState& state) {
     return std::all_of(state.whirls.begin(), state.whirls.end(),
-                       [&](const FilmWhirl& whirl) { return whirl.frequency == std::abs(state.asked.speed); });
+                       [&](const FilmWhirl& whirl) { return whirl.frequency == std::abs(state.requested.speed); });
   });
   if (!synchronous || !quantity.label.starts_with(dynamic)) return std::string(quantity.label);
   return fmt::format("synchronous{}", quantity.label.substr(dynamic.size()));
@@ -98,9 +98,9 @@ std::string spread_lines(const EquilibriumResult& result) {
   std::string out;
   for (const PathSpread& spread : path_spreads(result)) {
     const RunningState& first = result.states[spread.states.front()];
-    out += fmt::format("\n{} paths to {}\n", spread.states.size(), name_of_point(first.asked));
+    out += fmt::format("\n{} paths to {}\n", spread.states.size(), name_of_point(first.requested));
     for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
-      if (quantity.label.empty() || quantity.is(tag::asked)) continue;
+      if (quantity.label.empty() || quantity.is(tag::requested)) continue;
       double least = std::numeric_limits<double>::infinity();
       double most = -least;
       for (const std::size_t i : spread.states) {

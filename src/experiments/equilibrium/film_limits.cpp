@@ -197,7 +197,7 @@ FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLi
   const RunningState& start = begin.states.front();
   FilmStepper stepper(bearing, {.newton = {.thickness_floor = thickness_floor(input) / bearing->scales.thickness},
                                 .keep_going = keep_going});
-  LimitSearch search(stepper, *input.film.h_lift_off, kind, start.asked);
+  LimitSearch search(stepper, *input.film.h_lift_off, kind, start.requested);
   return start.found() ? search.find(*start.last) : search.nothing(start.report.status);
 }
 
@@ -238,8 +238,8 @@ void add_film_limits(const Case& input, EquilibriumResult& result, const std::fu
   const std::vector<double>& speeds = input.equilibrium->speeds;
   const std::vector<Eigen::Vector2d>& loads = input.equilibrium->loads;
   for (RunningState& state : result.states) {
-    state.lift_off_speed = result.limits[place_in(loads, state.asked.journal)];
-    state.load_capacity = result.limits[loads.size() + place_in(speeds, state.asked.speed)];
+    state.lift_off_speed = result.limits[place_in(loads, state.requested.journal)];
+    state.load_capacity = result.limits[loads.size() + place_in(speeds, state.requested.speed)];
   }
 }
 

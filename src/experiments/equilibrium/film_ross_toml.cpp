@@ -42,11 +42,11 @@ using StatesOverSpeed = std::vector<const RunningState*>;
 std::vector<StatesOverSpeed> by_speed(const std::vector<RunningState>& states) {
   std::vector<StatesOverSpeed> groups;
   for (const RunningState& state : states) {
-    if (!state.found() || !state.synchronous || state.asked.speed == 0.0) continue;
+    if (!state.found() || !state.synchronous || state.requested.speed == 0.0) continue;
     const auto group = std::find_if(groups.begin(), groups.end(), [&state](const StatesOverSpeed& one) {
       const RunningState& first = *one.front();
-      return first.path == state.path && first.asked.control == state.asked.control &&
-             first.asked.journal == state.asked.journal && first.asked.speed * state.asked.speed > 0.0;
+      return first.path == state.path && first.requested.control == state.requested.control &&
+             first.requested.journal == state.requested.journal && first.requested.speed * state.requested.speed > 0.0;
     });
     if (group == groups.end()) {
       groups.push_back({&state});
@@ -56,10 +56,12 @@ std::vector<StatesOverSpeed> by_speed(const std::vector<RunningState>& states) {
   }
   for (StatesOverSpeed& group : groups) {
     const auto slower = [](const RunningState* a, const RunningState* b) {
-      return std::abs(a->asked.speed) < std::abs(b->asked.speed);
+      return std::abs(a->requested.speed) < std::abs(b->requested.speed);
     };
     std::stable_sort(group.begin(), group.end(), slower);
-    const auto same = [](const RunningState* a, const RunningState* b) { return a->asked.speed == b->asked.speed; };
+    const auto same = [](const RunningState* a, const RunningState* b) {
+      return a->requested.speed == b->requested.speed;
+    };
     group.erase(std::unique(group.begin(), group.end(), same), group.end());
   }
   return groups;
@@ -82,7 +84,7 @@ StatesOverSpeed known(StatesOverSpeed states, Impedance impedance) {
 RossElement element_of(const StatesOverSpeed& states, Impedance impedance, bool synchronous) {
   RossElement element;
   for (const RunningState* state : states) {
-    element.speeds.push_back(std::abs(state->asked.speed));
+    element.speeds.push_back(std::abs(state->requested.speed));
     for (const FilmWhirl& whirl : whirls_of(*state, synchronous)) {
       if (!synchronous && state == states.front()) element.frequencies.push_back(whirl.frequency);
       const Eigen::Matrix2cd in_plane = (whirl.*impedance)->topLeftCorner<2, 2>();  // ROSS bearings do not tilt
@@ -119,12 +121,13 @@ std::string film_ross_toml(const Case& input, const EquilibriumResult& result, s
          {std::pair{"stuck", &FilmWhirl::stuck_impedance}, std::pair{"slipping", &FilmWhirl::impedance}}) {
       const StatesOverSpeed states = known(all, impedance);
       if (states.empty()) continue;
-      const OperatingPoint& asked = states.front()->asked;
+      const OperatingPoint& requested = states.front()->requested;
       out += fmt::format("\n[[bearing]]\npath = \"{}\"\n{} = {}\n", name_of(states.front()->path),
-                         asked.by_load() ? "load_N" : "position_m", toml_list({asked.journal.x(), asked.journal.y()}));
-      out += fmt::format("turns = \"{}\"\ncontacts = \"{}\"\n", asked.speed > 0.0 ? "from X to Y" : "from Y to X",
+                         requested.by_load() ? "load_N" : "position_m",
+                         toml_list({requested.journal.x(), requested.journal.y()}));
+      out += fmt::format("turns = \"{}\"\ncontacts = \"{}\"\n", requested.speed > 0.0 ? "from X to Y" : "from Y to X",
                          contacts);
-      if (states.size() == 1) out += fmt::format("speed_rad_per_s = {}\n", toml_number(std::abs(asked.speed)));
+      if (states.size() == 1) out += fmt::format("speed_rad_per_s = {}\n", toml_number(std::abs(requested.speed)));
       out += elements_toml(states, impedance, ross_version);
     }
   }

@@ -56,7 +56,7 @@ Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
 
 /// A state of `from` transferred to the mesh of `to`: not a solution there, but close.
 BearingState transferred(const FilmBearing& from, const FilmBearing& to, const BearingState& state) {
-  BearingState found = resting(to, from.journal_of(state), state.speed, state.opening);
+  BearingState found = resting(to, from.journal_of(state), state.speed, state.clearance_offset);
   found.contacts.gap = state.contacts.gap;
   found.contacts.normal_force = state.contacts.normal_force;
   found.contacts.friction_force = state.contacts.friction_force;
@@ -116,11 +116,11 @@ MeshComparison::MeshComparison(const Case& input, SharedFilmBearing bearing)
 std::optional<MeshError> MeshComparison::estimate(const RunningState& state) const {
   FilmStepper stepper(other_, {.newton = {.thickness_floor = thickness_floor_}});
   BearingState found = transferred(*bearing_, *other_, *state.last);
-  if (stepper.advance(state.asked, found).status != Status::converged) return {};
+  if (stepper.advance(state.requested, found).status != Status::converged) return {};
   const double thickness =
       (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_->scales.thickness;
   Eigen::Vector2d force = journal_force(*other_, found.film, found.speed).head<2>() - state.outcome->force;
-  if (state.asked.by_load()) {
+  if (state.requested.by_load()) {
     if (!state.stiffness) return {};
     force = state.stiffness->topLeftCorner<2, 2>() * (state.last->position - found.position);
   }

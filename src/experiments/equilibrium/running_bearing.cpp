@@ -18,14 +18,14 @@ constexpr double tolerated_difference = 0.02;
 
 /// Checks states on all cores during the walk, and adds the mesh error. States are independent of each other and of the
 /// thread.
-class ParallelJudges : public StateJudges {
+class ParallelCheckers : public StateCheckers {
  public:
-  ParallelJudges(const Case& input, tbb::task_group& group) : input_(input), group_(group) {}
+  ParallelCheckers(const Case& input, tbb::task_group& group) : input_(input), group_(group) {}
 
-  void take(const SharedFilmBearing& bearing, RunningState& state, const std::function<void()>& judge) override {
+  void take(const SharedFilmBearing& bearing, RunningState& state, const std::function<void()>& check) override {
     if (!meshes_) meshes_.emplace(input_, bearing);
-    group_.run([this, &state, judge] {
-      judge();
+    group_.run([this, &state, check] {
+      check();
       add_mesh_error(state);
     });
   }
@@ -52,7 +52,7 @@ std::vector<OtherBranch> other_branches(const EquilibriumResult& result, const E
   for (std::size_t i = 0; i < result.states.size(); ++i) {
     const RunningState& state = result.states[i];
     const auto other = std::find_if(second.states.begin(), second.states.end(),
-                                    [&](const RunningState& one) { return one.asked == state.asked; });
+                                    [&](const RunningState& one) { return one.requested == state.requested; });
     if (!state.found() || other == second.states.end() || !other->found()) continue;
     const double h = minimum_film_thickness(result, state);
     const double h_other = minimum_film_thickness(second, *other);
@@ -80,15 +80,15 @@ EquilibriumResult analyse_running_bearing(const Case& input, const std::function
   const auto part_progress = [&](double fraction) { return !progress || progress((done + fraction) / parts); };
 
   tbb::task_group group;
-  ParallelJudges judges(input, group);
+  ParallelCheckers checkers(input, group);
   EquilibriumResult result =
-      run_equilibrium(input, all ? possible_paths(settings) : std::vector<FilmPath>{}, part_progress, &judges);
+      run_equilibrium(input, all ? possible_paths(settings) : std::vector<FilmPath>{}, part_progress, &checkers);
   for (RunningState& state : result.states) {
-    if (state.instead_of_unstable) judges.add_mesh_error(state);
+    if (state.instead_of_unstable) checkers.add_mesh_error(state);
   }
   if (second) {
     done += 1.0;
-    NoJudges none;
+    NoCheckers none;
     const EquilibriumResult other =
         find_states(result.bearing, settings, thickness_floor(input), {second_path(settings)}, part_progress, &none);
     result.other_branches = other_branches(result, other);

@@ -66,7 +66,7 @@ class StateDataset {
     for (const int axis : {0, 1}) {
       const char letter = axis == 0 ? 'x' : 'y';
       add({fmt::format("pad_force_{}", letter), "N", fmt::format("part of force_{} carried by the pad", letter)},
-          {"pad"}, [axis](const RunningState& state) -> RowMajor { return state.outcome->pad_forces.row(axis); });
+          {"pad"}, [axis](const RunningState& state) -> RowMajorMatrix { return state.outcome->pad_forces.row(axis); });
     }
   }
 
@@ -77,7 +77,7 @@ class StateDataset {
       std::vector<double> all;
       for (std::size_t i = 0; i < states.size(); ++i) {
         if (!states[i].found()) continue;
-        const RowMajor values = values_of(states[i]);
+        const RowMajorMatrix values = values_of(states[i]);
         all.resize(states.size() * static_cast<std::size_t>(values.size()), absent);
         std::copy(values.data(), values.data() + values.size(),
                   all.begin() + static_cast<std::ptrdiff_t>(places[i]) * values.size());
@@ -137,13 +137,13 @@ void add_geometry(const Case& input, const EquilibriumResult& result, const Resu
                       {gas.ambient_pressure});
 }
 
-void add_asked_positions(const EquilibriumResult& result, Dataset& data) {
+void add_requested_positions(const EquilibriumResult& result, Dataset& data) {
   for (const int axis : {0, 1}) {
     const char letter = axis == 0 ? 'x' : 'y';
     data.add({fmt::format("position_{}", letter), "m",
               fmt::format("requested position of the journal, {}", axis == 0 ? 'X' : 'Y')},
              {"state"}, each(result.states, [axis](const RunningState& state) {
-               return state.asked.control == Control::displacement ? state.asked.journal[axis] : absent;
+               return state.requested.control == Control::displacement ? state.requested.journal[axis] : absent;
              }));
   }
 }
@@ -202,7 +202,7 @@ void add_fields(const EquilibriumResult& result, const ResultLayout& layout, con
     const RunningState* const first = result.states.data();
     states
         .add(std::move(meaning), layout.dims_of(quantity.node),
-             [fields, quantity, first](const RunningState& state) -> RowMajor {
+             [fields, quantity, first](const RunningState& state) -> RowMajorMatrix {
                return quantity.value(*fields).row(&state - first);
              })
         .attributes["coordinates"] = layout.coordinates_of(quantity.node);
@@ -218,7 +218,7 @@ Dataset state_dataset(const Case& input, const EquilibriumResult& result) {
   StateDataset states(result, {"state"}, places);
   add_geometry(input, result, layout, states.data());
   states.add_quantities(tag::none);
-  add_asked_positions(result, states.data());
+  add_requested_positions(result, states.data());
   states.add_motions(*input.equilibrium);
   states.add_pads();
   add_film(result, states);

@@ -158,15 +158,15 @@ constexpr double bytes_at_crest = 285.0;
 constexpr double bytes_of_column = 37.0;
 constexpr double most_film_bytes = 2e9;
 
-void judge_gas(Judge& judge, const GasSettings& gas) {
+void check_gas(Checks& checks, const GasSettings& gas) {
   const auto [least, most] = temperature_range(gas.preset);
-  judge.require(gas.viscosity || (gas.temperature >= least && gas.temperature <= most), "gas.temperature",
-                quantity(gas.temperature, "K"),
-                fmt::format("the viscosity of {} is not available there", name_of(gas.preset)),
-                fmt::format("give a temperature from {} to {} K, or gas.viscosity", least, most));
-  if (gas.viscosity) judge.within("gas.viscosity", *gas.viscosity, viscosity_range);
-  judge.within("gas.ambient_pressure", gas.ambient_pressure, ambient_range);
-  judge.within("gas.mean_free_path", gas.mean_free_path, free_path_range);
+  checks.require(gas.viscosity || (gas.temperature >= least && gas.temperature <= most), "gas.temperature",
+                 quantity(gas.temperature, "K"),
+                 fmt::format("the viscosity of {} is not available there", name_of(gas.preset)),
+                 fmt::format("give a temperature from {} to {} K, or gas.viscosity", least, most));
+  if (gas.viscosity) checks.within("gas.viscosity", *gas.viscosity, viscosity_range);
+  checks.within("gas.ambient_pressure", gas.ambient_pressure, ambient_range);
+  checks.within("gas.mean_free_path", gas.mean_free_path, free_path_range);
 }
 
 /// Commands that compute films.
@@ -175,45 +175,45 @@ constexpr std::array film_commands{"equilibrium", "film", "stability", "unbalanc
 /// @param bumps  their number, 0 if unusable
 /// @param stations  columns with crests, at each of which they are side by side in the equations
 /// @param equal_halves  Case::has_equal_halves(): otherwise twice as many rows
-void judge_film(Judge& judge, const FilmSettings& film, int bumps, double stations, bool equal_halves) {
+void check_film(Checks& checks, const FilmSettings& film, int bumps, double stations, bool equal_halves) {
   const int columns = film.columns_per_pitch;
-  const bool columns_right = judge.require(
+  const bool columns_right = checks.require(
       columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
       "does not put a column over every crest", fmt::format("give an even number from 4 to {}", most_columns));
   const bool rows_right =
-      judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
-                    "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
+      checks.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
+                     "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
   if (columns_right && rows_right) {
     const int rows = equal_halves ? film.rows : 2 * film.rows;
     const double bytes = static_cast<double>(bumps) * rows * rows *
                          (stations * stations * bytes_at_crest + bytes_of_column * static_cast<double>(columns));
     for (const char* const command : film_commands) {
-      judge.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
-                        fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
-                                    columns * bumps, rows, 1e-9 * bytes),
-                        fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
+      checks.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
+                         fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
+                                     columns * bumps, rows, 1e-9 * bytes),
+                         fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
     }
   }
   if (film.wall != FilmWall::rigid) {
-    judge.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "",
-                  "is missing, but the elastic foundation needs it",
-                  "give a stiffness such as \"5 GPa/m\", or wall = \"rigid\"");
+    checks.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "",
+                   "is missing, but the elastic foundation needs it",
+                   "give a stiffness such as \"5 GPa/m\", or wall = \"rigid\"");
   }
-  if (film.wall_stiffness) judge.within("film.wall_stiffness", *film.wall_stiffness, {1e3, 1e18, "Pa/m"});
-  judge.within("film.h_floor", film.h_floor, {0.0, 1e-3, "m"});
-  if (film.inlet_pressure) judge.within("film.inlet_pressure", *film.inlet_pressure, ambient_range);
+  if (film.wall_stiffness) checks.within("film.wall_stiffness", *film.wall_stiffness, {1e3, 1e18, "Pa/m"});
+  checks.within("film.h_floor", film.h_floor, {0.0, 1e-3, "m"});
+  if (film.inlet_pressure) checks.within("film.inlet_pressure", *film.inlet_pressure, ambient_range);
   if (!film.side_pressure.empty() &&
-      judge.require(film.side_pressure.size() == 2, "film.side_pressure",
-                    fmt::format("{} numbers", film.side_pressure.size()), "is not a pressure at each side",
-                    "give those at z < 0 and z > 0, such as [\"102 kPa\", \"101.325 kPa\"]")) {
+      checks.require(film.side_pressure.size() == 2, "film.side_pressure",
+                     fmt::format("{} numbers", film.side_pressure.size()), "is not a pressure at each side",
+                     "give those at z < 0 and z > 0, such as [\"102 kPa\", \"101.325 kPa\"]")) {
     for (std::size_t i = 0; i < 2; ++i) {
-      judge.within(fmt::format("film.side_pressure[{}]", i + 1), film.side_pressure[i], ambient_range);
+      checks.within(fmt::format("film.side_pressure[{}]", i + 1), film.side_pressure[i], ambient_range);
     }
   }
-  if (film.h_lift_off && judge.within("film.h_lift_off", *film.h_lift_off, {1e-9, 1e-3, "m"})) {
-    judge.require(*film.h_lift_off > film.h_floor, "film.h_lift_off", quantity(*film.h_lift_off, "m"),
-                  fmt::format("is not above film.h_floor, {:.6g} m, the contact threshold", film.h_floor),
-                  "give a larger h_lift_off or a smaller h_floor");
+  if (film.h_lift_off && checks.within("film.h_lift_off", *film.h_lift_off, {1e-9, 1e-3, "m"})) {
+    checks.require(*film.h_lift_off > film.h_floor, "film.h_lift_off", quantity(*film.h_lift_off, "m"),
+                   fmt::format("is not above film.h_floor, {:.6g} m, the contact threshold", film.h_floor),
+                   "give a larger h_lift_off or a smaller h_floor");
   }
 }
 
@@ -222,23 +222,23 @@ constexpr Range pressure_factor_range{1e3, 1e13, "Pa"};
 constexpr Range density_range{1e6, 1e15, "1/m2"};
 constexpr Range peak_radius_range{1e-9, 1e-2, "m"};
 
-void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
-  judge.within("asperity.sigma", asperity.sigma, roughness_range);
-  judge.within("asperity.friction", asperity.friction, {0.0, 2.0, ""});
+void check_asperity(Checks& checks, const AsperitySettings& asperity) {
+  checks.within("asperity.sigma", asperity.sigma, roughness_range);
+  checks.within("asperity.friction", asperity.friction, {0.0, 2.0, ""});
   if (asperity.pressure_factor)
-    judge.within("asperity.pressure_factor", *asperity.pressure_factor, pressure_factor_range);
-  if (asperity.density) judge.within("asperity.density", *asperity.density, density_range);
-  if (asperity.radius) judge.within("asperity.radius", *asperity.radius, peak_radius_range);
-  if (asperity.modulus) judge.within("asperity.modulus", *asperity.modulus, {1e6, 1e13, "Pa"});
+    checks.within("asperity.pressure_factor", *asperity.pressure_factor, pressure_factor_range);
+  if (asperity.density) checks.within("asperity.density", *asperity.density, density_range);
+  if (asperity.radius) checks.within("asperity.radius", *asperity.radius, peak_radius_range);
+  if (asperity.modulus) checks.within("asperity.modulus", *asperity.modulus, {1e6, 1e13, "Pa"});
   const bool by_peaks = asperity.density || asperity.radius || asperity.modulus;
-  judge.require(!asperity.pressure_factor || !by_peaks, "asperity.pressure_factor", "",
-                "conflicts with density, radius or modulus, from which it follows",
-                "give either the factor or those three");
+  checks.require(!asperity.pressure_factor || !by_peaks, "asperity.pressure_factor", "",
+                 "conflicts with density, radius or modulus, from which it follows",
+                 "give either the factor or those three");
   if (asperity.pressure_factor) return;
-  judge.require(asperity.density.has_value(), "asperity.density", "", "is missing, as is pressure_factor",
-                "give peaks per area such as \"17000 1/mm2\", or pressure_factor such as \"250 MPa\"");
-  judge.require(asperity.radius.has_value(), "asperity.radius", "", "is missing, as is pressure_factor",
-                "give the radius of the peaks such as \"10 um\", or pressure_factor such as \"250 MPa\"");
+  checks.require(asperity.density.has_value(), "asperity.density", "", "is missing, as is pressure_factor",
+                 "give peaks per area such as \"17000 1/mm2\", or pressure_factor such as \"250 MPa\"");
+  checks.require(asperity.radius.has_value(), "asperity.radius", "", "is missing, as is pressure_factor",
+                 "give the radius of the peaks such as \"10 um\", or pressure_factor such as \"250 MPa\"");
 }
 
 constexpr int most_modes = 5;           // over the width
@@ -247,49 +247,49 @@ constexpr double most_moment = 1e6;     // N m
 constexpr double most_widening = 1e-3;  // m
 
 /// Checks a number of either sign.
-void judge_size(Judge& judge, const std::string& key, double value, double most, const char* unit) {
-  if (!judge.finite(key, value, unit)) return;
-  judge.require(std::abs(value) <= most, key, quantity(value, unit), "is unphysical",
-                fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
+void check_size(Checks& checks, const std::string& key, double value, double most, const char* unit) {
+  if (!checks.finite(key, value, unit)) return;
+  checks.require(std::abs(value) <= most, key, quantity(value, unit), "is unphysical",
+                 fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
 }
 
 /// Checks a pair of components along X and Y.
-void judge_pair(Judge& judge, const char* key, const std::vector<double>& pair, double most, const char* unit,
+void check_pair(Checks& checks, const char* key, const std::vector<double>& pair, double most, const char* unit,
                 const char* example) {
-  if (!judge.require(pair.size() == 2, key, fmt::format("{} numbers", pair.size()), "is not a pair along X and Y",
-                     fmt::format("give two components such as {}", example))) {
+  if (!checks.require(pair.size() == 2, key, fmt::format("{} numbers", pair.size()), "is not a pair along X and Y",
+                      fmt::format("give two components such as {}", example))) {
     return;
   }
-  for (std::size_t i = 0; i < 2; ++i) judge_size(judge, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
+  for (std::size_t i = 0; i < 2; ++i) check_size(checks, fmt::format("{}[{}]", key, i + 1), pair[i], most, unit);
 }
 
 /// Checks a journal that loads the foils unevenly over the width, without a film.
 /// @param key  that causes it
-void judge_dry_width(Judge& judge, const Case& input, const char* key, const char* command) {
-  judge.require_for(command, input.width.modes != 1 || input.top_foil.split, key, "",
-                    "needs foils that can follow it where there is no film",
-                    "set width.modes = 3, or 2 without a parabola");
-  judge.require_for(command, input.bump_foil.geometry == Geometry::linear, key, "",
-                    "is not supported with large displacements", "set bump_foil.geometry = \"linear\"");
-  judge.require_for(command, input.bump_foil.model != BumpFoilModel::former, key, "",
-                    "needs a top foil, which the Le Lez (2007) model does not have",
-                    "set model = \"truss\" or \"frame\"");
+void check_dry_width(Checks& checks, const Case& input, const char* key, const char* command) {
+  checks.require_for(command, input.width.modes != 1 || input.top_foil.split, key, "",
+                     "needs foils that can follow it where there is no film",
+                     "set width.modes = 3, or 2 without a parabola");
+  checks.require_for(command, input.bump_foil.geometry == Geometry::linear, key, "",
+                     "is not supported with large displacements", "set bump_foil.geometry = \"linear\"");
+  checks.require_for(command, input.bump_foil.model != BumpFoilModel::former, key, "",
+                     "needs a top foil, which the Le Lez (2007) model does not have",
+                     "set model = \"truss\" or \"frame\"");
 }
 
 /// Checks journals and sleeves that are tilted or not cylindrical.
-void judge_journal(Judge& judge, const Case& input) {
+void check_journal(Checks& checks, const Case& input) {
   const WidthSettings& width = input.width;
-  judge_size(judge, "width.conicity", width.conicity, most_widening, "m");
-  judge_size(judge, "width.crowning", width.crowning, most_widening, "m");
-  judge_pair(judge, "width.tilt", width.tilt, most_slope, "rad", "[\"0.2 mrad\", \"0 mrad\"]");
+  check_size(checks, "width.conicity", width.conicity, most_widening, "m");
+  check_size(checks, "width.crowning", width.crowning, most_widening, "m");
+  check_pair(checks, "width.tilt", width.tilt, most_slope, "rad", "[\"0.2 mrad\", \"0 mrad\"]");
   if (!width.moment.empty())
-    judge_pair(judge, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
-  judge.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
-                    "give width.tilt, or run equilibrium");
+    check_pair(checks, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
+  checks.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
+                     "give width.tilt, or run equilibrium");
   for (const char* const command : {"stability", "unbalance", "transient"}) {
-    judge.require_for(command, width.moment.empty(), "width.moment", "",
-                      "is not supported under a rotor, which exerts its own moments on the bearings",
-                      "remove it, or give width.tilt for bearings that are misaligned");
+    checks.require_for(command, width.moment.empty(), "width.moment", "",
+                       "is not supported under a rotor, which exerts its own moments on the bearings",
+                       "remove it, or give width.tilt for bearings that are misaligned");
   }
   const char* const key = !width.moment.empty()   ? "width.moment"
                           : width.tilts()         ? "width.tilt"
@@ -298,88 +298,88 @@ void judge_journal(Judge& judge, const Case& input) {
                                                   : nullptr;
   if (key == nullptr) return;
   for (const char* const command : {"cycle", "path", "vibration"}) {
-    judge_dry_width(judge, input, key, command);
-    judge.require_for(command, width.moment.empty() || input.solver.chosen() != SolverName::uzawa, "solver.name",
-                      std::string(name_of(input.solver.chosen())), "does not support a journal that is free to tilt",
-                      "set name = \"newton\" or \"events\"");
+    check_dry_width(checks, input, key, command);
+    checks.require_for(command, width.moment.empty() || input.solver.chosen() != SolverName::uzawa, "solver.name",
+                       std::string(name_of(input.solver.chosen())), "does not support a journal that is free to tilt",
+                       "set name = \"newton\" or \"events\"");
   }
 }
 
 /// Unsupported combinations of bump foils split into strips.
-void judge_strips_in_use(Judge& judge, const Case& input) {
+void check_strips_in_use(Checks& checks, const Case& input) {
   const bool apart = input.bump_foil.is_split() && input.varies_over_the_width();
   for (const char* const command : {"cycle", "path", "vibration"}) {
-    judge.require_for(command, !apart || input.solver.chosen() != SolverName::uzawa, "solver.name",
-                      std::string(name_of(input.solver.chosen())), "does not support strips that move independently",
-                      "set name = \"newton\" or \"events\"");
+    checks.require_for(command, !apart || input.solver.chosen() != SolverName::uzawa, "solver.name",
+                       std::string(name_of(input.solver.chosen())), "does not support strips that move independently",
+                       "set name = \"newton\" or \"events\"");
   }
   if (!input.has_own_strips()) return;
-  judge.require_for("strip", !input.strip, "bump_foil.strip", "",
-                    "differs over the width, but foils between plates are uniform", "remove [[bump_foil.strip]]");
+  checks.require_for("strip", !input.strip, "bump_foil.strip", "",
+                     "differs over the width, but foils between plates are uniform", "remove [[bump_foil.strip]]");
   for (const char* const command :
        {"cycle", "path", "vibration", "equilibrium", "stability", "unbalance", "transient"}) {
-    judge.require_for(command, input.width.modes != 1 || input.top_foil.split, "bump_foil.strip", "",
-                      "needs a top foil that can follow strips that differ",
-                      "set width.modes = 3, or 2 without a parabola");
+    checks.require_for(command, input.width.modes != 1 || input.top_foil.split, "bump_foil.strip", "",
+                       "needs a top foil that can follow strips that differ",
+                       "set width.modes = 3, or 2 without a parabola");
   }
   if (input.top_foil.split) return;  // each strip has a mesh of its own
   const int step = input.bump_foil.least_columns_per_pitch();
   const int columns = input.film.columns_per_pitch;
   for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
-    judge.require_for(command, columns % 2 != 0 || columns % step == 0, "film.columns_per_pitch",
-                      std::to_string(columns), "puts no column over the crests of strips staggered by other than 0.5",
-                      fmt::format("give a multiple of {}", step));
+    checks.require_for(command, columns % 2 != 0 || columns % step == 0, "film.columns_per_pitch",
+                       std::to_string(columns), "puts no column over the crests of strips staggered by other than 0.5",
+                       fmt::format("give a multiple of {}", step));
   }
 }
 
 /// Unsupported combinations if the film varies over the width.
-void judge_width(Judge& judge, const Case& input) {
-  judge_strips_in_use(judge, input);
-  judge_journal(judge, input);
+void check_width(Checks& checks, const Case& input) {
+  check_strips_in_use(checks, input);
+  check_journal(checks, input);
   const int modes = input.width.modes;
-  judge.require(!input.width.sheet || (modes >= 3 && !input.bump_foil.is_split()), "width.sheet", "true",
-                input.bump_foil.is_split() ? "applies to a bump foil in one piece; strips slide independently"
-                                           : "needs foils with a parabola over the width",
-                input.bump_foil.is_split() ? "remove it" : "set width.modes = 3, or remove it");
-  if (!judge.require(modes >= 1 && modes <= most_modes, "width.modes", std::to_string(modes),
-                     "is not a number of modes over the width",
-                     fmt::format("give 1 (uniform), 2 (also linear), 3 (also a parabola), or up to {}", most_modes)) ||
+  checks.require(!input.width.sheet || (modes >= 3 && !input.bump_foil.is_split()), "width.sheet", "true",
+                 input.bump_foil.is_split() ? "applies to a bump foil in one piece; strips slide independently"
+                                            : "needs foils with a parabola over the width",
+                 input.bump_foil.is_split() ? "remove it" : "set width.modes = 3, or remove it");
+  if (!checks.require(modes >= 1 && modes <= most_modes, "width.modes", std::to_string(modes),
+                      "is not a number of modes over the width",
+                      fmt::format("give 1 (uniform), 2 (also linear), 3 (also a parabola), or up to {}", most_modes)) ||
       modes == 1) {
     return;
   }
-  judge.require_for("film", false, "width.modes", std::to_string(modes),
-                    "applies to foils, and the command film has none", "set width.modes = 1, or run equilibrium");
+  checks.require_for("film", false, "width.modes", std::to_string(modes),
+                     "applies to foils, and the command film has none", "set width.modes = 1, or run equilibrium");
 }
 
 /// Keys that do not apply to a bearing surface without foils.
-void judge_wall(Judge& judge, const Case& input) {
-  judge.require_for("film", input.pads.empty(), "pad", "",
-                    "are parts of the sleeve: a bearing surface without foils has none",
-                    "remove them, or run equilibrium, which supports pads");
-  judge.require_for("film", input.equilibrium && !input.equilibrium->positions.empty(), "equilibrium.positions", "",
-                    "no position specified", "give a list such as [[\"15 um\", \"0 um\"]] instead of loads");
+void check_wall(Checks& checks, const Case& input) {
+  checks.require_for("film", input.pads.empty(), "pad", "",
+                     "are parts of the sleeve: a bearing surface without foils has none",
+                     "remove them, or run equilibrium, which supports pads");
+  checks.require_for("film", input.equilibrium && !input.equilibrium->positions.empty(), "equilibrium.positions", "",
+                     "no position specified", "give a list such as [[\"15 um\", \"0 um\"]] instead of loads");
   if (!input.film.closed) return;
-  judge.require_for("film", input.bearing.taper == 0.0, "bearing.taper", "", "makes a step in a surface without a slot",
-                    "remove it, or set film.closed = false");
-  judge.require_for("film", !input.film.inlet_pressure, "film.inlet_pressure", "",
-                    "feeds an edge, and a closed surface has none", "remove it, or set film.closed = false");
+  checks.require_for("film", input.bearing.taper == 0.0, "bearing.taper", "",
+                     "makes a step in a surface without a slot", "remove it, or set film.closed = false");
+  checks.require_for("film", !input.film.inlet_pressure, "film.inlet_pressure", "",
+                     "feeds an edge, and a closed surface has none", "remove it, or set film.closed = false");
 }
 
-void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
-  judge_wall(judge, input);
-  judge_width(judge, input);
-  judge_gas(judge, input.gas);
-  if (input.asperity) judge_asperity(judge, *input.asperity);
+void check_film(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
+  check_wall(checks, input);
+  check_width(checks, input);
+  check_gas(checks, input.gas);
+  if (input.asperity) check_asperity(checks, *input.asperity);
   const bool together = input.lets_strips_move_apart() && !input.top_foil.split;
   const double stations = together ? static_cast<double>(input.bump_foil.stations().size()) : 1.0;
-  judge_film(judge, input.film, foil.bumps ? film_bumps(input) : 0, stations, input.has_equal_halves());
-  judge.require_for("film", !input.asperity, "asperity", "",
-                    "applies to journal and top foil, and the command film has no foils",
-                    "remove [asperity], or run equilibrium");
+  check_film(checks, input.film, foil.bumps ? film_bumps(input) : 0, stations, input.has_equal_halves());
+  checks.require_for("film", !input.asperity, "asperity", "",
+                     "applies to journal and top foil, and the command film has no foils",
+                     "remove [asperity], or run equilibrium");
   for (const char* const command : film_commands) {
-    judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
-                      "has an out-of-round journal, under which a film is never steady",
-                      "remove journal_waviness and journal_profile");
+    checks.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
+                       "has an out-of-round journal, under which a film is never steady",
+                       "remove journal_waviness and journal_profile");
   }
 }
 

@@ -93,7 +93,7 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
     for (const Eigen::Vector2d& position : input.equilibrium->positions) {
       RunningState& found = result.states.emplace_back();
       found.path = FilmPath::position_ray;
-      found.asked = OperatingPoint::held_at({position[0], position[1]}, speed);
+      found.requested = OperatingPoint::held_at({position[0], position[1]}, speed);
       const double done = static_cast<double>(result.states.size() - 1);
       if (progress && !progress(done / static_cast<double>(count))) {
         found.report.status = Status::interrupted;
@@ -101,7 +101,7 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       }
       const auto begin = std::chrono::steady_clock::now();
       BearingState state;
-      state.position = found.asked.journal;
+      state.position = found.requested.journal;
       state.tilt = bearing.surroundings.tilt.value;
       state.speed = speed;
       const Matrix undeformed = Matrix::Zero(1, bearing.columns());

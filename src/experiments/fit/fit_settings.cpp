@@ -188,77 +188,77 @@ void describe_fit(CaseVisitor& keys, Case& input) {
 }
 
 /// Checks a list; reports the first value that is not finite.
-bool judge_finite(Judge& judge, const std::vector<double>& values, const std::string& key, std::string_view unit) {
+bool check_finite(Checks& checks, const std::vector<double>& values, const std::string& key, std::string_view unit) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!judge.finite(fmt::format("{}[{}]", key, i + 1), values[i], unit)) return false;
+    if (!checks.finite(fmt::format("{}[{}]", key, i + 1), values[i], unit)) return false;
   }
   return true;
 }
 
-void judge_loop(Judge& judge, const FitData& data, const std::string& key) {
-  const bool finite = judge_finite(judge, data.displacements, key + ".displacements", "m") &&
-                      judge_finite(judge, data.forces, key + ".forces", "N");
+void check_loop(Checks& checks, const FitData& data, const std::string& key) {
+  const bool finite = check_finite(checks, data.displacements, key + ".displacements", "m") &&
+                      check_finite(checks, data.forces, key + ".forces", "N");
   if (!finite) return;
-  judge.require_for("fit", data.displacements.size() == data.forces.size(), key + ".forces",
-                    std::to_string(data.forces.size()),
-                    fmt::format("are not as many as displacements, {}", data.displacements.size()),
-                    "give a force for every displacement");
-  judge.require_for("fit", std::ssize(data.displacements) >= fewest_readings, key + ".displacements", "",
-                    fmt::format("{} readings are too few", data.displacements.size()),
-                    fmt::format("give a file, or {} or more readings", fewest_readings));
+  checks.require_for("fit", data.displacements.size() == data.forces.size(), key + ".forces",
+                     std::to_string(data.forces.size()),
+                     fmt::format("are not as many as displacements, {}", data.displacements.size()),
+                     "give a force for every displacement");
+  checks.require_for("fit", std::ssize(data.displacements) >= fewest_readings, key + ".displacements", "",
+                     fmt::format("{} readings are too few", data.displacements.size()),
+                     fmt::format("give a file, or {} or more readings", fewest_readings));
   const auto top = std::max_element(data.displacements.begin(), data.displacements.end());
   const bool turns = data.displacements.empty() ||
                      (*top > 0.0 && top != data.displacements.begin() && top + 1 != data.displacements.end());
-  judge.require_for("fit", turns, key + ".displacements", "", "do not go to a positive displacement and back",
-                    "give one cycle in the order of measurement, positive towards the foils");
+  checks.require_for("fit", turns, key + ".displacements", "", "do not go to a positive displacement and back",
+                     "give one cycle in the order of measurement, positive towards the foils");
   const bool same =
       std::adjacent_find(data.forces.begin(), data.forces.end(), std::not_equal_to<>()) == data.forces.end();
-  judge.require_for("fit", data.forces.empty() || !same, key + ".forces", "", "are all the same",
-                    "give the forces that the rig measured");
+  checks.require_for("fit", data.forces.empty() || !same, key + ".forces", "", "are all the same",
+                     "give the forces that the rig measured");
 }
 
 /// Checks the readings of one column; all columns have the same length.
-void judge_column(Judge& judge, const FitData& data, const FitColumnInfo& info, const std::string& key) {
+void check_column(Checks& checks, const FitData& data, const FitColumnInfo& info, const std::string& key) {
   const FitReadings& readings = data.column(info.column);
   const std::string place = fmt::format("{}.readings.{}", key, info.name());
   const bool own = info.is_of(data.experiment);
-  judge.require_for("fit", readings.values.empty() || own, place, "",
-                    fmt::format("do not apply to data of the experiment \"{}\"", name_of(data.experiment)),
-                    "remove them");
-  judge_finite(judge, readings.values, place, info.unit());
+  checks.require_for("fit", readings.values.empty() || own, place, "",
+                     fmt::format("do not apply to data of the experiment \"{}\"", name_of(data.experiment)),
+                     "remove them");
+  check_finite(checks, readings.values, place, info.unit());
   if (info.measured) {
     const std::string std_place = fmt::format("{}.{}", key, info.std_key);
-    if (!judge.require_for("fit", !readings.std || own, std_place, quantity(readings.std.value_or(0.0), info.unit()),
-                           fmt::format("does not apply to data of the experiment \"{}\"", name_of(data.experiment)),
-                           "remove it")) {
+    if (!checks.require_for("fit", !readings.std || own, std_place, quantity(readings.std.value_or(0.0), info.unit()),
+                            fmt::format("does not apply to data of the experiment \"{}\"", name_of(data.experiment)),
+                            "remove it")) {
       return;
     }
-    judge.require_for("fit", !readings.std || *readings.std > 0.0, std_place,
-                      quantity(readings.std.value_or(0.0), info.unit()), "must be positive",
-                      "give the standard deviation of one reading");
-    judge.require_for("fit", !readings.std || !readings.values.empty(), std_place,
-                      quantity(readings.std.value_or(0.0), info.unit()), "applies to a column without readings",
-                      fmt::format("give readings.{}, or remove it", info.name()));
+    checks.require_for("fit", !readings.std || *readings.std > 0.0, std_place,
+                       quantity(readings.std.value_or(0.0), info.unit()), "must be positive",
+                       "give the standard deviation of one reading");
+    checks.require_for("fit", !readings.std || !readings.values.empty(), std_place,
+                       quantity(readings.std.value_or(0.0), info.unit()), "applies to a column without readings",
+                       fmt::format("give readings.{}, or remove it", info.name()));
   }
-  judge.require_for("fit", readings.values.empty() || !own || readings.values.size() == rows_of(data), place,
-                    std::to_string(readings.values.size()),
-                    fmt::format("are not as many as the rows, {}", rows_of(data)), "give one for every row");
+  checks.require_for("fit", readings.values.empty() || !own || readings.values.size() == rows_of(data), place,
+                     std::to_string(readings.values.size()),
+                     fmt::format("are not as many as the rows, {}", rows_of(data)), "give one for every row");
 }
 
-void judge_table(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
+void check_table(Checks& checks, const Case& input, const FitData& data, const std::string& key) {
   const bool vibration = data.experiment == FittedExperiment::vibration;
   const FitColumn first = vibration ? FitColumn::amplitude : FitColumn::speed;
-  if (!judge.require_for("fit", rows_of(data) > 0, fmt::format("{}.readings.{}", key, name_of(first)), "", "is missing",
-                         "give a file, or readings")) {
+  if (!checks.require_for("fit", rows_of(data) > 0, fmt::format("{}.readings.{}", key, name_of(first)), "",
+                          "is missing", "give a file, or readings")) {
     return;
   }
-  for (const FitColumnInfo& info : fit_columns()) judge_column(judge, data, info, key);
-  judge.require_for("fit", !fitted_columns(data).empty(), key + (vibration ? ".stiffness_std" : ".h_min_std"), "",
-                    "is missing: a column is fitted only if its standard deviation is given",
-                    "give one of them or more");
+  for (const FitColumnInfo& info : fit_columns()) check_column(checks, data, info, key);
+  checks.require_for("fit", !fitted_columns(data).empty(), key + (vibration ? ".stiffness_std" : ".h_min_std"), "",
+                     "is missing: a column is fitted only if its standard deviation is given",
+                     "give one of them or more");
   const auto all_within = [&](FitColumn column, const Range& range) {
     for (const double value : data.column(column).values) {
-      if (!judge.within(fmt::format("{}.readings.{}", key, name_of(column)), std::abs(value), range)) return;
+      if (!checks.within(fmt::format("{}.readings.{}", key, name_of(column)), std::abs(value), range)) return;
     }
   };
   all_within(FitColumn::amplitude, length_range);
@@ -267,59 +267,59 @@ void judge_table(Judge& judge, const Case& input, const FitData& data, const std
   const bool any_load =
       !data.column(FitColumn::load_x).values.empty() || !data.column(FitColumn::load_y).values.empty();
   if (vibration && !any_load) {
-    judge.require_for("fit",
-                      (data.preload && data.preload->control == Control::load) ||
-                          (!data.preload && input.vibration && !input.vibration->loads.empty()),
-                      key + ".preload", "", "is not a load about which the journal can vibrate",
-                      "give a load, or readings.load_x and readings.load_y");
+    checks.require_for("fit",
+                       (data.preload && data.preload->control == Control::load) ||
+                           (!data.preload && input.vibration && !input.vibration->loads.empty()),
+                       key + ".preload", "", "is not a load about which the journal can vibrate",
+                       "give a load, or readings.load_x and readings.load_y");
   }
-  judge.require_for("fit", vibration || any_load, key + ".readings.load_x", "", "is missing",
-                    "give the static load along X, Y or both");
+  checks.require_for("fit", vibration || any_load, key + ".readings.load_x", "", "is missing",
+                     "give the static load along X, Y or both");
 }
 
 /// Rig errors that do not apply to this kind of data.
-void judge_rig(Judge& judge, const FitData& data, const std::string& key) {
+void check_rig(Checks& checks, const FitData& data, const std::string& key) {
   const auto own = rig_keys_of(data.experiment);
   const auto require_effect = [&](bool given, std::string_view name) {
     const bool effect = std::find(own.begin(), own.end(), name) != own.end();
-    judge.require_for("fit", !given || effect, fmt::format("{}.{}", key, name), "",
-                      fmt::format("has no effect on data of the experiment \"{}\"", name_of(data.experiment)),
-                      fmt::format("remove it; these have: {}", fmt::join(own, ", ")));
+    checks.require_for("fit", !given || effect, fmt::format("{}.{}", key, name), "",
+                       fmt::format("has no effect on data of the experiment \"{}\"", name_of(data.experiment)),
+                       fmt::format("remove it; these have: {}", fmt::join(own, ", ")));
   };
   for (const auto& [name, member] : rig_numbers()) {
-    judge.finite(fmt::format("{}.{}", key, name), data.rig.*member, "");
+    checks.finite(fmt::format("{}.{}", key, name), data.rig.*member, "");
     require_effect(data.rig.*member != 0.0, name);
   }
   require_effect(data.rig.machine_stiffness.has_value(), "machine_stiffness");
   if (data.rig.machine_stiffness) {
-    judge.within(key + ".machine_stiffness", *data.rig.machine_stiffness, stiffness_range);
+    checks.within(key + ".machine_stiffness", *data.rig.machine_stiffness, stiffness_range);
   }
 }
 
-void judge_data(Judge& judge, const Case& input, const FitData& data, const std::string& key) {
-  judge.require_for("fit", is_of_strip(data) || !input.bearing.is_flat(), key + ".experiment",
-                    std::string(name_of(data.experiment)), "needs a bearing with a radius",
-                    "give bearing.radius and bearing.radial_clearance");
-  data.is_loop() ? judge_loop(judge, data, key) : judge_table(judge, input, data, key);
-  judge.angle(key + ".direction", data.direction);
-  judge.count(key + ".points", data.points, "points", {fewest_readings, most_fit_points});
-  if (data.force_std) judge.within(key + ".force_std", *data.force_std, load_range);
-  judge.within(key + ".displacement_std", data.displacement_std, {0.0, length_range.most, "m"});
-  judge_rig(judge, data, key);
+void check_data(Checks& checks, const Case& input, const FitData& data, const std::string& key) {
+  checks.require_for("fit", is_of_strip(data) || !input.bearing.is_flat(), key + ".experiment",
+                     std::string(name_of(data.experiment)), "needs a bearing with a radius",
+                     "give bearing.radius and bearing.radial_clearance");
+  data.is_loop() ? check_loop(checks, data, key) : check_table(checks, input, data, key);
+  checks.angle(key + ".direction", data.direction);
+  checks.count(key + ".points", data.points, "points", {fewest_readings, most_fit_points});
+  if (data.force_std) checks.within(key + ".force_std", *data.force_std, load_range);
+  checks.within(key + ".displacement_std", data.displacement_std, {0.0, length_range.most, "m"});
+  check_rig(checks, data, key);
 }
 
-void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSettings& fit, const std::string& key) {
-  const bool known = judge.require(is_fitted_key(parameter.key), key + ".key", parameter.key,
-                                   "is not a numeric key that can be fitted", advice_on_fitted(parameter.key));
+void check_parameter(Checks& checks, const FitParameter& parameter, const FitSettings& fit, const std::string& key) {
+  const bool known = checks.require(is_fitted_key(parameter.key), key + ".key", parameter.key,
+                                    "is not a numeric key that can be fitted", advice_on_fitted(parameter.key));
   if (!known) return;
   if (const std::optional<std::size_t> data = data_of_key(parameter.key)) {
     const bool there =
-        judge.require(*data >= 1 && *data <= fit.data.size(), key + ".key", parameter.key,
-                      fmt::format("refers to missing data: there are {}", fit.data.size()), "count from 1");
+        checks.require(*data >= 1 && *data <= fit.data.size(), key + ".key", parameter.key,
+                       fmt::format("refers to missing data: there are {}", fit.data.size()), "count from 1");
     if (!there) return;
     const FittedExperiment experiment = fit.data[*data - 1].experiment;
     const auto own = rig_keys_of(experiment);
-    judge.require(
+    checks.require(
         std::any_of(own.begin(), own.end(),
                     [&parameter](std::string_view one) { return parameter.key.ends_with("." + std::string(one)); }),
         key + ".key", parameter.key, fmt::format("has no effect on data of the experiment \"{}\"", name_of(experiment)),
@@ -334,20 +334,20 @@ void judge_parameter(Judge& judge, const FitParameter& parameter, const FitSetti
                                                                                    {"mean", parameter.mean},
                                                                                    {"std", parameter.std}}};
   for (const auto& [name, number] : numbers) {
-    finite = judge.finite(fmt::format("{}.{}", key, name), number.value_or(0.0), unit) && finite;
+    finite = checks.finite(fmt::format("{}.{}", key, name), number.value_or(0.0), unit) && finite;
   }
   if (!finite) return;
-  const bool bounds = judge.require(parameter.lower < parameter.upper, key + ".upper", quantity(parameter.upper, unit),
-                                    fmt::format("is not above lower, {}", quantity(parameter.lower, unit)),
-                                    "give bounds that leave room between them");
+  const bool bounds = checks.require(parameter.lower < parameter.upper, key + ".upper", quantity(parameter.upper, unit),
+                                     fmt::format("is not above lower, {}", quantity(parameter.lower, unit)),
+                                     "give bounds that leave room between them");
   if (bounds) {
-    judge.require(parameter.start >= parameter.lower && parameter.start <= parameter.upper, key + ".start",
-                  quantity(parameter.start, unit), "lies outside the bounds", "start between lower and upper");
+    checks.require(parameter.start >= parameter.lower && parameter.start <= parameter.upper, key + ".start",
+                   quantity(parameter.start, unit), "lies outside the bounds", "start between lower and upper");
   }
-  judge.require(parameter.mean.has_value() == parameter.std.has_value(), key + (parameter.mean ? ".std" : ".mean"), "",
-                "is missing", "give mean and std, or neither");
-  judge.require(!parameter.std || *parameter.std > 0.0, key + ".std", quantity(parameter.std.value_or(0.0), unit),
-                "must be positive", "leave out mean and std if there is no prior knowledge");
+  checks.require(parameter.mean.has_value() == parameter.std.has_value(), key + (parameter.mean ? ".std" : ".mean"), "",
+                 "is missing", "give mean and std, or neither");
+  checks.require(!parameter.std || *parameter.std > 0.0, key + ".std", quantity(parameter.std.value_or(0.0), unit),
+                 "must be positive", "leave out mean and std if there is no prior knowledge");
 }
 
 /// Number of values compared with the model.
@@ -361,33 +361,33 @@ std::size_t numbers_of(const FitSettings& fit) {
   return count;
 }
 
-void judge_fit(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+void check_fit(Checks& checks, const Case& input, const CheckedBumpFoil& /*foil*/) {
   const FitSettings* const held = input.settings.find<FitSettings>();
   if (held == nullptr || *held == FitSettings{}) return;
   const FitSettings& fit = *held;
-  judge.require_history("fit", input.bump_foil.model != BumpFoilModel::former,
-                        "has no history, so that its loops have no area");
-  judge.require_for("fit", !fit.data.empty(), "fit.data", "", "is missing", "add [[fit.data]] with a file");
-  judge.require_for("fit", !fit.parameters.empty(), "fit.parameter", "", "is missing",
-                    "add [[fit.parameter]] with a key");
-  judge.count("fit.starts", fit.starts, "minimisations", {1, most_starts});
-  judge.require(!fit.huber || *fit.huber > 0.0, "fit.huber", quantity(fit.huber.value_or(0.0), ""), "must be positive",
-                "give about 1.345");
+  checks.require_history("fit", input.bump_foil.model != BumpFoilModel::former,
+                         "has no history, so that its loops have no area");
+  checks.require_for("fit", !fit.data.empty(), "fit.data", "", "is missing", "add [[fit.data]] with a file");
+  checks.require_for("fit", !fit.parameters.empty(), "fit.parameter", "", "is missing",
+                     "add [[fit.parameter]] with a key");
+  checks.count("fit.starts", fit.starts, "minimisations", {1, most_starts});
+  checks.require(!fit.huber || *fit.huber > 0.0, "fit.huber", quantity(fit.huber.value_or(0.0), ""), "must be positive",
+                 "give about 1.345");
   const std::size_t numbers = numbers_of(fit);
-  judge.require_for("fit", fit.data.empty() || numbers == 0 || numbers >= fit.parameters.size(), "fit.parameter",
-                    std::to_string(fit.parameters.size()),
-                    fmt::format("are more than the measured values, {}", numbers),
-                    "fit fewer of them, add data, or give prior values by mean and std");
+  checks.require_for("fit", fit.data.empty() || numbers == 0 || numbers >= fit.parameters.size(), "fit.parameter",
+                     std::to_string(fit.parameters.size()),
+                     fmt::format("are more than the measured values, {}", numbers),
+                     "fit fewer of them, add data, or give prior values by mean and std");
   for (std::size_t i = 0; i < fit.data.size(); ++i) {
-    judge_data(judge, input, fit.data[i], fmt::format("fit.data[{}]", i + 1));
+    check_data(checks, input, fit.data[i], fmt::format("fit.data[{}]", i + 1));
   }
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     const std::string key = fmt::format("fit.parameter[{}]", i + 1);
-    judge_parameter(judge, fit.parameters[i], fit, key);
+    check_parameter(checks, fit.parameters[i], fit, key);
     const auto same = [&](const FitParameter& other) { return other.key == fit.parameters[i].key; };
     const auto self = fit.parameters.begin() + static_cast<std::ptrdiff_t>(i);
-    judge.require(std::none_of(fit.parameters.begin(), self, same), key + ".key", fit.parameters[i].key,
-                  "is fitted twice", "give it once");
+    checks.require(std::none_of(fit.parameters.begin(), self, same), key + ".key", fit.parameters[i].key,
+                   "is fitted twice", "give it once");
   }
 }
 
@@ -397,7 +397,7 @@ CaseTable fit_settings() {
   return {.experiment = "fit",
           .needs = "fit",
           .describe = describe_fit,
-          .check = judge_fit,
+          .check = check_fit,
           .given =
               [](const Case& input) {
                 const FitSettings* const fit = input.settings.find<FitSettings>();

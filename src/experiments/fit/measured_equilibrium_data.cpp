@@ -74,7 +74,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
     std::vector<std::vector<double>> values(quantities_.size(), std::vector<double>(places_.size(), absent));
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
       const EquilibriumSettings settings = settings_of(*input.equilibrium, groups[i]);
-      NoJudges none;
+      NoCheckers none;
       EquilibriumResult result = find_states(bearing, settings, thickness_floor(input), {settings.path}, {}, &none);
       for (RunningState& state : result.states) add_answers(bearing, settings, state);
       for (std::size_t k = 0; k < result.states.size(); ++k) {
@@ -116,7 +116,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
     state.outcome = film_bearing_outcome(*bearing, *state.last);
     if (!has_coefficients_) return;
     FilmWhirl& whirl = state.whirls.emplace_back();
-    whirl.frequency = frequencies_of(settings, state.asked.speed).front();
+    whirl.frequency = frequencies_of(settings, state.requested.speed).front();
     const bool stuck = contacts_ == FittedContacts::stuck;
     const auto found = FilmStepper(bearing).impedances(*state.last, {{0.0, whirl.frequency}}, stuck);
     // For a tilting journal, entries other than force by displacement have other units and are not measured.

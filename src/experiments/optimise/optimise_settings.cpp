@@ -70,55 +70,56 @@ void describe_optimise(CaseVisitor& keys, Case& input) {
              });
 }
 
-void judge_key(Judge& judge, const OptimisedKey& one, const std::string& key) {
+void check_key(Checks& checks, const OptimisedKey& one, const std::string& key) {
   const bool of_table = one.key.starts_with("optimise.") || is_of_rig(one.key);
-  if (!judge.require(!of_table && is_fitted_key(one.key), key + ".key", one.key,
-                     "is not a real-valued key that can be chosen", advice_on_fitted(one.key))) {
+  if (!checks.require(!of_table && is_fitted_key(one.key), key + ".key", one.key,
+                      "is not a real-valued key that can be chosen", advice_on_fitted(one.key))) {
     return;
   }
   const std::optional<Dimension> dimension = dimension_of(one.key);
   const std::string_view unit = dimension ? si_unit(*dimension) : "";
-  judge.finite(key + ".lower", one.lower, unit);
-  judge.finite(key + ".upper", one.upper, unit);
-  if (!judge.require(one.lower < one.upper, key + ".upper", quantity(one.upper, unit),
-                     fmt::format("is not above lower, {}", quantity(one.lower, unit)),
-                     "give bounds that leave room between them")) {
+  checks.finite(key + ".lower", one.lower, unit);
+  checks.finite(key + ".upper", one.upper, unit);
+  if (!checks.require(one.lower < one.upper, key + ".upper", quantity(one.upper, unit),
+                      fmt::format("is not above lower, {}", quantity(one.lower, unit)),
+                      "give bounds that leave room between them")) {
     return;
   }
-  judge.require(!one.log || one.lower > 0.0, key + ".lower", quantity(one.lower, unit),
-                "is not positive, but steps are in the logarithm", "give a positive lower bound, or remove log = true");
-  judge.require(!one.start || (*one.start >= one.lower && *one.start <= one.upper), key + ".start",
-                quantity(one.start.value_or(0.0), unit), "lies outside the bounds", "start between lower and upper");
+  checks.require(!one.log || one.lower > 0.0, key + ".lower", quantity(one.lower, unit),
+                 "is not positive, but steps are in the logarithm",
+                 "give a positive lower bound, or remove log = true");
+  checks.require(!one.start || (*one.start >= one.lower && *one.start <= one.upper), key + ".start",
+                 quantity(one.start.value_or(0.0), unit), "lies outside the bounds", "start between lower and upper");
 }
 
-void judge_optimise(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+void check_optimise(Checks& checks, const Case& input, const CheckedBumpFoil& /*foil*/) {
   const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
   if (held == nullptr || *held == OptimiseSettings{}) return;
   const OptimiseSettings& optimise = *held;
   const std::size_t aims = optimise.maximise.size() + optimise.minimise.size();
-  judge.require_for("optimise", aims > 0, "optimise.maximise", "", "is missing",
-                    "give a quantity to maximise, or one to minimise");
-  judge.require(aims <= 2, "optimise.minimise", "", fmt::format("makes {} aims", aims),
-                "give one or two aims, and limits in place of others");
-  judge.require_for("optimise", optimise.bearing_limits.empty() || optimise.command == OptimisedCommand::montecarlo,
-                    "optimise.bearing_limits", "", "are those of an ensemble",
-                    "set command = \"montecarlo\", or write them into limits");
-  judge.require_for("optimise", !optimise.keys.empty(), "optimise.key", "", "is missing",
-                    "add [[optimise.key]] with a key and its bounds");
-  judge.require(std::ssize(optimise.keys) <= most_optimised_keys, "optimise.key", "",
-                fmt::format("names {} keys", optimise.keys.size()),
-                fmt::format("give at most {}, those that matter most", most_optimised_keys));
-  judge.count("optimise.evaluations", optimise.evaluations, "points", {1, most_evaluations});
-  judge.count("optimise.starts", optimise.starts, "searches", {1, most_searches});
-  judge.within("optimise.tolerance", optimise.tolerance, tolerance_range);
-  judge.count("optimise.front", optimise.front, "points", {0, most_between});
+  checks.require_for("optimise", aims > 0, "optimise.maximise", "", "is missing",
+                     "give a quantity to maximise, or one to minimise");
+  checks.require(aims <= 2, "optimise.minimise", "", fmt::format("makes {} aims", aims),
+                 "give one or two aims, and limits in place of others");
+  checks.require_for("optimise", optimise.bearing_limits.empty() || optimise.command == OptimisedCommand::montecarlo,
+                     "optimise.bearing_limits", "", "are those of an ensemble",
+                     "set command = \"montecarlo\", or write them into limits");
+  checks.require_for("optimise", !optimise.keys.empty(), "optimise.key", "", "is missing",
+                     "add [[optimise.key]] with a key and its bounds");
+  checks.require(std::ssize(optimise.keys) <= most_optimised_keys, "optimise.key", "",
+                 fmt::format("names {} keys", optimise.keys.size()),
+                 fmt::format("give at most {}, those that matter most", most_optimised_keys));
+  checks.count("optimise.evaluations", optimise.evaluations, "points", {1, most_evaluations});
+  checks.count("optimise.starts", optimise.starts, "searches", {1, most_searches});
+  checks.within("optimise.tolerance", optimise.tolerance, tolerance_range);
+  checks.count("optimise.front", optimise.front, "points", {0, most_between});
   for (std::size_t i = 0; i < optimise.keys.size(); ++i) {
     const std::string key = fmt::format("optimise.key[{}]", i + 1);
-    judge_key(judge, optimise.keys[i], key);
+    check_key(checks, optimise.keys[i], key);
     const auto same = [&](const OptimisedKey& other) { return other.key == optimise.keys[i].key; };
     const auto self = optimise.keys.begin() + static_cast<std::ptrdiff_t>(i);
-    judge.require(std::none_of(optimise.keys.begin(), self, same), key + ".key", optimise.keys[i].key,
-                  "is chosen twice", "give it once");
+    checks.require(std::none_of(optimise.keys.begin(), self, same), key + ".key", optimise.keys[i].key,
+                   "is chosen twice", "give it once");
   }
 }
 
@@ -128,7 +129,7 @@ CaseTable optimise_settings() {
   return {.experiment = "optimise",
           .needs = "optimise",
           .describe = describe_optimise,
-          .check = judge_optimise,
+          .check = check_optimise,
           .given =
               [](const Case& input) {
                 const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();

@@ -18,7 +18,7 @@
 #include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/increment_log.hpp"
 #include "experiments/cycle/orbit_energy.hpp"
-#include "model/judge.hpp"
+#include "model/checks.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -70,7 +70,7 @@ class OrbitCounter {
   OrbitCounter(const PathSettings& path, int increments, const Foils& foils)
       : steps_(path.is_orbit() ? path.steps : 0),
         lead_in_(increments - 1 - path.orbits * steps_),
-        force_rounding_(foils.roundings.force),
+        force_rounding_(foils.round_off.force),
         length_rounding_(length_rounding * foils.rise) {}
 
   [[nodiscard]] int orbit_of(int increment) const {
@@ -131,14 +131,14 @@ void follow(FoilStepper& stepper, const PathSettings& path, const ProgressCallba
   OrbitCounter orbits(path, cycle.due, stepper.foils());
 
   Step step;
-  const auto add = [&](bool judged) {
+  const auto add = [&](bool checked) {
     const Eigen::Vector2d& position = step.state.position;
     const Eigen::Vector2d direction = outward(position);
     Increment next = log.make(step, Branch::loading, direction, position.norm(), true);
     next.orbit = orbits.orbit_of(next.index);
     if (next.converged()) next.tangents = stepper.tangents(step.state);
     log.write_down(step, next, direction);
-    quantities.add(next, judged && step.converged(), false);
+    quantities.add(next, checked && step.converged(), false);
     if (!next.converged()) return false;
     if (const auto loop = orbits.pass(next)) {
       cycle.orbits.push_back(*loop);

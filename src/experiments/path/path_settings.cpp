@@ -51,50 +51,50 @@ void describe_path(CaseVisitor& keys, Case& input) {
       input.settings, describe);
 }
 
-void judge_path(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+void check_path(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
   const PathSettings* const settings = input.settings.find<PathSettings>();
   if (settings == nullptr) return;
   const PathSettings& path = *settings;
-  judge.require_history("path", input.bump_foil.model != BumpFoilModel::former,
-                        "has no history: it can only be pushed from the centre");
+  checks.require_history("path", input.bump_foil.model != BumpFoilModel::former,
+                         "has no history: it can only be pushed from the centre");
   const double limit = flattening(input.bearing, foil.rise);
   const bool by_load = path.control() == Control::load;
   const bool presses = !by_load && limit > 0.0;
   const double most = by_load ? load_range.most : presses ? limit : length_range.most;
   const std::string_view unit = by_load ? "N" : "m";
   const auto within_reach = [&](const std::string& key, double distance) {
-    return judge.require_for(presses ? "path" : "", distance < most, key, quantity(distance, unit),
-                             presses ? "would press the bumps flat" : "is unphysical",
-                             fmt::format("stay below {} from the centre", quantity(most, unit)));
+    return checks.require_for(presses ? "path" : "", distance < most, key, quantity(distance, unit),
+                              presses ? "would press the bumps flat" : "is unphysical",
+                              fmt::format("stay below {} from the centre", quantity(most, unit)));
   };
   for (std::size_t i = 0; i < path.points.values.size(); ++i) {
     if (!within_reach(fmt::format("path.points[{}]", i + 1), path.points.values[i].norm())) return;
   }
   std::int64_t increments = std::ssize(path.points.values);
   if (!path.is_orbit()) {
-    judge.require(path.centre.value.isZero(0.0) && path.semi_axes.value.isZero(0.0),
-                  path.centre.value.isZero(0.0) ? "path.semi_axes" : "path.centre", "",
-                  "belongs to an orbit, but the path goes through points", "remove it, or the points");
+    checks.require(path.centre.value.isZero(0.0) && path.semi_axes.value.isZero(0.0),
+                   path.centre.value.isZero(0.0) ? "path.semi_axes" : "path.centre", "",
+                   "belongs to an orbit, but the path goes through points", "remove it, or the points");
   } else {
     const Eigen::Vector2d& axes = path.semi_axes.value;
-    judge.require(path.semi_axes.control == path.centre.control, "path.semi_axes", "",
-                  by_load ? "are lengths where the centre is a load" : "are forces where the centre is a position",
-                  "give both as lengths, or both as forces");
-    judge.require(axes.minCoeff() >= 0.0 && axes.maxCoeff() > 0.0, "path.semi_axes",
-                  fmt::format("({}, {})", quantity(axes.x(), unit), quantity(axes.y(), unit)),
-                  "must not be negative, nor both zero", "give two lengths of an ellipse; one may be zero");
+    checks.require(path.semi_axes.control == path.centre.control, "path.semi_axes", "",
+                   by_load ? "are lengths where the centre is a load" : "are forces where the centre is a position",
+                   "give both as lengths, or both as forces");
+    checks.require(axes.minCoeff() >= 0.0 && axes.maxCoeff() > 0.0, "path.semi_axes",
+                   fmt::format("({}, {})", quantity(axes.x(), unit), quantity(axes.y(), unit)),
+                   "must not be negative, nor both zero", "give two lengths of an ellipse; one may be zero");
     within_reach("path.centre", path.centre.value.norm() + axes.maxCoeff());
-    judge.angle("path.tilt", path.tilt);
-    const bool counts = judge.count("path.orbits", path.orbits, "orbits") &&
-                        judge.count("path.steps", path.steps, "increments", {3, most_steps});
+    checks.angle("path.tilt", path.tilt);
+    const bool counts = checks.count("path.orbits", path.orbits, "orbits") &&
+                        checks.count("path.steps", path.steps, "increments", {3, most_steps});
     if (!counts) return;
     increments = std::int64_t{path.steps} * (path.orbits + 1);
   }
   if (!foil.bumps) return;
-  judge.require_for("path", increments <= most_path_increments, path.is_orbit() ? "path.orbits" : "path.points",
-                    std::to_string(path.is_orbit() ? path.orbits : increments),
-                    fmt::format("{} increments are too many", increments),
-                    fmt::format("give a path of at most {}", most_path_increments));
+  checks.require_for("path", increments <= most_path_increments, path.is_orbit() ? "path.orbits" : "path.points",
+                     std::to_string(path.is_orbit() ? path.orbits : increments),
+                     fmt::format("{} increments are too many", increments),
+                     fmt::format("give a path of at most {}", most_path_increments));
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ CaseTable path_settings() {
   return {.experiment = "path",
           .needs = "path",
           .describe = describe_path,
-          .check = judge_path,
+          .check = check_path,
           .given = [](const Case& input) { return input.settings.find<PathSettings>() != nullptr; }};
 }
 

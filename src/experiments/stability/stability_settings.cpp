@@ -20,13 +20,13 @@ void describe_stability(CaseVisitor& keys, Case& input) {
                                     input.settings, describe);
 }
 
-void judge_stability(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
-  judge_rotor(judge, input);
+void check_stability(Checks& checks, const Case& input, const CheckedBumpFoil& /*foil*/) {
+  check_rotor(checks, input);
   const StabilitySettings* const stability = input.settings.find<StabilitySettings>();
   if (stability == nullptr) return;
-  judge.require_for("stability", input.settings.find<RotorSettings>() != nullptr, "rotor", "", "this table is missing",
-                    "add [rotor] with a mass such as \"2 kg\"");
-  judge_rotor_speeds(judge, "stability.speeds", stability->speeds);
+  checks.require_for("stability", input.settings.find<RotorSettings>() != nullptr, "rotor", "", "this table is missing",
+                     "add [rotor] with a mass such as \"2 kg\"");
+  check_rotor_speeds(checks, "stability.speeds", stability->speeds);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ CaseTable stability_settings() {
   return {.experiment = "stability",
           .needs = "stability",
           .describe = describe_stability,
-          .check = judge_stability,
+          .check = check_stability,
           .given = [](const Case& input) { return input.settings.find<StabilitySettings>() != nullptr; }};
 }
 

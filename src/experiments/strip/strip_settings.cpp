@@ -35,48 +35,48 @@ void describe_strip(CaseVisitor& keys, Case& input) {
 }
 
 /// Checks a target of the plate, named by its key.
-void judge_target(Judge& judge, const std::string& key, const Target& target, double rise) {
+void check_target(Checks& checks, const std::string& key, const Target& target, double rise) {
   if (target.control == Control::load) {
-    judge.within(key, target.value, load_range);
-  } else if (judge.within(key, target.value, length_range) && rise > 0.0) {
-    judge.require_for("strip", target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
-                      fmt::format("give less than their rise, {:.6g} m", rise));
+    checks.within(key, target.value, load_range);
+  } else if (checks.within(key, target.value, length_range) && rise > 0.0) {
+    checks.require_for("strip", target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
+                       fmt::format("give less than their rise, {:.6g} m", rise));
   }
 }
 
-void judge_strip(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+void check_strip(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
   if (!input.strip) return;
   const StripSettings& strip = *input.strip;
   const double rise = foil.rise;
-  judge.require_history("strip", input.bump_foil.model != BumpFoilModel::former,
-                        "does not support strips: without gaps and history its loops would have no area");
+  checks.require_history("strip", input.bump_foil.model != BumpFoilModel::former,
+                         "does not support strips: without gaps and history its loops would have no area");
   const bool by_load = strip.amplitude.control == Control::load;
   const std::string amplitude_key = by_load ? "strip.load" : "strip.displacement";
-  const bool bumps = judge.count("strip.bumps", strip.bumps, "bumps", {1, most_bumps});
-  if (bumps) judge_strip_of(judge, input.bump_foil, strip.bumps);
-  judge_target(judge, amplitude_key, strip.amplitude, rise);
+  const bool bumps = checks.count("strip.bumps", strip.bumps, "bumps", {1, most_bumps});
+  if (bumps) check_strip_of(checks, input.bump_foil, strip.bumps);
+  check_target(checks, amplitude_key, strip.amplitude, rise);
   if (strip.preload) {
-    judge_target(judge, "strip.preload", *strip.preload, rise);
+    check_target(checks, "strip.preload", *strip.preload, rise);
     if (rise > 0.0 && !by_load && strip.preload->control == Control::displacement) {
-      judge.require_for("strip", strip.preload->value + strip.amplitude.value < rise, "strip.displacement",
-                        quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
-                        fmt::format("give both less than their rise together, {:.6g} m", rise));
+      checks.require_for("strip", strip.preload->value + strip.amplitude.value < rise, "strip.displacement",
+                         quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
+                         fmt::format("give both less than their rise together, {:.6g} m", rise));
     }
     if (by_load) {
-      judge.require(strip.preload->control == Control::load, "strip.preload", quantity(strip.preload->value, "m"),
-                    "is a displacement where the strip is controlled by load",
-                    "give a load, or a displacement in place of strip.load");
-      judge.require(strip.preload->control != Control::load || strip.preload->value >= strip.amplitude.value,
-                    "strip.preload", quantity(strip.preload->value, "N"),
-                    fmt::format("is less than the amplitude, {:.6g} N: a plate cannot pull", strip.amplitude.value),
-                    "give a larger preload or a smaller load");
+      checks.require(strip.preload->control == Control::load, "strip.preload", quantity(strip.preload->value, "m"),
+                     "is a displacement where the strip is controlled by load",
+                     "give a load, or a displacement in place of strip.load");
+      checks.require(strip.preload->control != Control::load || strip.preload->value >= strip.amplitude.value,
+                     "strip.preload", quantity(strip.preload->value, "N"),
+                     fmt::format("is less than the amplitude, {:.6g} N: a plate cannot pull", strip.amplitude.value),
+                     "give a larger preload or a smaller load");
     }
   }
-  const bool cycles = judge.count("strip.cycles", strip.cycles, "cycles");
-  const bool steps = judge.count("strip.steps", strip.steps, "increments");
+  const bool cycles = checks.count("strip.cycles", strip.cycles, "cycles");
+  const bool steps = checks.count("strip.steps", strip.steps, "increments");
   if (!bumps || !cycles || !steps) return;
   const std::int64_t branches = strip.preload ? 4 : 2;
-  judge_memory(judge, "strip", "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
+  check_memory(checks, "strip", "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ CaseTable strip_settings() {
           .needs = "strip",
           .flat = true,
           .describe = describe_strip,
-          .check = judge_strip,
+          .check = check_strip,
           .given = [](const Case& input) { return input.strip.has_value(); }};
 }
 

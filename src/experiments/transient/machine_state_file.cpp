@@ -101,7 +101,7 @@ void visit_bearing(Bytes& bytes, Bearing& bearing) {
   bytes.array(bearing.top_load);
   bytes.plain(bearing.time);
   bytes.plain(bearing.speed);
-  bytes.plain(bearing.opening);
+  bytes.plain(bearing.clearance_offset);
   bytes.array(bearing.loading.initial_gap);
   bytes.array(bearing.loading.load);
   bytes.array(bearing.contacts.x);

@@ -96,7 +96,7 @@ RotorForces all_forces(const RotorSettings& rotor_settings, const TransientSetti
   base.reserve(settings.base.size());
   for (const BaseMotion& motion : settings.base) {
     const Eigen::Vector2d acceleration(motion.acceleration[0], motion.acceleration[1]);
-    base.emplace_back(motion, -rotor.weight(acceleration));
+    base.emplace_back(motion, -rotor.inertia_force(acceleration));
   }
   return [turning = forces_on(rotor_settings, rotor), pulses, base](const RotorInstant& now) {
     Eigen::VectorXd force = turning(now);
@@ -187,6 +187,7 @@ TransientResult run_transient(const Case& input, TransientResult begun, const st
   };
   EnergyMeter meter(machine, forces, state);
   result.status = Status::converged;
+  // The schedule of an interrupted run ends early.
   const auto next_step = [&](const MachineState& reached) -> std::optional<TimeStep> {
     const auto next = program.next_step(reached, settings.steps_per_revolution, longest);
     if (!next || goes_on()) return next;

@@ -71,69 +71,70 @@ void describe_transient(CaseVisitor& keys, Case& input) {
                                     input.settings, describe);
 }
 
-void judge_speed(Judge& judge, const TransientSettings& transient) {
+void check_speed(Checks& checks, const TransientSettings& transient) {
   const std::vector<SpeedPhase>& phases = transient.speed;
-  judge.require(!phases.empty(), "transient.speed", "", "is missing",
-                "give one such as { from = \"24000 rpm\", to = \"6000 rpm\", time = \"0.2 s\" }");
+  checks.require(!phases.empty(), "transient.speed", "", "is missing",
+                 "give one such as { from = \"24000 rpm\", to = \"6000 rpm\", time = \"0.2 s\" }");
   bool turns = phases.empty();
   double sense = 0.0;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const SpeedPhase& phase = phases[i];
     const std::string name = fmt::format("transient.speed[{}]", i + 1);
-    judge.within(name + ".time", phase.time, transient_time);
+    checks.within(name + ".time", phase.time, transient_time);
     for (const auto& [key, speed] : {std::pair{".from", phase.from.value_or(phase.to)}, std::pair{".to", phase.to}}) {
-      if (!judge.finite(name + key, speed, "rad/s")) continue;
-      judge.require(std::abs(speed) <= most_turning_speed, name + key, quantity(speed, "rad/s"), "is too fast",
-                    fmt::format("give {} rad/s at most", most_turning_speed));
-      judge.require(speed * sense >= 0.0, name + key, quantity(speed, "rad/s"), "has another sign than those before",
-                    "give speeds of one sense of rotation");
+      if (!checks.finite(name + key, speed, "rad/s")) continue;
+      checks.require(std::abs(speed) <= most_turning_speed, name + key, quantity(speed, "rad/s"), "is too fast",
+                     fmt::format("give {} rad/s at most", most_turning_speed));
+      checks.require(speed * sense >= 0.0, name + key, quantity(speed, "rad/s"), "has another sign than those before",
+                     "give speeds of one sense of rotation");
       if (sense == 0.0) sense = speed;
       turns |= speed != 0.0;
     }
     if (i == 0 || !phase.from) continue;
-    judge.require(*phase.from == phases[i - 1].to, name + ".from", quantity(*phase.from, "rad/s"),
-                  fmt::format("is not the speed at which the one before ends, {}", quantity(phases[i - 1].to, "rad/s")),
-                  "remove it");
+    checks.require(
+        *phase.from == phases[i - 1].to, name + ".from", quantity(*phase.from, "rad/s"),
+        fmt::format("is not the speed at which the one before ends, {}", quantity(phases[i - 1].to, "rad/s")),
+        "remove it");
   }
-  judge.require(turns, "transient.speed", "", "never turns the rotor", "give a speed other than zero");
+  checks.require(turns, "transient.speed", "", "never turns the rotor", "give a speed other than zero");
 }
 
 /// Checks two components, and a time.
-void judge_wave(Judge& judge, const std::string& name, const char* key, const std::vector<double>& components,
+void check_wave(Checks& checks, const std::string& name, const char* key, const std::vector<double>& components,
                 const char* unit, double begin, double duration) {
   const bool two =
-      judge.require(components.size() == 2, fmt::format("{}.{}", name, key),
-                    fmt::format("{} numbers", components.size()), "is not one along X and one along Y", "give two");
-  for (std::size_t i = 0; two && i < 2; ++i) judge.finite(fmt::format("{}.{}", name, key), components[i], unit);
-  judge.within(name + ".begin", begin, {0.0, transient_time.most, "s"});
-  judge.within(name + ".duration", duration, transient_time);
+      checks.require(components.size() == 2, fmt::format("{}.{}", name, key),
+                     fmt::format("{} numbers", components.size()), "is not one along X and one along Y", "give two");
+  for (std::size_t i = 0; two && i < 2; ++i) checks.finite(fmt::format("{}.{}", name, key), components[i], unit);
+  checks.within(name + ".begin", begin, {0.0, transient_time.most, "s"});
+  checks.within(name + ".duration", duration, transient_time);
 }
 
-void judge_transient(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+void check_transient(Checks& checks, const Case& input, const CheckedBumpFoil& /*foil*/) {
   const TransientSettings* const transient = input.settings.find<TransientSettings>();
   if (transient == nullptr) return;
-  judge_speed(judge, *transient);
-  judge.count("transient.steps_per_revolution", transient->steps_per_revolution, "steps per revolution", {20, 10'000});
-  judge.count("transient.revolutions_per_spectrum", transient->revolutions_per_spectrum, "revolutions", {1, 1000});
-  if (transient->longest_step) judge.within("transient.longest_step", *transient->longest_step, transient_time);
+  check_speed(checks, *transient);
+  checks.count("transient.steps_per_revolution", transient->steps_per_revolution, "steps per revolution", {20, 10'000});
+  checks.count("transient.revolutions_per_spectrum", transient->revolutions_per_spectrum, "revolutions", {1, 1000});
+  if (transient->longest_step) checks.within("transient.longest_step", *transient->longest_step, transient_time);
   for (std::size_t i = 0; i < transient->pulses.size(); ++i) {
     const RotorPulse& pulse = transient->pulses[i];
-    judge_wave(judge, fmt::format("transient.pulse[{}]", i + 1), "force", pulse.force, "N", pulse.begin,
+    check_wave(checks, fmt::format("transient.pulse[{}]", i + 1), "force", pulse.force, "N", pulse.begin,
                pulse.duration);
   }
   for (std::size_t i = 0; i < transient->base.size(); ++i) {
     const BaseMotion& base = transient->base[i];
     const std::string name = fmt::format("transient.base[{}]", i + 1);
-    judge_wave(judge, name, "acceleration", base.acceleration, "m/s2", base.begin, base.duration);
-    if (base.frequency) judge.within(name + ".frequency", *base.frequency, frequency_range);
+    check_wave(checks, name, "acceleration", base.acceleration, "m/s2", base.begin, base.duration);
+    if (base.frequency) checks.within(name + ".frequency", *base.frequency, frequency_range);
   }
-  judge.require_for("transient", input.settings.find<RotorSettings>() != nullptr, "rotor", "", "this table is missing",
-                    "add [rotor] with a mass such as \"2 kg\"");
+  checks.require_for("transient", input.settings.find<RotorSettings>() != nullptr, "rotor", "", "this table is missing",
+                     "add [rotor] with a mass such as \"2 kg\"");
   const bool rests =
       !transient->speed.empty() && transient->speed.front().from.value_or(transient->speed.front().to) == 0.0;
-  judge.require_for("transient", !rests || input.asperity.has_value(), "asperity", "",
-                    "this table is missing: a rotor at rest lies on its foils",
-                    "add [asperity], or start at a speed at which the film carries");
+  checks.require_for("transient", !rests || input.asperity.has_value(), "asperity", "",
+                     "this table is missing: a rotor at rest lies on its foils",
+                     "add [asperity], or start at a speed at which the film carries");
 }
 
 }  // namespace
@@ -142,7 +143,7 @@ CaseTable transient_settings() {
   return {.experiment = "transient",
           .needs = "transient",
           .describe = describe_transient,
-          .check = judge_transient,
+          .check = check_transient,
           .given = [](const Case& input) { return input.settings.find<TransientSettings>() != nullptr; }};
 }
 

@@ -26,17 +26,17 @@ void describe_unbalance(CaseVisitor& keys, Case& input) {
                                     input.settings, describe);
 }
 
-void judge_unbalance(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+void check_unbalance(Checks& checks, const Case& input, const CheckedBumpFoil& /*foil*/) {
   const UnbalanceSettings* const unbalance = input.settings.find<UnbalanceSettings>();
   if (unbalance == nullptr) return;
-  judge_rotor_speeds(judge, "unbalance.speeds", unbalance->speeds);
-  judge.count("unbalance.steps_per_revolution", unbalance->steps_per_revolution, "steps per revolution", {20, 10'000});
+  check_rotor_speeds(checks, "unbalance.speeds", unbalance->speeds);
+  checks.count("unbalance.steps_per_revolution", unbalance->steps_per_revolution, "steps per revolution", {20, 10'000});
   const RotorSettings* const rotor = input.settings.find<RotorSettings>();
-  judge.require_for("unbalance", rotor != nullptr, "rotor", "", "this table is missing",
-                    "add [rotor] with a mass such as \"2 kg\"");
-  judge.require_for("unbalance", rotor == nullptr || !rotor->unbalances.empty(), "rotor.unbalance", "",
-                    "is missing: a balanced rotor does not respond",
-                    "add [[rotor.unbalance]] with an amount such as \"2 g mm\"");
+  checks.require_for("unbalance", rotor != nullptr, "rotor", "", "this table is missing",
+                     "add [rotor] with a mass such as \"2 kg\"");
+  checks.require_for("unbalance", rotor == nullptr || !rotor->unbalances.empty(), "rotor.unbalance", "",
+                     "is missing: a balanced rotor does not respond",
+                     "add [[rotor.unbalance]] with an amount such as \"2 g mm\"");
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ CaseTable unbalance_settings() {
   return {.experiment = "unbalance",
           .needs = "unbalance",
           .describe = describe_unbalance,
-          .check = judge_unbalance,
+          .check = check_unbalance,
           .given = [](const Case& input) { return input.settings.find<UnbalanceSettings>() != nullptr; }};
 }
 

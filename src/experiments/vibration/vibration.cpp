@@ -104,7 +104,7 @@ class VibrationRunner {
       std::vector<OrbitPoint> points;
       for (std::size_t i = 0; i < forces.size(); ++i)
         points.push_back({orbit[i].line.place(orbit[i].begin), forces[i]});
-      const double rounding = foils_.stepper().foils().roundings.energy;
+      const double rounding = foils_.stepper().foils().round_off.energy;
       cycle.loop_energy = orbit_energy(cleared(state.work - work, rounding),
                                        cleared(state.dissipated_energy - dissipated, rounding), points);
       cycle.loop_energies.push_back(*cycle.loop_energy);
@@ -135,7 +135,7 @@ class VibrationRunner {
       cycle.status = at.step.status;
       if (!at.step.converged()) return Verdict::refuse;
       Increment increment;
-      judge(stepper.foils(), at.step.state, increment);
+      check_increment(stepper.foils(), at.step.state, increment);
       const SolverBounds bounds = stepper.bounds();
       if (!increment.residuals.within(bounds.force, bounds.displacement)) cycle.status = Status::residual_above_bound;
       cycle.max_residual = std::max(cycle.max_residual, increment.residuals.equilibrium);

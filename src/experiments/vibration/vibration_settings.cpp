@@ -50,70 +50,70 @@ constexpr std::int64_t most_loop_points = 20'000'000;
 constexpr std::int64_t most_rows = 1'000'000;
 
 /// @param example  of an entry
-bool judge_presence(Judge& judge, const std::string& key, std::size_t size, std::string_view example) {
-  return judge.require(size > 0, key, "[]", "is empty", fmt::format("give at least one: [{}]", example));
+bool check_presence(Checks& checks, const std::string& key, std::size_t size, std::string_view example) {
+  return checks.require(size > 0, key, "[]", "is empty", fmt::format("give at least one: [{}]", example));
 }
 
-void judge_directions(Judge& judge, const VibrationSettings& vibration) {
+void check_directions(Checks& checks, const VibrationSettings& vibration) {
   const std::vector<double>& directions = vibration.directions;
   if (vibration.orbits()) {
-    judge.require(directions.empty(), "vibration.directions", fmt::format("{} directions", directions.size()),
-                  "belong to a motion along lines", "remove them, or set motion = \"line\"");
+    checks.require(directions.empty(), "vibration.directions", fmt::format("{} directions", directions.size()),
+                   "belong to a motion along lines", "remove them, or set motion = \"line\"");
     return;
   }
-  if (!judge_presence(judge, "vibration.directions", directions.size(), "\"+X\"")) return;
+  if (!check_presence(checks, "vibration.directions", directions.size(), "\"+X\"")) return;
   bool finite = true;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    finite = judge.angle(fmt::format("vibration.directions[{}]", i + 1), directions[i]) && finite;
+    finite = checks.angle(fmt::format("vibration.directions[{}]", i + 1), directions[i]) && finite;
   }
   if (!finite || directions.size() == 1) return;
   const double across = unit_vector(directions[0]).dot(unit_vector(directions[1]));
-  judge.require(directions.size() == 2 && std::abs(across) <= round_off, "vibration.directions",
-                fmt::format("{} directions", directions.size()), "are not two at right angles",
-                "give one, or two such as [\"+X\", \"+Y\"]: these give all coefficients");
+  checks.require(directions.size() == 2 && std::abs(across) <= round_off, "vibration.directions",
+                 fmt::format("{} directions", directions.size()), "are not two at right angles",
+                 "give one, or two such as [\"+X\", \"+Y\"]: these give all coefficients");
 }
 
-void judge_size(Judge& judge, const VibrationSettings& vibration) {
+void check_size(Checks& checks, const VibrationSettings& vibration) {
   const auto vibrations =
       std::ssize(vibration.loads) * static_cast<std::int64_t>(vibration.motions()) * std::ssize(vibration.amplitudes);
-  judge.require_for("vibration", vibrations <= most_loop_points / (4 * std::int64_t{vibration.steps}),
-                    "vibration.steps", std::to_string(vibration.steps),
-                    fmt::format("the loops of {} vibrations would not fit in memory", vibrations),
-                    "give fewer steps, loads or amplitudes");
+  checks.require_for("vibration", vibrations <= most_loop_points / (4 * std::int64_t{vibration.steps}),
+                     "vibration.steps", std::to_string(vibration.steps),
+                     fmt::format("the loops of {} vibrations would not fit in memory", vibrations),
+                     "give fewer steps, loads or amplitudes");
   const auto rows = std::ssize(vibration.loads) * std::ssize(vibration.amplitudes) * std::ssize(vibration.frequencies);
-  judge.require_for("vibration", rows <= most_rows, "vibration.frequencies",
-                    fmt::format("{} frequencies", vibration.frequencies.size()),
-                    fmt::format("make {} rows of coefficients", rows), fmt::format("give less than {}", most_rows));
+  checks.require_for("vibration", rows <= most_rows, "vibration.frequencies",
+                     fmt::format("{} frequencies", vibration.frequencies.size()),
+                     fmt::format("make {} rows of coefficients", rows), fmt::format("give less than {}", most_rows));
 }
 
-void judge_vibration(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+void check_vibration(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
   if (!input.vibration) return;
   const VibrationSettings& vibration = *input.vibration;
   const double limit = flattening(input.bearing, foil.rise);
-  judge.require_history("vibration", input.bump_foil.model != BumpFoilModel::former,
-                        "has no history: its loops have no area, and it cannot vibrate about a load");
-  judge_presence(judge, "vibration.loads", vibration.loads.size(), "[\"0 N\", \"-50 N\"]");
+  checks.require_history("vibration", input.bump_foil.model != BumpFoilModel::former,
+                         "has no history: its loops have no area, and it cannot vibrate about a load");
+  check_presence(checks, "vibration.loads", vibration.loads.size(), "[\"0 N\", \"-50 N\"]");
   for (std::size_t i = 0; i < vibration.loads.size(); ++i) {
     const double load = vibration.loads[i].norm();
     const std::string key = fmt::format("vibration.loads[{}]", i + 1);
-    const bool any = judge.require(load != 0.0, key, "(0 N, 0 N)",
-                                   "is zero: the journal position would be undetermined", "give a load");
-    if (any) judge.within(key, load, load_range);
+    const bool any = checks.require(load != 0.0, key, "(0 N, 0 N)",
+                                    "is zero: the journal position would be undetermined", "give a load");
+    if (any) checks.within(key, load, load_range);
   }
-  judge_directions(judge, vibration);
-  judge_presence(judge, "vibration.amplitudes", vibration.amplitudes.size(), "\"2 um\"");
+  check_directions(checks, vibration);
+  check_presence(checks, "vibration.amplitudes", vibration.amplitudes.size(), "\"2 um\"");
   for (std::size_t i = 0; i < vibration.amplitudes.size(); ++i) {
     const std::string key = fmt::format("vibration.amplitudes[{}]", i + 1);
     const double amplitude = vibration.amplitudes[i];
-    if (!judge.within(key, amplitude, length_range) || limit <= 0.0) continue;
-    judge.require_for("vibration", amplitude < limit, key, quantity(amplitude, "m"), "would press the bumps flat",
-                      fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+    if (!checks.within(key, amplitude, length_range) || limit <= 0.0) continue;
+    checks.require_for("vibration", amplitude < limit, key, quantity(amplitude, "m"), "would press the bumps flat",
+                       fmt::format("give less than clearance and rise together, {:.6g} m", limit));
   }
-  judge_presence(judge, "vibration.frequencies", vibration.frequencies.size(), "\"200 Hz\"");
+  check_presence(checks, "vibration.frequencies", vibration.frequencies.size(), "\"200 Hz\"");
   for (std::size_t i = 0; i < vibration.frequencies.size(); ++i) {
-    judge.within(fmt::format("vibration.frequencies[{}]", i + 1), vibration.frequencies[i], frequency_range);
+    checks.within(fmt::format("vibration.frequencies[{}]", i + 1), vibration.frequencies[i], frequency_range);
   }
-  if (judge.count("vibration.steps", vibration.steps, "increments")) judge_size(judge, vibration);
+  if (checks.count("vibration.steps", vibration.steps, "increments")) check_size(checks, vibration);
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ CaseTable vibration_settings() {
   return {.experiment = "vibration",
           .needs = "vibration",
           .describe = describe_vibration,
-          .check = judge_vibration,
+          .check = check_vibration,
           .given = [](const Case& input) { return input.vibration.has_value(); }};
 }
 

@@ -59,7 +59,7 @@ TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   wide_ended.width.crowning = 3.18e-6;
   const FilmBearing crowned = make_film_bearing(wide_ended);
   EXPECT_TRUE(crowned.varies_over_the_width());
-  EXPECT_EQ(crowned.room, bearing.room);
+  EXPECT_EQ(crowned.assembled_clearance, bearing.assembled_clearance);
   const int side = crowned.pads.front().foil.mesh.rows;
   const Matrix widening =
       crowned.undeformed_thickness(Eigen::Vector2d::Zero()) - bearing.undeformed_thickness(Eigen::Vector2d::Zero());
@@ -67,7 +67,7 @@ TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   EXPECT_NEAR(widening(1, 7), 0.1 / (side * side), 1e-12);
   EXPECT_NEAR(widening(side, 7), 0.1, 1e-12);
   wide_ended.width.crowning *= -1.0;
-  EXPECT_NEAR(make_film_bearing(wide_ended).room, bearing.room - 3.18e-6, 1e-18);
+  EXPECT_NEAR(make_film_bearing(wide_ended).assembled_clearance, bearing.assembled_clearance - 3.18e-6, 1e-18);
   EXPECT_LT(bearing.surface_speed(bearing.pads.front(), 100.0), 0.0);
   EXPECT_NEAR(film_equation(bearing, bearing.pads.front(), speed_of_rpm(45000.0)).bearing_number, -1.852606648, 1e-8);
 }

@@ -183,7 +183,7 @@ TEST(FoilStepper, APressureLiftsTheTopFoilAsTheClosedFormSays) {
       EXPECT_NEAR(u[i], exact, 1e-9 * std::abs(scale)) << i;  // cond(K) = 1e5
     }
     Increment increment = place_increment(*foils, step, push);
-    judge(*foils, step.state, increment);
+    check_increment(*foils, step.state, increment);
     EXPECT_TRUE(increment.residuals.within()) << increment.residuals.equilibrium;
   }
 }

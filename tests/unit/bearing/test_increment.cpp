@@ -54,11 +54,11 @@ TEST(PlaceIncrement, CopiesPlaceEnergiesAndCost) {
   EXPECT_FALSE(increment.residuals.within());
 }
 
-TEST(Judge, FindsEnergyAndResiduals) {
+TEST(Checks, FindsEnergyAndResiduals) {
   IncrementExample example;
   example.step.state.contacts.x[0] = 1e-6;
   Increment increment = place_increment(*example.foils, example.step, up);
-  judge(*example.foils, example.step.state, increment);
+  check_increment(*example.foils, example.step.state, increment);
   const Vector& x = example.step.state.contacts.x;
   EXPECT_DOUBLE_EQ(increment.elastic_energy, elastic_response(example.foils->structure, x).energy);
   // Invented forces are not in balance.

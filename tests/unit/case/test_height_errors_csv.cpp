@@ -92,7 +92,7 @@ TEST_F(HeightErrorsCsv, SuggestTheColumnThatWasMeant) {
   expect_refused("bump,height_error_N\n1,1\n", "\"N\" is not a unit for a length: write height_error_um");
 }
 
-TEST_F(HeightErrorsCsv, AreJudgedInTheirOwnLines) {
+TEST_F(HeightErrorsCsv, AreCheckedInTheirOwnLines) {
   expect_refused(
       "bump,height_error_um\n1,1\n2,2\n4,-450\n3,4\n",
       "h.csv:4: line = 4,-450: lies further from the nominal height than a bump rises, 0.0004 m; correct it");

@@ -53,7 +53,7 @@ class DriftingSystem : public ModeSystem {
       state.gap *= 1.0 + part_;
     }
   }
-  void solve_units(RowMajor& x, RowMajor& force) override {
+  void solve_units(RowMajorMatrix& x, RowMajorMatrix& force) override {
     ++built;
     system_->solve_units(x, force);
   }

@@ -65,7 +65,7 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
 
 /// Two springs against walls, one of them released: a negligible force compared with 1000 N at the start of the path is
 /// a tension compared with 0.1 mN at its end.
-TEST(EventStepper, JudgesForcesByThoseThatAreLeft) {
+TEST(EventStepper, ChecksForcesByThoseThatAreLeft) {
   ContactProblem problem;
   problem.K = BlockTridiagonal(2, 1);
   for (const int block : {0, 1}) problem.K.add(block, 0, block, 0, 1e6);

@@ -28,7 +28,7 @@ TEST_P(ModeSystemSizes, UnitAnswersAddUp) {
     const std::vector<ContactMode> mode = random_modes(seed, problem);
     const std::unique_ptr<ModeSystem> system = make_mode_system(problem);
     ASSERT_TRUE(system->set_modes(mode));
-    RowMajor x, force;
+    RowMajorMatrix x, force;
     system->solve_units(x, force);
 
     // A change of each coordinate, as a loading and as a combination of columns.

@@ -34,9 +34,9 @@ TEST(ForEachDifference, NamesAllContactsInTheirOrderUntilItIsTold) {
   }
 }
 
-TEST(Judge, MeasuresTheInequalityThatFails) {
+TEST(CheckMode, MeasuresTheInequalityThatFails) {
   const auto excess = [](ContactMode mode, const ContactTrial& trial) {
-    return judge(0, mode, 0.5, trial, 1e-13, 1e-11).excess;
+    return check_mode(0, mode, 0.5, trial, 1e-13, 1e-11).excess;
   };
   EXPECT_EQ(excess(open, {.gap = -2e-6, .normal = 0.0, .friction = 0.0, .slip = 5e-6}), 2e-6);
   EXPECT_EQ(excess(slip_forward, {.gap = 0.0, .normal = -3.0, .friction = 1.5, .slip = 5e-6}), 3.0);

@@ -22,7 +22,7 @@ struct SlippingBlock {
                      .friction_force = Vector::Constant(1, -20.0),
                      .mode = {ContactMode::slip_forward}};
 
-  [[nodiscard]] ContactResiduals judge() const {
+  [[nodiscard]] ContactResiduals residuals() const {
     return contact_residuals(problem, problem.K.multiply(state.x), loading, previous_x, state);
   }
 };
@@ -38,7 +38,7 @@ SlippingBlock sticking_block() {
 
 TEST(ContactResiduals, AreZeroAtSolutions) {
   for (const SlippingBlock& block : {SlippingBlock{}, sticking_block()}) {
-    const ContactResiduals residuals = block.judge();
+    const ContactResiduals residuals = block.residuals();
     EXPECT_LT(residuals.equilibrium, 1e-15);  // 2e6 * 5e-6 is 10 up to round-off
     EXPECT_EQ(residuals.penetration, 0.0);
     EXPECT_EQ(residuals.slip_in_stick, 0.0);
@@ -51,8 +51,8 @@ TEST(ContactResiduals, AreZeroAtSolutions) {
 TEST(ContactResiduals, EquilibriumIsMeasuredByTheLargestForce) {
   SlippingBlock block;
   block.loading.load[0] += 4.0;
-  EXPECT_NEAR(block.judge().equilibrium, 0.1, 1e-12);
-  EXPECT_FALSE(block.judge().within());
+  EXPECT_NEAR(block.residuals().equilibrium, 0.1, 1e-12);
+  EXPECT_FALSE(block.residuals().within());
 }
 
 TEST(ContactResiduals, ForcesBelowOneNewtonAreMeasuredByOne) {
@@ -64,62 +64,62 @@ TEST(ContactResiduals, ForcesBelowOneNewtonAreMeasuredByOne) {
                  .friction_force = Vector::Constant(1, -0.2),
                  .mode = {ContactMode::slip_forward}};
   block.loading.load[0] += 0.01;
-  EXPECT_NEAR(block.judge().equilibrium, 0.01, 1e-12);
+  EXPECT_NEAR(block.residuals().equilibrium, 0.01, 1e-12);
 }
 
 TEST(ContactResiduals, PenetrationIsALength) {
   SlippingBlock block;
   block.state.x[1] = -3e-7;
   block.loading.load[1] -= 0.3;  // keeps the balance
-  EXPECT_DOUBLE_EQ(block.judge().penetration, 3e-7);
-  EXPECT_LT(block.judge().equilibrium, 1e-14);
-  EXPECT_FALSE(block.judge().within());
+  EXPECT_DOUBLE_EQ(block.residuals().penetration, 3e-7);
+  EXPECT_LT(block.residuals().equilibrium, 1e-14);
+  EXPECT_FALSE(block.residuals().within());
 }
 
 TEST(ContactResiduals, StuckContactsMustNotMove) {
   SlippingBlock block = sticking_block();
   block.previous_x[0] = 2e-9;
-  EXPECT_DOUBLE_EQ(block.judge().slip_in_stick, 2e-9);
-  EXPECT_EQ(block.judge().cone, 0.0);
-  EXPECT_FALSE(block.judge().within());
+  EXPECT_DOUBLE_EQ(block.residuals().slip_in_stick, 2e-9);
+  EXPECT_EQ(block.residuals().cone, 0.0);
+  EXPECT_FALSE(block.residuals().within());
 }
 
 TEST(ContactResiduals, TensionAndForceAcrossAGapViolateComplementarity) {
   SlippingBlock tension;
   tension.state.normal_force[0] = -40.0;
-  EXPECT_DOUBLE_EQ(tension.judge().complementarity, 1.0);
+  EXPECT_DOUBLE_EQ(tension.residuals().complementarity, 1.0);
 
   SlippingBlock apart;
   apart.loading.initial_gap[0] = 1e-6;
-  EXPECT_DOUBLE_EQ(apart.judge().complementarity, 1.0);
-  EXPECT_EQ(apart.judge().penetration, 0.0);
-  EXPECT_FALSE(apart.judge().within());
+  EXPECT_DOUBLE_EQ(apart.residuals().complementarity, 1.0);
+  EXPECT_EQ(apart.residuals().penetration, 0.0);
+  EXPECT_FALSE(apart.residuals().within());
 }
 
 TEST(ContactResiduals, FrictionAboveTheConeIsSeen) {
   SlippingBlock block = sticking_block();
   block.state.friction_force[0] = -24.0;
-  EXPECT_DOUBLE_EQ(block.judge().cone, 0.1);
+  EXPECT_DOUBLE_EQ(block.residuals().cone, 0.1);
   block.state.friction_force[0] = 24.0;
-  EXPECT_DOUBLE_EQ(block.judge().cone, 0.1);
+  EXPECT_DOUBLE_EQ(block.residuals().cone, 0.1);
 }
 
 TEST(ContactResiduals, FrictionMustOpposeSlip) {
   SlippingBlock block;
   block.state.friction_force[0] = 20.0;
-  EXPECT_DOUBLE_EQ(block.judge().cone, 1.0);
-  EXPECT_EQ(block.judge().slip_in_stick, 0.0);
+  EXPECT_DOUBLE_EQ(block.residuals().cone, 1.0);
+  EXPECT_EQ(block.residuals().slip_in_stick, 0.0);
   block.state.x[0] = -5e-6;
   block.state.friction_force[0] = -20.0;
-  EXPECT_DOUBLE_EQ(block.judge().cone, 1.0);
+  EXPECT_DOUBLE_EQ(block.residuals().cone, 1.0);
 }
 
 TEST(ContactResiduals, NoModeIsTrusted) {
   SlippingBlock block;
-  const ContactResiduals before = block.judge();
+  const ContactResiduals before = block.residuals();
   block.state.mode = {ContactMode::open};
-  EXPECT_EQ(block.judge().cone, before.cone);
-  EXPECT_EQ(block.judge().complementarity, before.complementarity);
+  EXPECT_EQ(block.residuals().cone, before.cone);
+  EXPECT_EQ(block.residuals().complementarity, before.complementarity);
 }
 
 TEST(ContactResiduals, NotANumberFailsWhereverItStands) {
@@ -136,10 +136,10 @@ TEST(ContactResiduals, NotANumberFailsWhereverItStands) {
   for (std::size_t i = 0; i < breakages.size(); ++i) {
     SlippingBlock block;
     breakages[i](block);
-    EXPECT_FALSE(block.judge().within()) << "breakage " << i;
+    EXPECT_FALSE(block.residuals().within()) << "breakage " << i;
     SlippingBlock held = sticking_block();
     breakages[i](held);
-    EXPECT_FALSE(held.judge().within()) << "breakage " << i;
+    EXPECT_FALSE(held.residuals().within()) << "breakage " << i;
   }
 }
 

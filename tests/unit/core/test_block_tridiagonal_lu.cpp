@@ -94,7 +94,7 @@ TEST(BlockTridiagonalLU, FactorsAgainFromTheFirstChangedBlock) {
 TEST(BlockTridiagonalLU, SolvesForManyRightHandSidesAtOnce) {
   const auto check = [](auto lu) {
     ASSERT_TRUE(lu.factor());
-    RowMajor panel(24, 7);
+    RowMajorMatrix panel(24, 7);
     for (Eigen::Index i = 0; i < panel.size(); ++i) panel.data()[i] = std::sin(static_cast<double>(i * i));
     const Matrix right = panel;
     lu.solve_panel_in_place(panel);

@@ -13,8 +13,8 @@ namespace bumpfoil {
 namespace {
 
 /// Largest next to the diagonal: without row exchanges the pivots would be poor.
-RowMajor example_matrix(int n, double seed) {
-  RowMajor a(n, n);
+RowMajorMatrix example_matrix(int n, double seed) {
+  RowMajorMatrix a(n, n);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) a(i, j) = std::sin(seed + 3 * i + 7 * i * j) + (j == (i + 1) % n ? 4.0 * n : 0.0);
   }
@@ -23,7 +23,7 @@ RowMajor example_matrix(int n, double seed) {
 
 /// A block in the storage of the kernels, with zeros after each row.
 template <int B>
-LineVector stored(const RowMajor& a) {
+LineVector stored(const RowMajorMatrix& a) {
   const Eigen::Index stride = row_stride<B>(a.rows());
   LineVector numbers(static_cast<std::size_t>(a.rows() * stride), 0.0);
   for (Eigen::Index r = 0; r < a.rows(); ++r) {
@@ -33,12 +33,12 @@ LineVector stored(const RowMajor& a) {
 }
 
 template <int B>
-RowMajor read(const LineVector& numbers, int n) {
-  return Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>(numbers.data(), n, n,
-                                                             Eigen::OuterStride<>(row_stride<B>(n)));
+RowMajorMatrix read(const LineVector& numbers, int n) {
+  return Eigen::Map<const RowMajorMatrix, 0, Eigen::OuterStride<>>(numbers.data(), n, n,
+                                                                   Eigen::OuterStride<>(row_stride<B>(n)));
 }
 
-void expect_near(const RowMajor& found, const RowMajor& expected) {
+void expect_near(const RowMajorMatrix& found, const RowMajorMatrix& expected) {
   // All matrices of the examples have condition numbers near 1.
   EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
 }
@@ -59,7 +59,7 @@ void with_each(int n, Check&& check) {
 
 template <int B>
 void expect_products(int n) {
-  const RowMajor a = example_matrix(n, 0.1), b = example_matrix(n, 0.2), c = example_matrix(n, 0.3);
+  const RowMajorMatrix a = example_matrix(n, 0.1), b = example_matrix(n, 0.2), c = example_matrix(n, 0.3);
   const LineVector A = stored<B>(a), rows = stored<B>(b), before = stored<B>(c);
   with_each<B>(n, [&](const auto& kernels) {
     LineVector C = before;
@@ -70,7 +70,7 @@ void expect_products(int n) {
     kernels.template products<Products::negate>(A.data(), kernels.stride(), rows.data(), n, C.data(), n);
     expect_near(read<B>(C, n), -a * b);
 
-    RowMajor sparse = RowMajor::Zero(n, n);
+    RowMajorMatrix sparse = RowMajorMatrix::Zero(n, n);
     sparse.diagonal() = a.diagonal();
     sparse.col(n - 1) = a.col(n - 1);
     C = before;
@@ -79,7 +79,7 @@ void expect_products(int n) {
     expect_near(read<B>(C, n), c - sparse * b);
 
     const double factors[]{2.0, -3.0};
-    const RowMajor row = c.row(0) - a.row(0).cwiseProduct(b.row(0)) - 2.0 * a.row(0) + 3.0 * a.row(1);
+    const RowMajorMatrix row = c.row(0) - a.row(0).cwiseProduct(b.row(0)) - 2.0 * a.row(0) + 3.0 * a.row(1);
     const auto expect_row = [&](const auto& call) {
       C = before;
       call();
@@ -96,10 +96,10 @@ void expect_products(int n) {
 
 template <int B>
 void expect_solutions(int n) {
-  const RowMajor a = example_matrix(n, 0.1), b = example_matrix(n, 0.2);
+  const RowMajorMatrix a = example_matrix(n, 0.1), b = example_matrix(n, 0.2);
   std::vector<int> pivots(static_cast<std::size_t>(n));
   std::vector<double> room(static_cast<std::size_t>(n));
-  const RowMajor solution = a.partialPivLu().solve(b);
+  const RowMajorMatrix solution = a.partialPivLu().solve(b);
   with_each<B>(n, [&](const auto& kernels) {
     LineVector A = stored<B>(a), X = stored<B>(b);
     ASSERT_TRUE(kernels.factor(A.data(), pivots.data()));
@@ -109,7 +109,7 @@ void expect_solutions(int n) {
     ASSERT_TRUE(kernels.invert(A.data(), room.data(), pivots.data()));
     expect_near(read<B>(A, n), a.inverse());
 
-    RowMajor broken = a;
+    RowMajorMatrix broken = a;
 
     broken.row(n - 1).setZero();
     A = stored<B>(broken);
@@ -154,12 +154,12 @@ TEST(DenseKernels, TakeRowsFromTheBeginningOfALineOn) {
 /// Rows that no vector divides, factors a step apart and some of them zero.
 TEST(DenseKernels, AddsRowsOfPanels) {
   constexpr int columns = 11;
-  const RowMajor rows = RowMajor::Random(5, columns);
-  RowMajor factors = RowMajor::Random(5, 3);
+  const RowMajorMatrix rows = RowMajorMatrix::Random(5, columns);
+  RowMajorMatrix factors = RowMajorMatrix::Random(5, 3);
   factors(2, 1) = 0.0;
   for (const double sign : {1.0, -1.0}) {
-    RowMajor row = RowMajor::Random(1, columns);
-    const RowMajor expected = row + sign * factors.col(1).transpose() * rows;
+    RowMajorMatrix row = RowMajorMatrix::Random(1, columns);
+    const RowMajorMatrix expected = row + sign * factors.col(1).transpose() * rows;
     add_rows(sign, factors.data() + 1, factors.cols(), factors.rows(), rows.data(), columns, row.data());
     expect_near(row, expected);
   }

@@ -69,13 +69,13 @@ TEST_F(EnsembleRuns, AreEnoughAfterWholeRoundsOnly) {
   input.montecarlo->samples = 2500;
   const EnsembleLayout layout = make_ensemble_layout(input);
   RowLog log(folder_.path() / "rounds", "", layout.width());
-  std::vector<std::size_t> asked;
+  std::vector<std::size_t> requested;
   const auto enough = [&] {
-    asked.push_back(log.rows());
+    requested.push_back(log.rows());
     return log.rows() >= 2 * ensemble_round;
   };
   EXPECT_TRUE(run_ensemble(input, layout, log, {.threads = 2, .enough = enough}));
-  EXPECT_EQ(asked, (std::vector<std::size_t>{1000, 2000}));
+  EXPECT_EQ(requested, (std::vector<std::size_t>{1000, 2000}));
   EXPECT_EQ(log.rows(), 2000U);
   // A repeated request finds them sufficient.
   EXPECT_TRUE(run_ensemble(input, layout, log, {.threads = 2, .enough = enough}));

@@ -18,7 +18,7 @@ TEST(RunningSample, ComesToTheStatesOfItsCase) {
   const EquilibriumResult result = run_running_sample(sampled_case(input, draw_sample(input, 0))).value();
   ASSERT_EQ(result.states.size(), 2U);
   EXPECT_TRUE(result.converged());
-  EXPECT_EQ(result.states[1].asked, planned_states(*input.equilibrium, Status::not_reached)[1].asked);
+  EXPECT_EQ(result.states[1].requested, planned_states(*input.equilibrium, Status::not_reached)[1].requested);
 }
 
 TEST(RunningSample, HasLimitsWhereTheyAreAskedFor) {

@@ -59,7 +59,7 @@ TEST(RotorOf, MakesAShaftOfItsPieces) {
   EXPECT_LT(bending.frequency_error, 1e-3);
 }
 
-TEST(FindFaults, JudgesRotors) {
+TEST(FindFaults, ChecksRotors) {
   const auto same = [](RotorSettings&) {};
   EXPECT_EQ(faults_of(rigid, same), Keys{});
   EXPECT_EQ(faults_of(flexible(), same), Keys{});

@@ -51,7 +51,7 @@ TEST(FindFaults, KeepsBumpsApart) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = 4.5e-3; }), Keys{"bump_foil.height"});
 }
 
-TEST(FindFaults, JudgesEveryBumpOfAVariableFoil) {
+TEST(FindFaults, ChecksEveryBumpOfAVariableFoil) {
   using List = std::vector<double>;
   // One value per bump, each of them valid.
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(26, 4.5e-3)); }), Keys{});

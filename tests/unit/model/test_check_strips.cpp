@@ -33,7 +33,7 @@ Keys with(const std::function<void(Case&)>& change) {
   });
 }
 
-TEST(JudgeStrips, LetsStripsBe) {
+TEST(CheckStrips, LetsStripsBe) {
   EXPECT_EQ(with([](Case& input) { input.top_foil.formed_radius = {FormedTo::seated}; }), Keys{});
 
   EXPECT_EQ(faulty_keys(split), Keys{});
@@ -50,7 +50,7 @@ TEST(JudgeStrips, LetsStripsBe) {
             Keys{});
 }
 
-TEST(JudgeStrips, CountsThemAndLeavesThemWidth) {
+TEST(CheckStrips, CountsThemAndLeavesThemWidth) {
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strips = 0; }), Keys{"bump_foil.strips"});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strips = 2; }), Keys{"bump_foil.strip"});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip_gap = -1e-3; }), Keys{"bump_foil.strip_gap"});
@@ -63,7 +63,7 @@ TEST(JudgeStrips, CountsThemAndLeavesThemWidth) {
   EXPECT_NE(find_faults(whole, {"cycle"}).front().what.find("this one is not split"), std::string::npos);
 }
 
-TEST(JudgeStrips, StaggersOnTheMesh) {
+TEST(CheckStrips, StaggersOnTheMesh) {
   for (const double stagger : {-0.5, 0.25, 1.0, 7.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_EQ(with([=](Case& input) { input.bump_foil.strip[1].stagger = stagger; }),
               Keys{"bump_foil.strip[2].stagger"})
@@ -79,7 +79,7 @@ TEST(JudgeStrips, StaggersOnTheMesh) {
             Keys{"bump_foil.strip"});
 }
 
-TEST(JudgeStrips, TellsAllThatIsWrongWithTheirHeights) {
+TEST(CheckStrips, TellsAllThatIsWrongWithTheirHeights) {
   EXPECT_EQ(with([](Case& input) {
               input.bump_foil.strip[0].height_errors = 1e-3;
               input.bump_foil.strip[1].height_errors = PerBump(std::vector<double>(24, 0.0));
@@ -87,7 +87,7 @@ TEST(JudgeStrips, TellsAllThatIsWrongWithTheirHeights) {
             (Keys{"bump_foil.strip[1].height_errors", "bump_foil.strip[2].height_errors"}));
 }
 
-TEST(JudgeStrips, FitsTheirThicknessToTheBumps) {
+TEST(CheckStrips, FitsTheirThicknessToTheBumps) {
   const auto of_thickness = [](double thickness, const std::function<void(Case&)>& change = {}) {
     return with([&](Case& input) {
       input.bump_foil.strip[2].thickness = thickness;
@@ -103,7 +103,7 @@ TEST(JudgeStrips, FitsTheirThicknessToTheBumps) {
             of_strip);
 }
 
-TEST(JudgeStrips, FitsTheirSectionsToTheBumps) {
+TEST(CheckStrips, FitsTheirSectionsToTheBumps) {
   const auto of_sections = [](std::vector<BumpSection> sections, const std::function<void(Case&)>& change = {}) {
     return with([&](Case& input) {
       input.bump_foil.strip[1].sections = std::move(sections);
@@ -125,7 +125,7 @@ TEST(JudgeStrips, FitsTheirSectionsToTheBumps) {
   EXPECT_EQ(of_sections({{.from = 1, .to = 2, .length = 3.3e-3}}, of_rises), Keys{});
 }
 
-TEST(JudgeStrips, SplitsTheTopFoilOverThem) {
+TEST(CheckStrips, SplitsTheTopFoilOverThem) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.split = true; }), Keys{"top_foil.split"});
   Case input = reference_case();
   split(input);
@@ -138,7 +138,7 @@ TEST(JudgeStrips, SplitsTheTopFoilOverThem) {
   }
 }
 
-TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
+TEST(CheckStrips, RefusesWhatIsNotComputedWithThem) {
   EXPECT_EQ(with([](Case& input) {
               input.bump_foil.model = BumpFoilModel::frame;
               input.bump_foil.geometry = Geometry::nonlinear;
@@ -188,7 +188,7 @@ TEST(JudgeStrips, RefusesWhatIsNotComputedWithThem) {
   EXPECT_TRUE(find_faults(input, {"equilibrium"}).empty());
 }
 
-TEST(JudgeStrips, HaveOneStaggerOnAllPads) {
+TEST(CheckStrips, HaveOneStaggerOnAllPads) {
   EXPECT_EQ(with([](Case& input) {
               input.bump_foil.bumps = 8;
               input.pads.resize(2);

@@ -24,7 +24,7 @@ TEST(FindFaults, FindsNoneInTheReferenceCase) {
   EXPECT_TRUE(find_faults(reference_case()).empty());
 }
 
-TEST(FindFaults, JudgesEnsembles) {
+TEST(FindFaults, ChecksEnsembles) {
   const auto ensemble = [](const std::function<void(MonteCarloSettings&)>& change) {
     return faulty_keys([&](Case& input) {
       input.montecarlo = MonteCarloSettings{.bump_height = HeightScatter{Distribution{.sigma = 10e-6}}};
@@ -66,7 +66,7 @@ TEST(FindFaults, JudgesEnsembles) {
             Keys{"montecarlo.sleeve_waviness.amplitude"});
 }
 
-TEST(FindFaults, JudgesTheWavesOfASleeve) {
+TEST(FindFaults, ChecksTheWavesOfASleeve) {
   const auto waves = [](
                          Waviness given, const std::function<void(Case&)>& change = [](Case&) {}) {
     return faulty_keys([&](Case& input) {
@@ -81,7 +81,7 @@ TEST(FindFaults, JudgesTheWavesOfASleeve) {
             Keys{"bump_foil.model"});
 }
 
-TEST(FindFaults, JudgesProfilesAndTapers) {
+TEST(FindFaults, ChecksProfilesAndTapers) {
   const auto faulty = [](const std::function<void(Bearing&)>& change) {
     return faulty_keys([&](Case& input) { change(input.bearing); });
   };
@@ -98,7 +98,7 @@ TEST(FindFaults, JudgesProfilesAndTapers) {
   EXPECT_EQ(faulty([](Bearing& bearing) { bearing.taper = 3e-3; }), Keys{"bearing.taper"});
 }
 
-TEST(FindFaults, JudgesPads) {
+TEST(FindFaults, ChecksPads) {
   const auto pads = [](const std::function<void(Case&)>& change) {
     return faulty_keys([&](Case& input) {
       input.bump_foil.bumps = 7;
@@ -159,7 +159,7 @@ TEST(FindFaults, KnowsPadsInFewCommands) {
             Keys{});
 }
 
-TEST(FindFaults, JudgesTheFormingOfTopFoils) {
+TEST(FindFaults, ChecksTheFormingOfTopFoils) {
   const auto top = [](const std::function<void(TopFoil&)>& change) {
     return faulty_keys([&](Case& input) { change(input.top_foil); });
   };
@@ -191,7 +191,7 @@ TEST(FindFaults, SeatsPreloadedPads) {
             Keys{});
 }
 
-TEST(FindFaults, JudgesStrips) {
+TEST(FindFaults, ChecksStrips) {
   const auto strip = [](const std::function<void(StripSettings&)>& change) {
     return faulty_keys([&](Case& input) {
       input.strip = StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}};
@@ -281,7 +281,7 @@ TEST(FindFaults, WantsFrictionBetweenNoneAndOne) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.friction.top_bump = nan; }), Keys{"friction.top_bump"});
 }
 
-TEST(FindFaults, JudgesTheCycleThatThereIs) {
+TEST(FindFaults, ChecksTheCycleThatThereIs) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.cycle = {}; }), Keys{});
   EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.directions.clear(); }), Keys{"cycle.directions"});
   EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.steps = 0; }), Keys{"cycle.steps"});
@@ -298,7 +298,7 @@ TEST(FindFaults, JudgesTheCycleThatThereIs) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude.value = 0.438e-3; }), Keys{"cycle.amplitude"});
 }
 
-TEST(FindFaults, JudgesVibrations) {
+TEST(FindFaults, ChecksVibrations) {
   const auto vibration = [](const auto& change) {
     return faulty_keys([&](Case& input) {
       input.vibration = VibrationSettings{.loads = {{0.0, -50.0}},
@@ -345,7 +345,7 @@ TEST(FindFaults, JudgesVibrations) {
             Keys{"bump_foil.model"});
 }
 
-TEST(FindFaults, JudgesWhatCyclesGoAbout) {
+TEST(FindFaults, ChecksWhatCyclesGoAbout) {
   const auto course = [](const auto& change) { return faulty_keys([&](Case& input) { change(input.cycle); }); };
   EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::load, {0.0, -50.0}}; }), Keys{});
   EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::displacement, {0.0, 0.0}}; }), Keys{});

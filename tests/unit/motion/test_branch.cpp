@@ -58,15 +58,15 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
       const FilmBearing bearing = make_film_bearing(input);
       FilmStepper stepper(bearing);
       BearingState state;
-      const double opening = 10e-6 - clearance;
-      ASSERT_EQ(cold_start(stepper, {5e-6, 0.0}, speed, state, opening).status, Status::converged);
-      EXPECT_EQ(state.opening, opening);
-      OperatingPoint loaded = OperatingPoint::loaded_by(load, speed, opening);
+      const double clearance_offset = 10e-6 - clearance;
+      ASSERT_EQ(cold_start(stepper, {5e-6, 0.0}, speed, state, clearance_offset).status, Status::converged);
+      EXPECT_EQ(state.clearance_offset, clearance_offset);
+      OperatingPoint loaded = OperatingPoint::loaded_by(load, speed, clearance_offset);
       ASSERT_EQ(follow(stepper, loaded, state).status, Status::converged);
-      EXPECT_EQ(state.opening, opening);
-      loaded.opening = 0.0;
+      EXPECT_EQ(state.clearance_offset, clearance_offset);
+      loaded.clearance_offset = 0.0;
       ASSERT_EQ(follow(stepper, loaded, state).status, Status::converged);
-      EXPECT_EQ(state.opening, 0.0);
+      EXPECT_EQ(state.clearance_offset, 0.0);
       expect_solved(bearing, state);
       EXPECT_LT((film_force(bearing, state.film.pressure) - load).norm(), 1e-7);  // N
       EXPECT_GT(state.position.x(), -clearance);
@@ -75,7 +75,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
         continue;
       }
       if (f > 0.0) continue;
-      // A positive clearance needs no opening: the same state.
+      // A positive clearance needs no clearance offset: the same state.
       BearingState direct;
       ASSERT_EQ(cold_start(stepper, {0.6 * clearance, 0.0}, speed, direct).status, Status::converged);
       ASSERT_EQ(follow(stepper, loaded, direct).status, Status::converged);

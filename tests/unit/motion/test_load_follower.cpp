@@ -84,7 +84,7 @@ TEST_P(FollowedLoad, KeepsTheEnergyAndTheLine) {
   ASSERT_TRUE(step.converged());
   const auto elastic = [&](const BearingState& state) {
     Increment increment;
-    judge(*foils, state, increment);
+    check_increment(*foils, state, increment);
     EXPECT_TRUE(increment.residuals.within(1e-9, 1e-12));
     return increment.elastic_energy;
   };

@@ -73,9 +73,10 @@ TEST(SpeedMap, OfTwoEqualBearingsHasTheOnsetOfOne) {
 /// Onsets before the interruption are not searched for.
 TEST(SpeedMap, EndsWhereItIsStopped) {
   FilmStepper stepper(film_reference_bearing({4, 4}));
-  int asked = 0;
-  const SpeedMap map = map_speeds(make_point_mass(1.0), {&stepper}, {g, 0.0},
-                                  speeds_of_rpm({-12500.0, -13500.0, -14000.0, -15000.0}), [&] { return ++asked < 3; });
+  int requested = 0;
+  const SpeedMap map =
+      map_speeds(make_point_mass(1.0), {&stepper}, {g, 0.0}, speeds_of_rpm({-12500.0, -13500.0, -14000.0, -15000.0}),
+                 [&] { return ++requested < 3; });
   ASSERT_EQ(map.points.size(), 4U);
   EXPECT_EQ(map.points[1].status, Status::converged);
   EXPECT_EQ(map.points[2].status, Status::interrupted);

@@ -18,9 +18,9 @@ FilmBearing tight_bearing() {
 
 /// With clearance nothing is opened; without, until c remains.
 TEST(OpeningToStart, LeavesTheRoomOfAFilm) {
-  EXPECT_EQ(opening_to_start(film_reference_bearing({4, 4}), 1e-7), 0.0);
+  EXPECT_EQ(clearance_offset_to_start(film_reference_bearing({4, 4}), 1e-7), 0.0);
   const FilmBearing tight = tight_bearing();
-  EXPECT_NEAR(opening_to_start(tight, 1e-7) + tight.room, tight.scales.thickness, 1e-15);
+  EXPECT_NEAR(clearance_offset_to_start(tight, 1e-7) + tight.assembled_clearance, tight.scales.thickness, 1e-15);
 }
 
 TEST(StartFromRest, ClosesTheClearanceThatItOpened) {
@@ -30,21 +30,21 @@ TEST(StartFromRest, ClosesTheClearanceThatItOpened) {
   int begun = 0;
   const FilmReport report = start_from_rest(
       stepper, to, 5,
-      [&](FilmStepper& begins, double opening, BearingState& first) {
+      [&](FilmStepper& begins, double clearance_offset, BearingState& first) {
         ++begun;
-        EXPECT_GT(opening, 0.0);
-        FilmReport found = cold_start(begins, {1e-6, 0.0}, to.speed, first, opening);
+        EXPECT_GT(clearance_offset, 0.0);
+        FilmReport found = cold_start(begins, {1e-6, 0.0}, to.speed, first, clearance_offset);
         OperatingPoint opened = to;
-        opened.opening = opening;
+        opened.clearance_offset = clearance_offset;
         found += settle(begins, opened, first);
-        EXPECT_EQ(first.opening, opening);
+        EXPECT_EQ(first.clearance_offset, clearance_offset);
         found += close_clearance(begins, to, 5, first);
         return found;
       },
       state);
   EXPECT_EQ(report.status, Status::converged);
   EXPECT_EQ(begun, 1);
-  EXPECT_EQ(state.opening, 0.0);
+  EXPECT_EQ(state.clearance_offset, 0.0);
   EXPECT_NEAR((journal_force(stepper.bearing(), state.film, state.speed) - to.journal).norm(), 0.0, 1e-6);
 }
 

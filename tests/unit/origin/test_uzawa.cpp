@@ -64,7 +64,7 @@ TEST(UzawaOptions, FollowFromStiffnessAndForces) {
   EXPECT_DOUBLE_EQ(uzawa_options_for(stacked).eps_alm, 4.5e6);
 }
 
-TEST(Uzawa, ItsStatesAreNotJudgedByResiduals) {
+TEST(Uzawa, ItsStatesAreNotCheckedByResiduals) {
   const UzawaSolver uzawa(toy::dragged_block(), options);
   EXPECT_GT(uzawa.bounds().force, 1e300);
   EXPECT_GT(uzawa.bounds().load, NewtonSolver(toy::dragged_block()).bounds().load);

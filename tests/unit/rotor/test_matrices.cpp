@@ -130,7 +130,7 @@ TEST(FindMatrixFaults, NamesWhatIsWrong) {
             Keys{"G"});
 }
 
-TEST(FindMatrixFaults, JudgesPlaces) {
+TEST(FindMatrixFaults, ChecksPlaces) {
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.bearings.pop_back(); }), Keys{"bearing"});
   EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t n) { m.bearings[1].x = static_cast<int>(n); }),
             Keys{"bearing[2].x"});

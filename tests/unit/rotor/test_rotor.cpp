@@ -138,11 +138,10 @@ TEST(RotorStation, MovesOnAnOrbitWithTheRotor) {
 
 /// The whole mass in the direction of gravity; no moment about the centre of mass.
 TEST(Rotor, HasAWeight) {
-  const Eigen::Vector4d weight = make_rigid_rotor(rigid_design()).weight({3.0, -9.81});
+  const Eigen::Vector4d weight = make_rigid_rotor(rigid_design()).inertia_force({3.0, -9.81});
   EXPECT_LT((weight - Eigen::Vector4d(6.6, -21.582, 0.0, 0.0)).norm(), 1e-14 * 21.582);
 }
 
-/// Under static loads at the bearings, stations move as those of the full model: no interior forces excite the modes.
 /// A force of the bearing does the same work on the journal as on the rotor.
 TEST(RotorStation, PutsWhatABearingDoesOnTheRotor) {
   RotorStation station = make_rigid_rotor(rigid_design()).bearings.back();
@@ -158,6 +157,7 @@ TEST(RotorStation, PutsWhatABearingDoesOnTheRotor) {
   EXPECT_GT(std::abs(q.dot(force).imag()), 1.0);
 }
 
+/// Under static loads at the bearings, stations move as those of the full model: no interior forces excite the modes.
 TEST(ReducedRotor, BendsUnderStaticLoadsAsTheWholeOneDoes) {
   ShaftDesign design = shaft_design();
   design.bearings = {0.03, 0.15, 0.27};

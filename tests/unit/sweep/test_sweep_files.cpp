@@ -375,8 +375,8 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
     estimate_mesh_errors(sweep.cases[1], alone);
     ASSERT_EQ(alone.states.size(), 6U);
     for (const RunningState& state : alone.states) {
-      const std::size_t speed = state.asked.speed == 4700.0 ? 0 : 1;
-      const std::size_t load = state.asked.journal.x() == 30.0 ? 0 : state.asked.journal.x() == 40.0 ? 1 : 2;
+      const std::size_t speed = state.requested.speed == 4700.0 ? 0 : 1;
+      const std::size_t load = state.requested.journal.x() == 30.0 ? 0 : state.requested.journal.x() == 40.0 ? 1 : 2;
       for (const RunningQuantity& quantity : running_quantities(*alone.bearing)) {
         if (quantity.name == "wall_time") continue;
         const netCDF::NcVar variable = file.getVar(std::string(quantity.name));

@@ -107,12 +107,12 @@ struct Cycle {
   int due{};                         ///< increments of the whole cycle, the first included
   Status status{Status::converged};  ///< of the whole: that of the increment that ended it, or `interrupted`
 
-  /// All that were taken, unless quantities alone were asked for. Where a cycle fails, the last is the one that failed.
+  /// All that were taken, unless quantities alone were requested. Where a cycle fails, the last is the one that failed.
   std::vector<Increment> increments;
   FoilFields fields;               ///< one row per increment that was solved; empty with quantities alone
   std::vector<CycleEvent> events;  ///< only from the event-driven solver
   std::optional<Increment> start;  ///< increment 0
-  std::vector<LoopPoint> curve;    ///< where it was asked for: the loop, linear between its points
+  std::vector<LoopPoint> curve;    ///< where it was requested: the loop, linear between its points
   std::vector<Increment> turns;    ///< ends of the legs that were reached; the first is the turning point
 
   double initial_journal_load{};  ///< sum of journal loads at increment 0, N
@@ -134,7 +134,7 @@ struct Cycle {
   /// Of a push: where the direct force last rises through 1 % of its maximum, m. Under scatter the first touch lies
   /// micrometres before any load. Absent without a load.
   std::optional<double> take_up;
-  std::vector<Clearance> clearances;           ///< of a push, at the thresholds that were asked for
+  std::vector<Clearance> clearances;           ///< of a push, at the thresholds that were requested
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
   std::optional<StressPeak> bump_foil_stress;  ///< absent where the model has none: truss, Le Lez (2007)
   std::optional<CompressionPeak> compression;  ///< absent with quantities alone
@@ -173,9 +173,9 @@ using RecordSink = std::function<void(const CycleResult&)>;
 
 /// What is recorded of a cycle in addition to its quantities.
 enum class Recording {
-  everything,  ///< increments and fields; every increment is judged by its residuals
-  curve,       ///< the loop alone; judged as with `quantities`
-  quantities,  ///< nothing: increment 0, those where legs end and the last are judged; no stresses
+  everything,  ///< increments and fields; every increment is checked by its residuals
+  curve,       ///< the loop alone; checked as with `quantities`
+  quantities,  ///< nothing: increment 0, those where legs end and the last are checked; no stresses
 };
 
 /// Runs cycles of one bearing: foils shared with others, states of its own.

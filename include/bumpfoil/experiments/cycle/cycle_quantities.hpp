@@ -59,10 +59,10 @@ class CycleQuantities {
   explicit CycleQuantities(Cycle& cycle) : cycle_(cycle), loading_(cycle.first_contact) {}
 
   /// The next increment.
-  /// @param judged    its energy and residuals are known
+  /// @param checked    its energy and residuals are known
   /// @param ends_leg  a leg of the program ends with it
   /// @param way       what is known of the way to it
-  void add(const Increment& increment, bool judged, bool ends_leg, std::span<const LoadingCurve::Point> way = {});
+  void add(const Increment& increment, bool checked, bool ends_leg, std::span<const LoadingCurve::Point> way = {});
 
   /// Loads and tangents at the turning point, once its increment was added.
   void turn(TurningPoint response);

@@ -77,12 +77,12 @@ struct FilmLimit {
 /// A state of a running bearing, as requested and as found.
 struct RunningState {
   FilmPath path{};                       ///< that led here
-  OperatingPoint asked;                  ///< speed, and load or position
+  OperatingPoint requested;              ///< speed, and load or position
   std::optional<OperatingPoint> before;  ///< state of the path that this one was reached from; none: from rest
   FilmReport report;   ///< of the way from the state before, or from rest; `not_reached` where that was not found
   double wall_time{};  ///< s
-  /// Where the path came to: the state that was asked for if the report says so, else the last one that was found on
-  /// the way, if any was; its opening is not zero where the clearance had not closed yet.
+  /// Where the path came to: the state that was requested if the report says so, else the last one that was found on
+  /// the way, if any was; its clearance offset is not zero where the clearance had not closed yet.
   std::optional<BearingState> last;
   std::optional<FilmBearingOutcome> outcome;  ///< of it
   /// FilmBearing::by_slopes() of dF/dq of it: of further motion, and with all closed contacts stuck; absent where they
@@ -97,14 +97,14 @@ struct RunningState {
   std::optional<CriticalMass> critical_mass, stuck_critical_mass;
   /// At the frequencies of the case, or at that of the rotation: one entry or more.
   std::vector<FilmWhirl> whirls;
-  std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
-  /// For rotor dynamics, where StateJudges saw to it: at the frequency of the rotation, and at the frequencies that all
-  /// states have in common, tabulated_frequencies().
+  std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was requested
+  /// For rotor dynamics, where StateCheckers see to it: at the frequency of the rotation, and at the frequencies that
+  /// all states have in common, tabulated_frequencies().
   std::optional<FilmWhirl> synchronous;
   std::vector<FilmWhirl> tabulated;
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
   std::optional<double> top_foil_stress, bump_foil_stress;
-  /// Limits under its load and at its speed, where they were asked for.
+  /// Limits under its load and at its speed, where they were requested.
   std::optional<FilmLimit> lift_off_speed, load_capacity;
   /// |Omega| at which the torque under its load is least, rad/s: of add_least_torque_speeds().
   std::optional<double> least_torque_speed;
@@ -125,9 +125,9 @@ struct OtherBranch {
 struct EquilibriumResult {
   SharedFilmBearing bearing;
   std::vector<RunningState> states;         ///< path after path, in the order in which they were found
-  bool with_limits{};                       ///< limits were asked for
+  bool with_limits{};                       ///< limits were requested
   std::vector<FilmLimit> limits;            ///< of add_film_limits(), where they were
-  std::vector<OtherBranch> other_branches;  ///< of analyse_running_bearing(), where a second path was asked for
+  std::vector<OtherBranch> other_branches;  ///< of analyse_running_bearing(), where a second path was requested
 
   /// All states and limits were found.
   [[nodiscard]] bool converged() const;
@@ -139,24 +139,24 @@ FilmBearing require_running_bearing(const Case& input);
 
 /// Arranges the assessment of states: stability, stiffness, critical mass, stresses, and coefficients for rotor
 /// dynamics. The search along a path does not wait for it. This class assesses states immediately.
-class StateJudges {
+class StateCheckers {
  public:
-  virtual ~StateJudges() = default;
+  virtual ~StateCheckers() = default;
 
-  /// Judges a state by `judge`, now or on another thread until finish(): the state stays where it is.
-  virtual void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/, const std::function<void()>& judge) {
-    judge();
+  /// Checks a state by `check`, now or on another thread until finish(): the state stays where it is.
+  virtual void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/, const std::function<void()>& check) {
+    check();
   }
 
-  /// Waits until all are judged. @throws what was thrown on other threads
+  /// Waits until all are checked. @throws what was thrown on other threads
   virtual void finish() {}
 };
 
-/// Judges none: states count by where they lie and by their films alone.
-class NoJudges final : public StateJudges {
+/// Checks none: states count by where they lie and by their films alone.
+class NoCheckers final : public StateCheckers {
  public:
   void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/,
-            const std::function<void()>& /*judge*/) override {}
+            const std::function<void()>& /*check*/) override {}
 };
 
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
@@ -183,7 +183,7 @@ class NoJudges final : public StateJudges {
 ///
 /// If the foils leave too little space for a film around a centred journal (0.3 C_r, less the lobes, below
 /// film.h_floor, or C_r <= 0), they are opened before the cold start: C_r is increased until the assembled clearance is
-/// c. Once the first state is reached in this way, or the one at 1.5 times its speed, the opening closes in `steps`
+/// c. Once the first state is reached in this way, or the one at 1.5 times its speed, the clearance closes in `steps`
 /// equal increments at constant load or position. If it cannot close, the last state says how far it closed.
 ///
 /// With `prefer_stable`, on one path, every state that is unstable with the journal held is replaced by the first
@@ -195,17 +195,18 @@ class NoJudges final : public StateJudges {
 ///
 /// @param paths     which to take, one after the other; empty: the one of the case
 /// @param progress  called with the fraction that is done; returning false ends the run
-/// @param judges    of the states on these paths; none: each is judged before the next is looked for, and not for rotor
+/// @param checkers    of the states on these paths; none: each is checked before the next is looked for, and not for
+/// rotor
 ///                  dynamics
 /// @throws Error (input) as require_running_bearing() does
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
-                                  const std::function<bool(double)>& progress = {}, StateJudges* judges = nullptr);
+                                  const std::function<bool(double)>& progress = {}, StateCheckers* checkers = nullptr);
 
 /// The same of a bearing that is there already, along these paths.
 /// @param thickness_floor  film.h_floor, m
 EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
                               double thickness_floor, const std::vector<FilmPath>& paths,
-                              const std::function<bool(double)>& progress = {}, StateJudges* judges = nullptr);
+                              const std::function<bool(double)>& progress = {}, StateCheckers* checkers = nullptr);
 
 /// Frequencies that all states of a case are tabulated at, rad/s, rising: those of the case; where it names none, from
 /// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine or more lie between 0.2

@@ -22,7 +22,7 @@ RunStatus status_of(const EquilibriumResult& result);
 /// or film.csv; result.nc and summary.json, with the same run id and checksums as those of cycles.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
-/// @param result  judged for rotor dynamics, see StateJudges: coefficients.toml has no bearing without
+/// @param result  checked for rotor dynamics, see StateCheckers: coefficients.toml has no bearing without
 /// @throws Error (file) if the memory does not suffice
 std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
                                           const Provenance& provenance);

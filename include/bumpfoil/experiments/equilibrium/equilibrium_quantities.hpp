@@ -26,11 +26,11 @@ namespace tag {
 
 inline constexpr Tags of_foils = first_of_experiment;  ///< not of walls in their place
 inline constexpr Tags of_pads = 2 * of_foils;          ///< of several alone
-inline constexpr Tags of_limits = 2 * of_pads;         ///< known where limits were asked for
+inline constexpr Tags of_limits = 2 * of_pads;         ///< known where limits were requested
 inline constexpr Tags is_bump = 2 * of_limits;         ///< the number of one, through all pads
-/// Known of states that were not found, too: what was asked for, and how that ended.
-inline constexpr Tags asked = 2 * is_bump;
-inline constexpr Tags demand = 2 * asked;              ///< speed and load that were asked for
+/// Known of states that were not found, too: what was requested, and how that ended.
+inline constexpr Tags requested = 2 * is_bump;
+inline constexpr Tags demand = 2 * requested;          ///< speed and load that were requested
 inline constexpr Tags of_asperities = 2 * demand;      ///< not of smooth surfaces
 inline constexpr Tags of_width = 2 * of_asperities;    ///< not of films that are uniform over the width
 inline constexpr Tags of_uniform_film = 2 * of_width;  ///< of those alone
@@ -46,7 +46,7 @@ using RunningQuantity = Quantity<double (*)(const FilmBearing&, const RunningSta
 
 /// In the order of files and tables: of a bearing with foils, of one pad or several, or of one with a wall in their
 /// place.
-/// @param limits  whether these were asked for
+/// @param limits  whether these were requested
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits = false);
 
 /// Of bearings of all kinds.

@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// All that the command `equilibrium` reports: run_equilibrium() on the paths that the case names, judged for rotor
+/// All that the command `equilibrium` reports: run_equilibrium() on the paths that the case names, checked for rotor
 /// dynamics, too, the errors of the mesh (estimate_mesh_errors()), a second path to compare with
 /// (EquilibriumResult::other_branches) unless equilibrium.paths says otherwise, and the limits of add_film_limits()
 /// where equilibrium.limits asks for them.

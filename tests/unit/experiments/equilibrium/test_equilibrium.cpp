@@ -28,16 +28,16 @@ TEST(Equilibrium, RampsLoads) {
   EXPECT_TRUE(result.converged());
   for (const RunningState& state : result.states) {
     EXPECT_EQ(state.path, FilmPath::load_ramp);
-    EXPECT_EQ(state.last->speed, state.asked.speed);
-    EXPECT_LT((state.outcome->force - state.asked.journal).norm(), 1e-7);  // N
+    EXPECT_EQ(state.last->speed, state.requested.speed);
+    EXPECT_LT((state.outcome->force - state.requested.journal).norm(), 1e-7);  // N
     EXPECT_GT(state.outcome->attitude_angle, 0.0);
     EXPECT_LT(state.outcome->attitude_angle, 1.6);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-4 * state.outcome->torque);
     ASSERT_TRUE(state.stiffness && state.stuck_stiffness);
     EXPECT_GT(state.stiffness->determinant(), 0.0);
   }
-  EXPECT_EQ(result.states[1].asked.journal, Eigen::Vector2d(40.0, 10.0));
-  EXPECT_EQ(result.states[2].asked.speed, 0.8 * speed);
+  EXPECT_EQ(result.states[1].requested.journal, Eigen::Vector2d(40.0, 10.0));
+  EXPECT_EQ(result.states[2].requested.speed, 0.8 * speed);
 }
 
 TEST(Equilibrium, PlansTheStatesThatItWouldFind) {
@@ -48,7 +48,7 @@ TEST(Equilibrium, PlansTheStatesThatItWouldFind) {
   ASSERT_EQ(planned.size(), found.size());
   for (std::size_t i = 0; i < planned.size(); ++i) {
     EXPECT_EQ(planned[i].path, found[i].path);
-    EXPECT_EQ(planned[i].asked, found[i].asked);
+    EXPECT_EQ(planned[i].requested, found[i].requested);
     EXPECT_EQ(planned[i].before, found[i].before);
     EXPECT_EQ(planned[i].report.status, Status::interrupted);
   }
@@ -81,7 +81,7 @@ TEST(Equilibrium, TellsWhetherStatesLast) {
       running_case({.speeds = {speed, -speed}, .loads = {{30.0, 0.0}}, .path = FilmPath::cold_start}, 0.1));
   ASSERT_TRUE(result.converged());
   for (const RunningState& state : result.states) {
-    const bool at_weld = state.asked.speed < 0.0;
+    const bool at_weld = state.requested.speed < 0.0;
     const auto& [sliding, stuck] = state.held;
     ASSERT_TRUE(sliding && stuck);
     EXPECT_EQ(state.held.is_stable(), at_weld);
@@ -96,15 +96,15 @@ TEST(Equilibrium, PrefersStableStatesWhereThereAreAny) {
   EquilibriumSettings settings{.speeds = {speed_of_rpm(20000.0)}, .loads = {{10.0, 0.0}, {30.0, 0.0}}};
   const EquilibriumResult as_found = run_equilibrium(running_case(settings));
   settings.prefer_stable = true;
-  StateJudges judges;
-  const EquilibriumResult result = run_equilibrium(running_case(settings), {}, {}, &judges);
+  StateCheckers checkers;
+  const EquilibriumResult result = run_equilibrium(running_case(settings), {}, {}, &checkers);
   ASSERT_EQ(result.states.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(result.states[i].tabulated.size(), tabulated_frequencies(settings).size());
     EXPECT_EQ(as_found.states[i].held.is_stable(), false);
     EXPECT_FALSE(as_found.states[i].instead_of_unstable);
     EXPECT_TRUE(result.states[i].found());
-    EXPECT_EQ(result.states[i].asked, as_found.states[i].asked);
+    EXPECT_EQ(result.states[i].requested, as_found.states[i].requested);
   }
   EXPECT_EQ(result.states[0].last->position, as_found.states[0].last->position);
   EXPECT_FALSE(result.states[0].instead_of_unstable);
@@ -139,8 +139,8 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
       .speeds = {speed, 0.8 * speed}, .positions = {{1e-5, 0.0}}, .path = FilmPath::cold_start, .steps = 2};
   Case input = running_case(settings, 0.1);
   EXPECT_FALSE(run_equilibrium(input).states[0].synchronous);
-  StateJudges judges;
-  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
+  StateCheckers checkers;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const RunningState& state = result.states[0];
   ASSERT_TRUE(state.synchronous);
   EXPECT_EQ(state.synchronous->frequency, speed);
@@ -151,7 +151,7 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
   EXPECT_LT(((*Z)[0] - *state.tabulated[2].impedance).norm(), 1e-8 * (*Z)[0].norm());
 
   input.equilibrium->frequencies = {2.0 * speed, 0.5 * speed};
-  const EquilibriumResult given = run_equilibrium(input, {}, {}, &judges);
+  const EquilibriumResult given = run_equilibrium(input, {}, {}, &checkers);
   ASSERT_EQ(given.states[1].tabulated.size(), 2U);
   EXPECT_EQ(given.states[1].tabulated[0].frequency, 0.5 * speed);
   EXPECT_EQ(*given.states[1].tabulated[0].impedance, *given.states[1].whirls[1].impedance);
@@ -170,8 +170,8 @@ TEST(Equilibrium, PathsLeadToStatesThatCarryTheLoad) {
     const RunningState& state = result.states[i];
     ASSERT_TRUE(state.found());
     EXPECT_EQ(state.path, paths[i / 2]);
-    EXPECT_LT((state.outcome->force - state.asked.journal).norm(), 1e-7);  // N
-    EXPECT_EQ(state.last->speed, state.asked.speed);
+    EXPECT_LT((state.outcome->force - state.requested.journal).norm(), 1e-7);  // N
+    EXPECT_EQ(state.last->speed, state.requested.speed);
   }
 }
 
@@ -239,7 +239,7 @@ TEST(Equilibrium, ClosesAClearanceThatWasOpened) {
       ASSERT_EQ(result.states.size(), 4U);
       for (const RunningState& state : result.states) {
         ASSERT_EQ(state.report.status, Status::converged) << static_cast<int>(path);
-        EXPECT_EQ(state.last->opening, 0.0);
+        EXPECT_EQ(state.last->clearance_offset, 0.0);
         EXPECT_GT(state.last->position.x(), 2e-6);
         EXPECT_GT(state.last->film.thickness.minCoeff(), 0.0);
       }
@@ -259,7 +259,7 @@ TEST(Equilibrium, SaysHowFarAClearanceClosed) {
   const RunningState& failed = result.states.at(0);
   EXPECT_EQ(failed.report.status, Status::touchdown);
   ASSERT_TRUE(failed.last && failed.outcome);
-  const double clearance = input.bearing.radial_clearance + failed.last->opening;
+  const double clearance = input.bearing.radial_clearance + failed.last->clearance_offset;
   EXPECT_GT(clearance, 0.2e-6);
   EXPECT_LT(clearance, 0.4e-6);
   const double h = failed.outcome->thinnest.thickness * result.bearing->scales.thickness;
@@ -277,9 +277,9 @@ TEST(Equilibrium, ClosesPadsInOnTheJournal) {
   input.bearing.radial_clearance = 20e-6;
   input.pads.assign(3, {.lobe = 21e-6});
   const EquilibriumResult result = run_equilibrium(input);
-  EXPECT_LT(result.bearing->room, 0.0);
+  EXPECT_LT(result.bearing->assembled_clearance, 0.0);
   ASSERT_EQ(result.states.at(0).report.status, Status::converged);
-  EXPECT_EQ(result.states[0].last->opening, 0.0);
+  EXPECT_EQ(result.states[0].last->clearance_offset, 0.0);
   EXPECT_LT((result.states[0].outcome->force - Eigen::Vector2d(20.0, 0.0)).norm(), 1e-7);  // N
 }
 
@@ -319,7 +319,7 @@ TEST(Equilibrium, StartsInTheRoomThatLobesLeave) {
     input.pads.assign(3, {.lobe = 16e-6});
     const EquilibriumResult result = run_equilibrium(input);
     EXPECT_EQ(result.states.at(0).report.status, Status::converged) << static_cast<int>(path);
-    EXPECT_EQ(result.bearing->room, input.bearing.radial_clearance - 16e-6);
+    EXPECT_EQ(result.bearing->assembled_clearance, input.bearing.radial_clearance - 16e-6);
   }
 }
 

@@ -125,8 +125,8 @@ TEST(EquilibriumFiles, TellOfTiltedJournals) {
   Case input = small_case();
   input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
   input.equilibrium->loads = {{40.0, 0.0}};
-  StateJudges judges;
-  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
+  StateCheckers checkers;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
   EXPECT_NE(files[0].contents.find(",tilt_x_rad,tilt_y_rad,moment_x_N_m,moment_y_N_m,"), std::string::npos);
   EXPECT_NE(files[1].contents.find(",kaa_N_m_per_rad,"), std::string::npos);
@@ -147,7 +147,7 @@ TEST(EquilibriumFiles, TellOfTiltedJournals) {
 
   // Tilted the other way all is mirrored: the linear part over the width changes its sign, the parabola does not.
   input.width.tilt = {-1e-4, 0.0};
-  const EquilibriumResult other = run_equilibrium(input, {}, {}, &judges);
+  const EquilibriumResult other = run_equilibrium(input, {}, {}, &checkers);
   const netCDF::NcFile mirrored(
       folder.write("mirrored.nc", equilibrium_files(input, other, RunStatus::complete, {})[3].contents),
       netCDF::NcFile::read);
@@ -163,8 +163,8 @@ TEST(EquilibriumFiles, TellOfTiltedJournals) {
 TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   Case input = small_case();
   input.equilibrium->frequencies = {4000.0, 2000.0, 1000.0};
-  StateJudges judges;
-  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
+  StateCheckers checkers;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const std::vector<FilmWhirl>& whirls = result.states[1].whirls;
   const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
   const test_support::TemporaryFolder folder;
@@ -193,8 +193,8 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
 }
 
 TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
-  StateJudges judges;
-  const EquilibriumResult result = run_equilibrium(small_case(), {}, {}, &judges);
+  StateCheckers checkers;
+  const EquilibriumResult result = run_equilibrium(small_case(), {}, {}, &checkers);
   const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(
       folder.write("result.nc", equilibrium_files(small_case(), result, RunStatus::complete, {})[3].contents),
@@ -211,7 +211,7 @@ TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
 
 TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
   EquilibriumResult result = example(true);
-  result.states[1].last->opening = 2e-6;
+  result.states[1].last->clearance_offset = 2e-6;
   const std::vector<ResultFile> files = equilibrium_files(small_case(), result, RunStatus::failed, {});
   const json failed = json::parse(files[4].contents).at("states").at(1);
   EXPECT_TRUE(failed.at("x_m").is_null());
@@ -236,7 +236,7 @@ TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
   EXPECT_DOUBLE_EQ(h_min[0], found.outcome->thinnest.thickness * example().bearing->scales.thickness);
   EXPECT_EQ(h_min[1], NC_FILL_DOUBLE);  // of the state that was not found
   file.getVar("speed").getVar(speed.data());
-  EXPECT_EQ(speed[1], example(true).states[1].asked.speed);
+  EXPECT_EQ(speed[1], example(true).states[1].requested.speed);
   std::vector<double> p(2 * 4 * 105);
   file.getVar("pressure").getVar(p.data());
   EXPECT_DOUBLE_EQ(p[1 * 105 + 50], 101325.0 * found.last->film.pressure(1, 50));
@@ -336,7 +336,7 @@ TEST(EquilibriumTable, ShowsTheStates) {
 
 TEST(EquilibriumTable, ComparesPaths) {
   EquilibriumResult two = example();
-  two.states[1].asked = two.states[0].asked;
+  two.states[1].requested = two.states[0].requested;
   EXPECT_TRUE(path_spreads(two).empty());  // the same path twice
   two.states[1].path = FilmPath::cold_start;
   const std::vector<PathSpread> spreads = path_spreads(two);
@@ -363,7 +363,7 @@ TEST(EquilibriumLines, NameStatesByWhereTheyCameFrom) {
   EXPECT_EQ(name_of_state(state), "load_ramp from rest, 45000 rpm, load (30, 0) N");
   state = example().states[1];
   EXPECT_EQ(name_of_state(state), "load_ramp from load (30, 0) N, 45000 rpm, load (60, 0) N");
-  state.before = state.asked;
+  state.before = state.requested;
   state.before->speed *= 2.0;
   EXPECT_EQ(name_of_state(state), "load_ramp from 90000 rpm, 45000 rpm, load (60, 0) N");
   const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
@@ -378,7 +378,7 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
   FilmLimit& limit = result.limits.emplace_back();
   limit.kind = FilmLimitKind::load_capacity;
   limit.status = Status::converged;
-  limit.thick = result.states[0].asked;
+  limit.thick = result.states[0].requested;
   limit.jumps = 2;
   limit.unstable = {{30.0, 45.0}, {70.0, 70.0}};
   limit.unknown = 3;
@@ -405,7 +405,7 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
 TEST(EquilibriumFiles, TellWhatBoundsALimitAndWhatIsUnstable) {
   EquilibriumResult result = example();
   result.with_limits = true;
-  const OperatingPoint& point = result.states[0].asked;
+  const OperatingPoint& point = result.states[0].requested;
   result.limits = {{.kind = FilmLimitKind::lift_off_speed,
                     .status = Status::converged,
                     .bounded_by = LimitBound::stability,

@@ -18,7 +18,7 @@ struct Example {
   RunningState state{};
 
   Example() {
-    state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
+    state.requested = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
     state.report.status = Status::converged;
     state.last = resting(bearing, Eigen::Vector2d(10e-6, 0.0), 1000.0);
     state.last->film.pressure.block(0, 40, 4, 2).setConstant(1.5);
@@ -93,7 +93,7 @@ TEST(RunningQuantities, KnowOfFailedStatesWhatWasAskedForAlone) {
   EXPECT_NE(failure.find("load (50, -1) N: touchdown"), std::string::npos) << failure;
   EXPECT_NE(failure.find("; last state found: 9549.3 rpm, journal (10, 0) um"), std::string::npos) << failure;
   EXPECT_EQ(failure.find("clearance"), std::string::npos) << failure;
-  example.state.last->opening = 2e-6;
+  example.state.last->clearance_offset = 2e-6;
   const std::string opened = running_failure(example.bearing, example.state);
   EXPECT_NE(opened.find("with the clearance at 33.8 um, closing to 31.8 um"), std::string::npos) << opened;
 }
@@ -106,7 +106,7 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   input.pads[1].weld_edge = WeldEdge::trailing;
   const FilmBearing bearing = make_film_bearing(input);
   RunningState state;
-  state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
+  state.requested = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
   state.report.status = Status::converged;
   state.last = resting(bearing, Eigen::Vector2d(10e-6, 0.0), 1000.0);
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);   // neither is in contact
@@ -114,7 +114,7 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 8);   // all of pad 2
   state.last->contacts.normal_force[2 * (9 + 4)] = 1.0;  // bump 5 of pad 2
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 4);
-  state.asked.speed = -1000.0;
+  state.requested.speed = -1000.0;
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 4);
   state.last->contacts.normal_force[2 * 1] = 1.0;  // bump 2 of pad 1
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 3);

@@ -21,7 +21,7 @@ FilmWhirl whirl_of(double frequency, double stiffness) {
 /// @param whirls  at the tabulated frequencies; synchronous whirl has a stiffness of a tenth of the speed
 RunningState state_of(double speed, const Eigen::Vector2d& load, std::vector<FilmWhirl> whirls) {
   RunningState state;
-  state.asked = OperatingPoint::loaded_by(load, speed);
+  state.requested = OperatingPoint::loaded_by(load, speed);
   state.report.status = Status::converged;
   state.synchronous = whirl_of(std::abs(speed), 0.1 * std::abs(speed));
   state.tabulated = std::move(whirls);
@@ -194,8 +194,8 @@ TEST(FilmRossToml, TellsAnUnstableRotorByItsTableAloneNotBySynchronousWhirl) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, 0.0);
   input.equilibrium = EquilibriumSettings{
       .speeds = {-speed, -0.9 * speed}, .loads = {{9.81 * mass, 0.0}}, .path = FilmPath::cold_start, .steps = 3};
-  StateJudges judges;
-  const EquilibriumResult result = run_equilibrium(input, {}, {}, &judges);
+  StateCheckers checkers;
+  const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const toml::table document = toml::parse(film_ross_toml(input, result, "run"));
   expect_all_taken(document);
   const toml::table& table = *document["bearing"][0]["element"].as_table();

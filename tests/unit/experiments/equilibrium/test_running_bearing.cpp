@@ -50,7 +50,7 @@ TEST(RunningBearing, SaysWhereASecondPathEndsElsewhere) {
   const EquilibriumResult two = analyse_running_bearing(coarse_case(settings));
   ASSERT_EQ(two.states.size(), 3U);  // of the second path none is kept
   EXPECT_FALSE(two.states[0].before.has_value());
-  EXPECT_EQ(two.states[2].before, two.states[1].asked);
+  EXPECT_EQ(two.states[2].before, two.states[1].requested);
   EXPECT_TRUE(two.states[2].mesh_error.has_value());
 
   settings.paths = ComparedPaths::all;
@@ -64,7 +64,7 @@ TEST(RunningBearing, SaysWhereASecondPathEndsElsewhere) {
   for (std::size_t i = 0; i < 3; ++i) {
     const RunningState& coasting = all.states[3 + i];
     ASSERT_EQ(coasting.path, FilmPath::speed_ramp);
-    ASSERT_EQ(coasting.asked, two.states[i].asked);
+    ASSERT_EQ(coasting.requested, two.states[i].requested);
     const bool differs = std::abs(h_min(coasting) / h_min(two.states[i]) - 1.0) > 0.02;
     if (!differs) continue;
     ASSERT_LT(different, two.other_branches.size());
@@ -101,10 +101,10 @@ TEST(RunningBearing, TellsProgressOfAllParts) {
 }
 
 /// Bit-identical: results of checks on other threads do not depend on threads or order.
-TEST(RunningBearing, IsJudgedOnAllCoresAsOnOne) {
+TEST(RunningBearing, IsCheckedOnAllCoresAsOnOne) {
   const Case input = rough_case({0.0, speed_of_rpm(20000.0), speed_of_rpm(30000.0), speed_of_rpm(45000.0)});
   const EquilibriumResult parallel = analyse_running_bearing(input);
-  StateJudges at_once;
+  StateCheckers at_once;
   EquilibriumResult one = run_equilibrium(input, {}, {}, &at_once);
   estimate_mesh_errors(input, one);
   ASSERT_TRUE(one.converged());
@@ -133,7 +133,7 @@ TEST(RunningBearing, IsJudgedOnAllCoresAsOnOne) {
 }
 
 /// States found before an interruption, or before the callback throws, are still checked.
-TEST(RunningBearing, JudgesWhatItFoundBeforeAnInterruption) {
+TEST(RunningBearing, ChecksWhatItFoundBeforeAnInterruption) {
   const Case input = rough_case({speed_of_rpm(45000.0), speed_of_rpm(40000.0), speed_of_rpm(35000.0)});
   const EquilibriumResult result = analyse_running_bearing(input, [](double fraction) { return fraction < 0.6; });
   ASSERT_EQ(result.states.size(), 3U);

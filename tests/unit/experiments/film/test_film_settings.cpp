@@ -20,7 +20,7 @@ using test_support::Keys;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(FindFaults, JudgesTheFeed) {
+TEST(FindFaults, ChecksTheFeed) {
   const auto feed = [](double pressure) {
     return faulty_keys([&](Case& input) { input.film.inlet_pressure = pressure; });
   };
@@ -28,7 +28,7 @@ TEST(FindFaults, JudgesTheFeed) {
   EXPECT_EQ(feed(-1.0), Keys{"film.inlet_pressure"});
 }
 
-TEST(FindFaults, JudgesRoughSurfaces) {
+TEST(FindFaults, ChecksRoughSurfaces) {
   const auto rough = [](const AsperitySettings& settings) {
     return faulty_keys([&](Case& input) { input.asperity = settings; });
   };
@@ -56,7 +56,7 @@ TEST(FindFaults, JudgesRoughSurfaces) {
 }
 
 /// Foils that vary over the width are available under films.
-TEST(FindFaults, JudgesTheModesOverTheWidth) {
+TEST(FindFaults, ChecksTheModesOverTheWidth) {
   const auto with_modes = [](
                               int modes, const std::function<void(Case&)>& change = [](Case&) {}) {
     return faulty_keys([&](Case& input) {
@@ -103,7 +103,7 @@ TEST(FindFaults, JudgesTheModesOverTheWidth) {
 }
 
 /// A tilted journal is computed by `equilibrium` and `film`, one that is free to tilt only by `equilibrium`.
-TEST(FindFaults, JudgesTheTilt) {
+TEST(FindFaults, ChecksTheTilt) {
   const auto width = [](const std::function<void(WidthSettings&)>& change, const std::string& command) {
     Case input = reference_case();
     input.equilibrium =
@@ -183,7 +183,7 @@ TEST(FindFaults, JudgesTheTilt) {
             Keys{"width.moment[1]"});
 }
 
-TEST(FindFaults, JudgesTheGas) {
+TEST(FindFaults, ChecksTheGas) {
   const auto gas = [](const std::function<void(GasSettings&)>& change) {
     return faulty_keys([&](Case& input) { change(input.gas); });
   };
@@ -196,7 +196,7 @@ TEST(FindFaults, JudgesTheGas) {
   EXPECT_EQ(gas([](GasSettings& g) { g.mean_free_path = -1e-9; }), Keys{"gas.mean_free_path"});
 }
 
-TEST(FindFaults, JudgesTheMeshOfTheFilm) {
+TEST(FindFaults, ChecksTheMeshOfTheFilm) {
   const auto film = [](const std::function<void(FilmSettings&)>& change) {
     return faulty_keys([&](Case& input) { change(input.film); });
   };
@@ -225,7 +225,7 @@ TEST(FindFaults, JudgesTheMeshOfTheFilm) {
   EXPECT_EQ(film([](FilmSettings& f) { f.h_lift_off = 0.05e-6; }), Keys{"film.h_lift_off"});  // below h_floor
 }
 
-TEST(FindFaults, JudgesStatesOfARunningBearing) {
+TEST(FindFaults, ChecksStatesOfARunningBearing) {
   const auto equilibrium = [](const std::function<void(Case&, EquilibriumSettings&)>& change) {
     return faulty_keys([&](Case& input) {
       input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};

@@ -29,8 +29,8 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
   EXPECT_FALSE(result.bearing->has_foils());
   for (const RunningState& state : result.states) {
     const FilmBearing& bearing = *result.bearing;
-    const SolvedFilm film = solve_rigid_film(film_equation(bearing, bearing.pads.front(), state.asked.speed),
-                                             bearing.undeformed_thickness(state.asked.journal));
+    const SolvedFilm film = solve_rigid_film(film_equation(bearing, bearing.pads.front(), state.requested.speed),
+                                             bearing.undeformed_thickness(state.requested.journal));
     EXPECT_LT((film.film.pressure - state.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-3 * state.outcome->torque);
     EXPECT_NEAR(state.outcome->dissipation, state.outcome->power, 1e-3 * state.outcome->power);
@@ -200,7 +200,7 @@ TEST(WallFilm, SpringsYield) {
     // H - H_rigid = (p - pa)/k, at the mid-plane of a column, or with the mean over it.
     const FilmBearing& bearing = *result.bearing;
     const Matrix yield =
-        bearing.scales.thickness * (state.last->film.thickness - bearing.undeformed_thickness(state.asked.journal));
+        bearing.scales.thickness * (state.last->film.thickness - bearing.undeformed_thickness(state.requested.journal));
     const auto p = state.last->film.pressure.col(50);
     const double mean = (0.5 * p[0] + p.segment(1, 5).sum() + 0.5 * p[6]) / 6.0;
     const double pressing = wall == FilmWall::springs ? p[0] : mean;

@@ -145,8 +145,8 @@ FitData rig_equilibria(Case truth, double x_origin) {
   const EquilibriumResult result = run_equilibrium(truth);
   for (const RunningState& state : result.states) {
     const auto& impedance = *state.whirls.front().impedance;
-    data.column(FitColumn::speed).values.push_back(state.asked.speed);
-    data.column(FitColumn::load_x).values.push_back(state.asked.journal.x());
+    data.column(FitColumn::speed).values.push_back(state.requested.speed);
+    data.column(FitColumn::load_x).values.push_back(state.requested.journal.x());
     read(FitColumn::h_min, state.outcome->thinnest.thickness * result.bearing->scales.thickness, 0.2e-6);
     read(FitColumn::torque, state.outcome->torque, 0.05e-3);
     read(FitColumn::x, state.last->position.x() + x_origin, 0.2e-6);
@@ -320,7 +320,7 @@ TEST(FitTables, AreReadByNamesAndUnits) {
   EXPECT_NE(gap.find("table.csv:3"), std::string::npos) << gap;
 }
 
-TEST(FitTables, AreJudged) {
+TEST(FitTables, AreChecked) {
   const auto refusal = [](const std::string& data,
                           const std::string& parameter = "friction.coefficient") -> std::string {
     const std::string text = case_template("gen1") + "\n[fit]\n[[fit.data]]\n" + data +

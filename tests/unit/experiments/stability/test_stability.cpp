@@ -190,14 +190,14 @@ TEST(Stability, EndsWhereItIsStopped) {
   EXPECT_FALSE(std::isnan(value_of(stopped.dataset(), "growth", 1)));
   EXPECT_TRUE(std::isnan(value_of(stopped.dataset(), "growth", 2)));
   // On the way to the first speed, and in the search for the last onset, where all speeds are there.
-  int asked = 0;
-  const Outcome early = stopped_where([&](double) { return ++asked < 3; });
+  int requested = 0;
+  const Outcome early = stopped_where([&](double) { return ++requested < 3; });
   EXPECT_EQ(early.status, RunStatus::interrupted);
   EXPECT_TRUE(std::isnan(value_of(early.dataset(), "growth", 0)));
   int all = 0;
   EXPECT_EQ(stopped_where([&](double) { return ++all > 0; }).status, RunStatus::complete);
-  asked = 0;
-  const Outcome late = stopped_where([&](double) { return ++asked < all; });
+  requested = 0;
+  const Outcome late = stopped_where([&](double) { return ++requested < all; });
   EXPECT_EQ(late.status, RunStatus::interrupted);
   EXPECT_FALSE(std::isnan(value_of(late.dataset(), "growth", 2)));
 }
@@ -220,7 +220,7 @@ TEST(Stability, WarnsOfFoilsThatFlutter) {
   EXPECT_EQ(value_of(run.dataset(), "fastest_of_foils"), 1.0);
 }
 
-TEST(FindFaults, JudgesSpeedsOfARotor) {
+TEST(FindFaults, ChecksSpeedsOfARotor) {
   const auto speeds = [](std::vector<double> all) {
     return faulty_keys([&](Case& input) {
       RotorSettings rotor;

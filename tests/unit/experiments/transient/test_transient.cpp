@@ -119,9 +119,9 @@ TEST(Transient, GoesOnFromItsFolder) {
   EXPECT_EQ(staged(
                 scratch.path() / "parts", false, [](double done) { return done < 0.5; }, input),
             RunStatus::interrupted);
-  int asked = 0;  // on the way to the first speed
+  int requested = 0;  // on the way to the first speed
   EXPECT_EQ(staged(
-                scratch.path() / "early", false, [&](double) { return ++asked < 3; }, input),
+                scratch.path() / "early", false, [&](double) { return ++requested < 3; }, input),
             RunStatus::interrupted);
   Case other = input;
   other.friction.top_bump = 0.2;

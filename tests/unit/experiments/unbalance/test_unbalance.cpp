@@ -343,15 +343,15 @@ TEST(Unbalance, FindsTheOrbit) {
 }
 
 TEST(Unbalance, EndsWhereItIsStopped) {
-  int asked = 0;
+  int requested = 0;
   const Outcome stopped =
       experiment_named("unbalance").run(unbalanced_case({-12000.0, -13500.0, -14000.0}), [&](double) {
-        return ++asked < 3;
+        return ++requested < 3;
       });
   EXPECT_EQ(stopped.status, RunStatus::interrupted);
 }
 
-TEST(FindFaults, JudgesUnbalances) {
+TEST(FindFaults, ChecksUnbalances) {
   const auto faults = [](const auto& change) {
     return faulty_keys([&](Case& input) {
       input.settings.set(UnbalanceSettings{.speeds = {1000.0}});
