@@ -202,18 +202,20 @@ class EliminatedSystem {
     return p;
   }
 
+  /// A block that is stored by columns, by rows.
+  static void store_transposed(const double* columns, Eigen::Index n, double* rows) {
+    for (Eigen::Index r = 0; r < n; ++r) {
+      for (Eigen::Index c = 0; c < n; ++c) rows[r * n + c] = columns[c * n + r];
+    }
+  }
+
   /// Stores rows_ as those of block b.
   void store_rows(std::size_t b) {
     const Eigen::Index n = B == Eigen::Dynamic ? K_.block_size : B;
-    const auto store = [n](const double* columns, double* rows) {
-      for (Eigen::Index r = 0; r < n; ++r) {
-        for (Eigen::Index c = 0; c < n; ++c) rows[r * n + c] = columns[c * n + r];
-      }
-    };
     const int i = static_cast<int>(b);
-    store(rows_.data(), lu_.lower(i).data());
-    store(rows_.data() + n * n, lu_.diagonal(i).data());
-    store(rows_.data() + 2 * n * n, lu_.upper(i).data());
+    store_transposed(rows_.data(), n, lu_.lower(i).data());
+    store_transposed(rows_.data() + n * n, n, lu_.diagonal(i).data());
+    store_transposed(rows_.data() + 2 * n * n, n, lu_.upper(i).data());
   }
 
   std::vector<ContactSite> sites_;
