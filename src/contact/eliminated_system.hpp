@@ -202,7 +202,7 @@ class EliminatedSystem {
     return p;
   }
 
-  /// A block that is stored by columns, by rows.
+  /// Copies a block that is stored by columns to one that is stored by rows.
   static void store_transposed(const double* columns, Eigen::Index n, double* rows) {
     for (Eigen::Index r = 0; r < n; ++r) {
       for (Eigen::Index c = 0; c < n; ++c) rows[r * n + c] = columns[c * n + r];

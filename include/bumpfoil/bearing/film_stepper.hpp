@@ -72,7 +72,7 @@ enum class TimeScheme : std::uint8_t {
 struct Move {
   JournalLaw law;             ///< what holds the journal
   double speed{};             ///< Omega, rad/s
-  double clearance_offset{};  ///< of the clearance, m
+  double clearance_offset{};  ///< as in OperatingPoint, m
   double dt{};                ///< time step, journal and foils without mass, s; 0: quasi-static
   TimeScheme scheme{TimeScheme::bdf2};
 };

@@ -34,7 +34,7 @@ Sample draw_sample(const Case& input, std::uint64_t number);
 /// Strips of the bump foil whose bumps have heights drawn of their own: 1 where all strips have the same.
 std::size_t strips_drawn_apart(const Case& input);
 
-/// Factors that sensitivities are requested: the heights of the bumps where they scatter, and each of
+/// Factors whose sensitivities are requested: the heights of the bumps where they scatter, and each of
 /// scattered_numbers() that does. The phase of waves is none, as it has no largest value.
 std::size_t factor_count(const Case& input);
 std::vector<double> factors_of(const Case& input, const Sample& sample);

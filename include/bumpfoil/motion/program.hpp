@@ -34,7 +34,7 @@ struct Leg {
   double end{};
   int steps{};
   Ramp speed{};             ///< Omega of a bearing that runs, rad/s
-  Ramp clearance_offset{};  ///< of its clearance, m
+  Ramp clearance_offset{};  ///< of a bearing that runs, m
   double dt{};              ///< time that each increment takes, s; 0: quasi-static
   Eigen::Vector2d tilt_from{0.0, 0.0};
   JournalTilt tilt{};  ///< at the end of the leg
