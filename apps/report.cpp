@@ -9,6 +9,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
+#include "bumpfoil/results/result_folder.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -46,11 +47,10 @@ void check_output(const std::filesystem::path& path, const ReportOptions& option
                                    "give the page another name, such as report.html"}});
   }
   for (const std::filesystem::path& folder : options.folders) {
-    for (const char* name :
-         {"summary.json",  "result.nc",     "cycle.csv",        "strip.csv",         "path.csv",      "equilibrium.csv",
-          "film.csv",      "sweep.nc",      "sweep.csv",        "ensemble.nc",       checkpoint_name, "vibration.csv",
-          "stability.csv", "unbalance.csv", "coefficients.csv", "coefficients.toml", "transient.csv", "fit.csv",
-          "fit.nc",        "points.csv",    "case.toml"}) {
+    std::vector<std::string> names = result_names();
+    names.insert(names.end(), {checkpoint_name, "case.toml"});
+    std::erase(names, "report.html");
+    for (const std::string& name : names) {
       if (!std::filesystem::equivalent(path, folder / name, code)) continue;
       throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is one of the results that this report reads",
                                      "give the page another name, such as report.html"}});

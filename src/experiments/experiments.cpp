@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/results/result_folder.hpp"
 #include "experiments/registry.hpp"
 
 namespace bumpfoil {
@@ -23,6 +24,23 @@ const ExperimentInfo& experiment_named(std::string_view name) {
                                   [&](const ExperimentInfo& experiment) { return experiment.name == name; });
   BUMPFOIL_ASSERT(found != experiments().end());
   return *found;
+}
+
+const std::vector<std::string>& result_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    const auto add = [&names](const std::string& name) {
+      if (name != "case.toml" && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const ExperimentInfo& experiment : experiments()) {
+      for (const std::string& name : experiment.files) add(name);
+    }
+    // Of sweeps, ensembles, studies and pages, which are no experiments.
+    for (const char* name : {"sweep.csv", "sweep.nc", "ensemble.nc", "study.json", "picture.svg", "report.html"})
+      add(name);
+    return names;
+  }();
+  return all;
 }
 
 std::vector<Fault> faults_of_run(const std::string& command, const Case& input) {

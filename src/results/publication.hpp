@@ -1,20 +1,11 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace bumpfoil {
-
-/// Files that identify a results folder, of all commands; excludes case.toml, which many folders contain as an input.
-inline constexpr auto result_names = std::to_array<std::string_view>(
-    {"summary.json", "cycle.csv",        "strip.csv",         "path.csv",      "vibration.csv", "equilibrium.csv",
-     "film.csv",     "coefficients.csv", "coefficients.toml", "stability.csv", "unbalance.csv", "transient.csv",
-     "fit.csv",      "fit.nc",           "points.csv",        "sweep.csv",     "sweep.nc",      "ensemble.nc",
-     "result.nc",    "study.json",       "picture.svg",       "report.html"});
 
 /// Called before every step of a publication that changes the disk; tests interrupt there.
 using BeforeStep = std::function<void()>;

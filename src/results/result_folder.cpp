@@ -88,7 +88,7 @@ void ResultFolder::publish(const std::function<void()>& before) {
                                    "use a separate folder for each run, and leave it alone until the run ends"}});
   }
   check_places();
-  std::vector<std::string> stale(result_names.begin(), result_names.end());
+  std::vector<std::string> stale = result_names();
   stale.insert(stale.end(), names_.begin(), names_.end());
   std::erase_if(stale, [this](const std::string& name) {
     return std::find(staged_.begin(), staged_.end(), name) != staged_.end();
@@ -97,7 +97,7 @@ void ResultFolder::publish(const std::function<void()>& before) {
 }
 
 void ResultFolder::check_places() const {
-  const auto check = [this](std::string_view name) {
+  const auto check = [this](const std::string& name) {
     std::error_code code;
     const fs::file_status status = fs::symlink_status(path_ / name, code);
     if (!fs::exists(status)) return;
@@ -110,7 +110,7 @@ void ResultFolder::check_places() const {
                                      "give another folder, or --force to replace them"}});
     }
   };
-  for (const std::string_view name : result_names) check(name);
+  for (const std::string& name : result_names()) check(name);
   for (const std::string& name : names_) check(name);
 }
 

@@ -11,6 +11,10 @@
 
 namespace bumpfoil {
 
+/// Files that identify a results folder, of all commands; excludes case.toml, which many folders contain as an input.
+/// Defined in experiments/, which describes the commands.
+const std::vector<std::string>& result_names();
+
 /// The folder that a run writes to, claimed from the start to the end: nobody else can write results to it. Files are
 /// staged out of sight and published as one set. Whenever a process is killed, published_file() gives either all old
 /// files or all new ones, files are never seen half written, and the next process that opens the folder completes an
