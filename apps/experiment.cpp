@@ -35,7 +35,7 @@ struct ExperimentOptions {
 };
 
 /// The case of a sample given as FILE:NUMBER.
-Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand command) {
+Case sampled_case(const std::string& sample, const Case& input, std::string_view command) {
   const std::size_t colon = sample.rfind(':');
   std::size_t number = 0;
   if (colon == std::string::npos || !CLI::detail::lexical_cast(sample.substr(colon + 1), number)) {
@@ -66,7 +66,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   Case input =
       parse_case(case_text, options.case_path,
                  {.overrides = options.overrides, .commands = {std::string(experiment.name)}, .check = faults_of_run});
-  if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
+  if (!options.sample.empty()) input = sampled_case(options.sample, input, experiment.name);
   require_other_file(options, experiment.files);
   const InterruptionGuard guard;  // before anything needs cleanup
   bool resumes = false;
@@ -160,7 +160,7 @@ void add_experiment(CLI::App& program, Session& session, const ExperimentInfo& e
   command->add_option("-o,--output", options->folder, fmt::format("Folder for {}", fmt::join(experiment.files, ", ")))
       ->type_name("DIR")
       ->required();
-  if (experiment.sampled) {
+  if (experiment.sampling) {
     command
         ->add_option("--sample", options->sample, "Rerun this sample of an ensemble; CASE is the case of the ensemble")
         ->type_name("ENSEMBLE.NC:NUMBER");

@@ -15,6 +15,7 @@
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
 #include "bumpfoil/ensemble/ensemble_files.hpp"
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/ensemble/ensemble_run.hpp"
 #include "bumpfoil/ensemble/ensemble_table.hpp"
 #include "bumpfoil/ensemble/parallel_runs.hpp"

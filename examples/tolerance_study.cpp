@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <bumpfoil/ensemble/sample.hpp>
 #include <bumpfoil/ensemble/statistics.hpp>
+#include <bumpfoil/experiments/cycle/sampled_cycles.hpp>
 
 int main() {
   bumpfoil::Case bearing = bumpfoil::reference_case();
@@ -14,7 +15,7 @@ int main() {
   std::vector<double> forces, clearances;
   for (std::uint64_t number = 0; number < 100; ++number) {
     const bumpfoil::Sample sample = bumpfoil::draw_sample(bearing, number);
-    const auto run = bumpfoil::run_sample(bumpfoil::sampled_case(bearing, sample));
+    const auto run = bumpfoil::run_sampled_cycles(bumpfoil::sampled_case(bearing, sample));
     if (!run || !run->converged()) return 3;
     const bumpfoil::Cycle& push = run->cycles.front();
     forces.push_back(push.turning_point->max_force);

@@ -95,6 +95,7 @@ MEANINGS = {
     "limits[].unstable[].to_speed_rad_per_s": "highest speed of the range",
     "limits[].unknown": "states on the path whose stability is not known; they count as stable",
     "swept_command": "command that was run at every point",
+    "sampled_command": "command that was run for each bearing",
     "axes": "one object per swept key",
     "axes[].key": "key of the case file",
     "axes[].name": "the same with underscores, the name in `sweep.nc`",

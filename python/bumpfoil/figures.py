@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _native
 from .figure_sheet import Sheet, arranged, save, styled
 from .paper_figures import paper
 from .places import Places
@@ -265,11 +266,10 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
 
 @styled
 def ensemble(result: Result, *, width: str = "double") -> Figure:
-    """Distributions of maximum force, structural stiffness, loss factor and estimated clearance, by direction, and their means.
+    """Distributions of the main quantities of the sampled command, by direction, state or rotor, and their means.
 
-    For running bearings: minimum film thickness, eccentricity, power loss and maximum stress, by state. For rotors: the
-    speed up to which they are stable, that at which whirl begins, contacts sliding and stuck, and the whirl ratio at the onset; or
-    the largest amplitude under unbalance, its speed, and the film thickness.
+    For cycles maximum force, structural stiffness, loop energy and loss factor; for running bearings eccentricity, attitude
+    angle, minimum film thickness and power loss; for rotors onsets of whirl, or amplitudes and film thickness.
 
     Parameters
     ----------
@@ -280,35 +280,9 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     """
     demand(result, "distributions")
     data = result.to_xarray()
-    quantities: list[tuple[str, str, float]] = [
-        ("max_force", "maximum force (N)", 1),
-        ("loaded_stiffness", "structural stiffness (MN/m)", 1e6),
-        ("loss_factor", "loss factor", 1),
-        ("clearance_5N", "clearance at 5 N (µm)", 1e-6),
-    ]
-    if place_of(data) == "state":
-        quantities = [
-            ("h_min", "minimum film thickness (µm)", 1e-6),
-            ("eccentricity_ratio", "eccentricity ratio", 1),
-            ("power", "power loss (W)", 1),
-            ("max_stress_top_foil", "stress, top foil (MPa)", 1e6),
-        ]
-    if place_of(data) == "rotor":
-        rpm = np.pi / 30
-        quantities = [
-            ("stable_up_to", "stable up to (rpm)", rpm),
-            ("onset_speed", "onset of whirl (rpm)", rpm),
-            ("onset_speed_stuck", "onset of whirl, stuck (rpm)", rpm),
-            ("onset_whirl_ratio", "whirl ratio at the onset", 1),
-            ("largest_amplitude", "largest amplitude (µm)", 1e-6),
-            ("largest_amplitude_speed", "speed of the largest amplitude (rpm)", rpm),
-            ("largest_amplitude_ratio", "amplitude / film thickness", 1),
-            ("least_h_min", "minimum film thickness, orbits (µm)", 1e-6),
-            ("largest_half_peak_to_peak", "largest half peak to peak (µm)", 1e-6),
-            ("largest_amplitude_half", "largest amplitude at half speed (µm)", 1e-6),
-            ("thinnest_film_of_run", "minimum film thickness (µm)", 1e-6),
-        ]
-    shown = [entry for entry in quantities if entry[0] in data and np.isfinite(data[entry[0]]).any()]
+    shown = [(name, f"{words} ({unit.replace('um', 'µm')})" if unit else words, size)
+             for name, _, words, unit, size in _native.headlines(result.summary["sampled_command"])
+             if name in data and np.isfinite(data[name]).any()]
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):
         values = {place: one.values[np.isfinite(one.values)] / size
@@ -321,6 +295,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
                     linestyle=style["linestyle"])
             ax.plot(samples.mean(), 0.04, transform=ax.get_xaxis_transform(), **{**_style(number, marked=True), **_MEAN})
         ax.set_xlabel(words)
+        ax.ticklabel_format(axis="x", scilimits=(-2, 5))
         ax.set_ylabel("bearings")
         ax.yaxis.get_major_locator().set_params(integer=True)
         ax.margins(y=0.08)

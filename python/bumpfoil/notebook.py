@@ -51,10 +51,11 @@ def _end(cycle: Cycle) -> dict[str, float]:
     return {name: float(values[-1]) for name, values in cycle.series.items() if len(values)}
 
 
-def of_ensemble(statistics: Mapping[str, Mapping[str, Any]]) -> str:
-    """Means and standard deviations of summary.json, a column for each direction, state or rotor."""
+def of_ensemble(summary: Mapping[str, Any]) -> str:
+    """Means and standard deviations, a column for each direction, state or rotor."""
+    statistics: Mapping[str, Mapping[str, Any]] = summary["statistics"]
     rows = [["mean ± standard deviation", *statistics]]
-    for _, key, words, unit, size in (line for command in ("cycle", "equilibrium", "stability", "unbalance") for line in _native.headlines(command)):
+    for _, key, words, unit, size in _native.headlines(summary["sampled_command"]):
         found = [one.get(key) for one in statistics.values()]
         if any(found):
             rows.append([_words(words, unit), *(_mean(entry, size) for entry in found)])
@@ -87,5 +88,5 @@ def of_result(result: Result) -> str:
     if result.cycles:
         return head + of_cycles(result.cycles)
     if result.command == "montecarlo":
-        return head + of_ensemble(result.summary["statistics"])
+        return head + of_ensemble(result.summary)
     return head + of_table(result)

@@ -247,8 +247,7 @@ class Result:
         ----------
         quantity : str, optional
             A variable of ensemble.nc over samples and directions, states or rotor, such as ``loss_factor``; by default
-            the maximum force, the minimum film thickness, the speed up to which rotors are stable, or their largest
-            amplitude.
+            the one that the target error refers to: the maximum force, the minimum film thickness, ...
         ax : matplotlib axes, optional
             Axes to draw on; by default new ones.
         """

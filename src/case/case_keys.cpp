@@ -364,7 +364,7 @@ void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
   keys.choice({"command", defaulted, "Command",
                "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\", "
                "\"unbalance\" or \"transient\": a rotor whose bearings all have the deviations that are drawn"},
-              ensemble.command);
+              sampled_experiments(), ensemble.command);
   keys.value({"samples", defaulted, "Samples", "number of bearings"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
              &ensemble.seed);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
@@ -75,6 +76,15 @@ class CaseVisitor {
     std::optional<Enum> chosen = value;
     choice(key, chosen);
     value = *chosen;
+  }
+
+  /// One of a few names that are not those of an enumeration.
+  void choice(const Key& key, std::span<const std::string_view> names, std::string& value) {
+    const auto chosen = std::find(names.begin(), names.end(), value);
+    std::optional<std::size_t> index;
+    if (chosen != names.end()) index = static_cast<std::size_t>(chosen - names.begin());
+    word(key, names, index);
+    if (index) value = names[*index];
   }
 
   /// A number given once for several keys, or individually for each.

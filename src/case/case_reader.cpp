@@ -25,15 +25,9 @@ std::string name_in_messages(const std::string& path) {
   return path == standard_input ? "standard input" : path;
 }
 
-const CaseTable* table_of(std::string_view experiment) {
-  const auto found = std::find_if(case_tables().begin(), case_tables().end(),
-                                  [&](const CaseTable& table) { return table.experiment == experiment; });
-  return found == case_tables().end() ? nullptr : &*found;
-}
-
 /// Another table that a command runs or requests, see CaseTable.
 std::string_view requested_part(const std::string& command, const Case& input) {
-  const CaseTable* const own = table_of(command);
+  const CaseTable* const own = case_table_of(command);
   return own != nullptr && own->requested_part ? own->requested_part(input) : "";
 }
 
@@ -123,7 +117,7 @@ void run_checks(const CaseRequest& request, const Case& input, ReadingLog& log) 
   settings_alone.montecarlo = input.montecarlo;
   const bool named = !request.commands.empty();
   for (const std::string& command : named ? request.commands : commands_of_tables(input)) {
-    const CaseTable* const own = table_of(command);
+    const CaseTable* const own = case_table_of(command);
     const std::string table(own == nullptr ? command : own->needs);
     if (log.blames(table + ".command")) continue;  // unknown command to run
     // The command to run can be built despite errors in its own table, which are listed with those of its checks.
@@ -170,7 +164,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   }
   const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
   if (runs_ensemble && input.montecarlo) {
-    commands.emplace_back(name_of(input.montecarlo->command));
+    commands.emplace_back(input.montecarlo->command);
     if (input.montecarlo->limits) commands.emplace_back("limits");
     if (!input.solver.name) input.solver.name = ensemble_solver(input);
   }
@@ -180,10 +174,11 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     input.solver.name = SolverName::events;
   }
   for (const std::string& command : commands) {
-    const CaseTable* const own = table_of(command);
+    const CaseTable* const own = case_table_of(command);
     const std::string table(own == nullptr ? command : own->needs);
     // A table missing for an ensemble is reported for the command of the ensemble.
-    const bool told = command == "limits" || (runs_ensemble && command == name_of(EnsembleCommand::equilibrium));
+    const bool told =
+        command == "limits" || (runs_ensemble && input.montecarlo && command == input.montecarlo->command);
     if (told || document.contains(table)) continue;
     // Adding a table that pads exclude would not help.
     if (input.pads.empty() || own == nullptr || !own->flat) {

@@ -2,10 +2,8 @@
 
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "experiments/cycle/result_layout.hpp"
@@ -14,32 +12,10 @@ namespace bumpfoil {
 namespace {
 
 void add_places(const EnsembleLayout& layout, Dataset& data) {
-  const std::string place(layout.dimension());
-  if (layout.command == EnsembleCommand::cycle) {
-    data.add_dimension(
-        {place, "degree", "direction of the push, from X towards Y"},
-        each(layout.places, [](const EnsemblePlace& one) { return to_degrees(std::get<double>(one.at)); }));
-    return;
+  data.add_dimension(layout.place, each(layout.places, [](const EnsemblePlace& one) { return one.at; }));
+  for (const PlaceCoordinate& coordinate : layout.coordinates) {
+    data.add_coordinate(coordinate.meaning, {layout.place.name}, coordinate.values);
   }
-  if (place == "rotor") {
-    data.add_dimension({place, "1", "the rotor on bearings that are all the sample", whole_number}, {1.0});
-    return;
-  }
-  data.add_dimension({place, "1", "state of the running bearing, in the order of its path", whole_number},
-                     numbers_from(1.0, layout.places.size()));
-  const auto add = [&](const VariableMeaning& meaning, const auto& value) {
-    data.add_coordinate(meaning, {place}, each(layout.places, [&](const EnsemblePlace& one) {
-                          return value(std::get<OperatingPoint>(one.at));
-                        }));
-  };
-  add({"speed", "rad/s", "speed of the journal, positive from X to Y"},
-      [](const OperatingPoint& point) { return point.speed; });
-  const bool by_load = std::get<OperatingPoint>(layout.places.front().at).by_load();
-  const std::string name = by_load ? "load_" : "position_";
-  const char* const unit = by_load ? "N" : "m";
-  const std::string what = by_load ? "load on the journal, " : "position of the journal, ";
-  add({name + "x", unit, what + "X"}, [](const OperatingPoint& point) { return point.journal.x(); });
-  add({name + "y", unit, what + "Y"}, [](const OperatingPoint& point) { return point.journal.y(); });
 }
 
 /// Random numbers are regenerated. @param of  (sample) -> its numbers
@@ -112,16 +88,14 @@ Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const 
     data.add_coordinate({geometry.name, geometry.unit, geometry.long_name}, {"bump"}, geometry.values);
   }
   add_deviations(input, data);
-  const std::string place(layout.dimension());
+  data.attributes = {{"sampled_command", input.montecarlo->command}, {"leading_quantity", std::string(layout.leading)}};
+  const std::string& place = layout.place.name;
   for (std::size_t k = 0; k < layout.columns.size(); ++k) {
     add_logged(layout, log, k, 1, data.add(layout.columns[k].meaning, {"sample", place}));
   }
-  if (layout.loads == 0) return data;
-  add_logged(layout, log, layout.columns.size(), layout.loads,
-             data.add({"bump_load", "N",
-                       layout.command == EnsembleCommand::cycle ? "load on the crest of the bump at full displacement"
-                                                                : "load on the crest of the bump"},
-                      {"sample", place, "bump"}));
+  if (layout.loads() == 0) return data;
+  add_logged(layout, log, layout.columns.size(), layout.loads(),
+             data.add({"bump_load", "N", std::string(layout.load)}, {"sample", place, "bump"}));
   return data;
 }
 

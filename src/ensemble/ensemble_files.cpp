@@ -25,11 +25,7 @@ std::string message_of(const EnsembleLayout& layout, const EnsembleStatistics& s
   if (!statistics.failures.empty()) {
     std::vector<std::string> lines = failure_lines(layout, statistics);
     lines.resize(std::min(lines.size(), most_ensemble_messages));
-    parts.push_back(fmt::format("{} {} failed: {}", statistics.failures.size(),
-                                layout.command == EnsembleCommand::cycle         ? "cycles"
-                                : layout.command == EnsembleCommand::equilibrium ? "states"
-                                                                                 : "rotors",
-                                fmt::join(lines, "; ")));
+    parts.push_back(fmt::format("{} {} failed: {}", statistics.failures.size(), layout.plural, fmt::join(lines, "; ")));
   }
   if (interrupted) parts.push_back(fmt::format("{} of {} samples are there", statistics.samples, due));
   return fmt::format("{}", fmt::join(parts, "; "));

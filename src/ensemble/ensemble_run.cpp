@@ -4,7 +4,10 @@
 #include <chrono>
 #include <utility>
 
-#include "bumpfoil/ensemble/running_sample.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -61,41 +64,33 @@ std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, cons
     stopped = stopped || !progress(fraction);
     return !stopped;
   };
-  SampleResult result;
-  const auto keep = [&result](auto run) {
-    if (run) result = std::move(*run);
-  };
-  switch (layout_.command) {
-    case EnsembleCommand::cycle: {
-      std::unique_ptr<SampleRunner> runner = take_runner();
-      keep(runner->run(sampled, goes_on));
-      give_back(std::move(runner));
-      break;
-    }
-    case EnsembleCommand::equilibrium:
-      keep(run_running_sample(sampled, goes_on, input_.montecarlo->limits));
-      break;
-    case EnsembleCommand::stability:
-    case EnsembleCommand::unbalance:
-    case EnsembleCommand::transient:
-      keep(run_rotor_sample(sampled, layout_.command, goes_on));
-      break;
+  SampleRun run = take_run();
+  std::optional<std::vector<SampledPlace>> found;
+  try {
+    found = run(sampled, goes_on);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::input) throw;
   }
+  give_back(std::move(run));
   if (stopped) return std::nullopt;
-  return make_ensemble_row(layout_, sampled, result);
+  return make_ensemble_row(layout_, found);
 }
 
-std::unique_ptr<SampleRunner> EnsembleSampler::take_runner() {
-  const std::lock_guard lock(mutex_);
-  if (idle_.empty()) return std::make_unique<SampleRunner>();
-  std::unique_ptr<SampleRunner> runner = std::move(idle_.back());
-  idle_.pop_back();
-  return runner;
+SampleRun EnsembleSampler::take_run() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      SampleRun run = std::move(idle_.back());
+      idle_.pop_back();
+      return run;
+    }
+  }
+  return experiment_named(input_.montecarlo->command).sampling->begin(input_);
 }
 
-void EnsembleSampler::give_back(std::unique_ptr<SampleRunner> runner) {
+void EnsembleSampler::give_back(SampleRun run) {
   const std::lock_guard lock(mutex_);
-  idle_.push_back(std::move(runner));
+  idle_.push_back(std::move(run));
 }
 
 bool run_ensemble(const Case& input, const EnsembleLayout& layout, RowLog& log, const EnsembleRun& run) {

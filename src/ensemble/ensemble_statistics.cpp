@@ -88,7 +88,7 @@ EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLay
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       of_place.columns.push_back(samples.statistics(k, layout.columns[k].undefined));
     }
-    for (std::size_t bump = 0; bump < layout.loads; ++bump) {
+    for (std::size_t bump = 0; bump < layout.loads(); ++bump) {
       of_place.bump_loads.push_back(samples.statistics(layout.columns.size() + bump, Undefined::unknown));
     }
     of_place.sensitivities = sensitivities_of(input, layout, samples, std::min(log.rows(), most_ranked_samples));
@@ -100,7 +100,7 @@ EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLay
 
 double relative_error_of_mean(const EnsembleLayout& layout, const RowLog& log) {
   const auto leading = std::find_if(layout.columns.begin(), layout.columns.end(), [&](const EnsembleColumn& column) {
-    return column.meaning.name == layout.leading();
+    return column.meaning.name == layout.leading;
   });
   const auto column = static_cast<std::size_t>(leading - layout.columns.begin());
   double largest = 0.0;

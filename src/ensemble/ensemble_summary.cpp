@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <utility>
-#include <variant>
 
-#include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/ensemble/ensemble_table.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/model/pads.hpp"
@@ -74,6 +72,7 @@ Json yield_json(const Yield& yield) {
 Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const EnsembleStatistics& statistics,
                     const EnsembleYields& yields) {
   Json json;
+  json["sampled_command"] = input.montecarlo->command;
   json["seed"] = input.montecarlo->seed;
   json["samples_due"] = input.montecarlo->samples;
   json["samples"] = statistics.samples;
@@ -83,7 +82,7 @@ Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const Ensem
   for (std::size_t i = 0; i < layout.places.size(); ++i) {
     const std::string& name = layout.places[i].name;
     json["statistics"][name] = place_json(layout, statistics.places[i]);
-    if (layout.loads > 0) json["bump_loads"][name] = loads_json(statistics.places[i]);
+    if (layout.loads() > 0) json["bump_loads"][name] = loads_json(statistics.places[i]);
     json["sensitivities"][name] = sensitivities_json(input, layout, statistics.places[i]);
   }
   json["limits"] = Json::array();
@@ -98,10 +97,10 @@ Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const Ensem
   for (const SampleFailure& failure : statistics.failures) {
     Json failed{{"sample", failure.sample}};
     const EnsemblePlace& place = layout.places[failure.place];
-    if (const auto* direction = std::get_if<double>(&place.at)) {
-      failed["direction_deg"] = to_degrees(*direction);
-    } else if (std::holds_alternative<OperatingPoint>(place.at)) {
-      failed["state"] = place.name;
+    if (layout.place.form.kind == Form::real) {
+      failed[layout.place.key()] = place.at;
+    } else if (place.name != layout.place.name) {
+      failed[layout.place.name] = place.name;
     }
     failed["status"] = layout.status_name(failure.status);
     failed["reason"] = layout.status_reason(failure.status);

@@ -27,11 +27,10 @@ EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout)
   const QuantityLimit limit = parse_quantity_limit(
       text, quantities, {"--limit", "the ensemble", "ensemble.nc has their names", "clearance_5N > 20 um"});
   const std::size_t column = columns[limit.quantity];
-  if (!layout.columns[column].limitable) {
+  if ((layout.columns[column].meaning.tags & tag::unlimited) != 0) {
     throw Error(ErrorKind::input,
-                {{"", 0, "--limit", text,
-                  "does not exist for rotors that whirl nowhere, nor for those that whirl at all speeds",
-                  "write the limit for stable_up_to: \"stable_up_to > 12000 rpm\""}});
+                {{"", 0, "--limit", text, "is a quantity that the best samples do not have, nor do the worst",
+                  fmt::format("write the limit for {}", layout.leading)}});
   }
   return {text, column, limit.above, limit.bound};
 }

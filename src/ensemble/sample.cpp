@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/draws.hpp"
-#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 
@@ -72,12 +70,6 @@ void raise_bumps(BearingDesign& sampled, std::size_t strips, const std::vector<d
 
 }  // namespace
 
-std::size_t strips_drawn_apart(const Case& input) {
-  return input.montecarlo->bump_height && input.lets_strips_move_apart()
-             ? static_cast<std::size_t>(input.bump_foil.strips)
-             : 1;
-}
-
 Sample draw_sample(const Case& input, std::uint64_t number) {
   const MonteCarloSettings& ensemble = *input.montecarlo;
   DrawPlace place{
@@ -138,30 +130,6 @@ Case sampled_case(const Case& input, const Sample& sample) {
     own.friction = alone.friction;
   }
   return sampled;
-}
-
-std::optional<CycleResult> SampleRunner::run(const Case& sampled, const ProgressCallback& progress) {
-  SharedFoils foils;
-  try {
-    foils = make_bearing_foils(sampled, {"cycle"});
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-  if (runner_ && settings_ == sampled.solver) {
-    runner_->set_foils(std::move(foils));
-  } else {
-    settings_ = sampled.solver;
-    runner_.emplace(std::move(foils), settings_);
-  }
-  CycleResult result{.solver = sampled.solver.chosen(), .experiment = Experiment::cycle, .cycles = {}};
-  for (const double direction : sampled.cycle.directions) {
-    result.cycles.push_back(runner_->run(direction, sampled.cycle, Recording::quantities, progress));
-  }
-  return result;
-}
-
-std::optional<CycleResult> run_sample(const Case& sampled, const ProgressCallback& progress) {
-  return SampleRunner().run(sampled, progress);
 }
 
 }  // namespace bumpfoil

@@ -46,9 +46,9 @@ Case bearing_at(const Case& input, std::size_t place) {
   return alone;
 }
 
-SolverName ensemble_solver(const Case& input) {
-  const bool cycles = input.montecarlo && input.montecarlo->command == EnsembleCommand::cycle;
-  return cycles && input.bump_foil.geometry == Geometry::linear ? SolverName::events : SolverName::newton;
+std::size_t strips_drawn_apart(const Case& input) {
+  const bool apart = input.montecarlo->bump_height && input.lets_strips_move_apart();
+  return apart ? static_cast<std::size_t>(input.bump_foil.strips) : 1;
 }
 
 }  // namespace bumpfoil

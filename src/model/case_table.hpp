@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "bumpfoil/model/case.hpp"
 #include "model/check_bump_foil.hpp"
@@ -24,11 +26,25 @@ struct CaseTable {
   bool (*given)(const Case& input){};
   /// Another part that the case requests, or another command that it runs, with checks of its own; empty: none.
   std::string_view (*requested_part)(const Case& input){};
+  bool swept{};  ///< sweeps and optimisations can run it: it has a Sweeping
+  /// Ensembles can run it, as it has a Sampling: by this solver where the case names none and displacements are small.
+  std::optional<SolverName> sampled_by{};
 };
 
 /// Tables of all experiments, in the order of the case file. Code that reads, writes and checks cases accesses
 /// experiments only through these. They are defined in a higher layer: in experiments/, or in a program with fewer
 /// experiments.
 std::span<const CaseTable> case_tables();
+
+/// Null if there is no such experiment.
+const CaseTable* case_table_of(std::string_view experiment);
+
+/// Names of the experiments that ensembles can run, and of those that can be swept, in the order of the case file.
+const std::vector<std::string_view>& sampled_experiments();
+const std::vector<std::string_view>& swept_experiments();
+
+/// The solver of an ensemble whose case names none: `events` for cycles of small displacements, which is several times
+/// faster, else `newton`.
+SolverName ensemble_solver(const Case& input);
 
 }  // namespace bumpfoil

@@ -1,6 +1,7 @@
 #include "bumpfoil/model/validation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -101,6 +102,18 @@ void check_solver(Checks& checks, const UzawaParameters& uzawa) {
   if (uzawa.tau_f) checks.within("solver.tau_f", *uzawa.tau_f, {1e-18, 1e-3, "m"});
 }
 
+void check_ensemble_command(Checks& checks, const Case& input) {
+  const std::string& command = input.montecarlo->command;
+  const CaseTable* const run = case_table_of(command);
+  const bool known = run != nullptr && run->sampled_by;
+  checks.require(known, "montecarlo.command", command, "is not a command that ensembles run",
+                 fmt::format("give one of {}", fmt::join(sampled_experiments(), ", ")));
+  if (!known) return;
+  checks.require_for("montecarlo", !run->given || run->given(input), "montecarlo.command", command,
+                     fmt::format("needs the table [{}], which is missing", run->needs),
+                     fmt::format("add [{}], or set another command", run->needs));
+}
+
 void check_combination(Checks& checks, const Case& input) {
   checks.require(input.solver.chosen() == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
                  "solver.name", std::string(name_of(input.solver.chosen())),
@@ -110,14 +123,7 @@ void check_combination(Checks& checks, const Case& input) {
                  "set model = \"truss\" or \"frame\", or remove waves, profiles and taper of [bearing]");
   checks.require_history("montecarlo", !input.montecarlo || input.bump_foil.model != BumpFoilModel::former,
                          "is not available for ensembles: its loops have no area");
-  checks.require_for(
-      "montecarlo", !input.montecarlo || input.montecarlo->command != EnsembleCommand::equilibrium || input.equilibrium,
-      "montecarlo.command", std::string(name_of(EnsembleCommand::equilibrium)),
-      "needs the table [equilibrium], which is missing", "add [equilibrium], or set command = \"cycle\"");
-  checks.require_for(
-      "montecarlo",
-      !input.montecarlo || !input.montecarlo->limits || input.montecarlo->command == EnsembleCommand::equilibrium,
-      "montecarlo.limits", "true", "are those of running bearings", "set command = \"equilibrium\"");
+  if (input.montecarlo) check_ensemble_command(checks, input);
   checks.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                  "bump_foil.weld_at", std::string(name_of(input.bump_foil.weld_at)),
                  "only the frame model can be welded at the start of the first arc",

@@ -26,7 +26,7 @@ OptimisedQuantity quantity_of(const PointRunner& runner, std::size_t number, boo
 }
 
 LimitWords words_for(const std::string& key, const OptimiseSettings& settings) {
-  if (settings.command == OptimisedCommand::montecarlo) {
+  if (settings.runs_ensembles()) {
     return {
         key, "the ensemble",
         settings.bearing_limits.empty()
@@ -34,7 +34,7 @@ LimitWords words_for(const std::string& key, const OptimiseSettings& settings) {
             : "give \"yield\", or a quantity with a statistic, such as \"h_min.mean\" or \"h_min.p5\"",
         "yield > 0.95"};
   }
-  return {key, fmt::format("`bumpfoil {}`", name_of(settings.command)),
+  return {key, fmt::format("`bumpfoil {}`", settings.command),
           "its result.nc, and sweep.nc of its sweeps, have their names", "h_min > 5 um"};
 }
 
@@ -47,9 +47,9 @@ std::vector<Fault> faults_of_model(Case input, OptimiseSettings settings) {
 
 /// Errors in quantities and limits that no result of the command has for any bearing: a small run already has all.
 std::vector<Fault> faults_whatever_the_bearing(const Case& input, OptimiseSettings settings) {
-  const bool ensemble = settings.command == OptimisedCommand::montecarlo;
+  const bool ensemble = settings.runs_ensembles();
   if (ensemble && !input.montecarlo) return {};
-  const std::string command(ensemble ? name_of(input.montecarlo->command) : name_of(settings.command));
+  const std::string& command = ensemble ? input.montecarlo->command : settings.command;
   settings.keys.clear();
   std::optional<std::vector<Fault>> all;
   for (const std::vector<std::string>& keys : experiment_named(command).small_runs) {
@@ -121,7 +121,7 @@ void OptimiseModel::find_start(const Case& bare, std::vector<Fault>& faults) {
 }
 
 Case OptimiseModel::case_with(const std::vector<double>& values) const {
-  CaseRequest request{.overrides = {}, .commands = {std::string(name_of(settings_.command))}};
+  CaseRequest request{.overrides = {}, .commands = {settings_.command}};
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (const std::string& key : keys_set_by(settings_.keys[i].key)) {
       request.overrides.push_back(fmt::format("{}={:.17g}", key, values[i]));

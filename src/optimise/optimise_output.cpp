@@ -318,7 +318,7 @@ std::string points_csv(const OptimiseResult& result) {
 Json optimise_lists(const OptimiseResult& result) {
   const OptimisePoint* const best = result.best ? &result.points[*result.best] : nullptr;
   Json json{{"ended_by", name_of(result.status)},
-            {"optimised_command", name_of(result.settings.command)},
+            {"optimised_command", result.settings.command},
             {"point_count", result.points.size()},
             {"best_point", best == nullptr ? Json() : Json(*result.best)}};
   json["keys"] = Json::array();

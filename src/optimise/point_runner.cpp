@@ -14,6 +14,7 @@
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/ensemble/ensemble_run.hpp"
 #include "bumpfoil/ensemble/ensemble_yield.hpp"
+#include "bumpfoil/ensemble/statistics.hpp"
 #include "bumpfoil/experiments/case_warnings.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/sweep/sweep.hpp"
@@ -108,7 +109,7 @@ class EnsembleRunner final : public PointRunner {
     if (!texts_.empty()) kept_.push_back({std::string(yield_name), "1", shown::unitless, 0, 0});
     for (std::size_t column = 1; column < layout.columns.size(); ++column) {
       const VariableMeaning& meaning = layout.columns[column].meaning;
-      if (meaning.form.kind != Form::real || !layout.columns[column].limitable) continue;
+      if (meaning.form.kind != Form::real || (meaning.tags & tag::unlimited) != 0) continue;
       for (std::size_t i = 0; i < named_statistics().size(); ++i) {
         const std::string name = meaning.name + '.' + named_statistics()[i].name;
         kept_.push_back({name, meaning.unit, meaning.shown, column, i});
@@ -199,10 +200,10 @@ class EnsembleRunner final : public PointRunner {
 
 std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings,
                                                      std::vector<Fault>& faults) {
-  if (settings.command == OptimisedCommand::montecarlo) {
+  if (settings.runs_ensembles()) {
     return std::make_unique<EnsembleRunner>(input, settings, faults);
   }
-  return std::make_unique<ExperimentRunner>(experiment_named(name_of(settings.command)), input);
+  return std::make_unique<ExperimentRunner>(experiment_named(settings.command), input);
 }
 
 }  // namespace bumpfoil

@@ -20,6 +20,7 @@
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/cycle_csv.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/cycle/sampled_cycles.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
@@ -265,7 +266,7 @@ Json answer_samples(const Json& request) {
   for (std::uint64_t number = first; number < first + count; ++number) {
     const Case sampled = sampled_case(input, draw_sample(input, number));
     Json directions = Json::array();
-    const std::optional<CycleResult> result = run_sample(sampled);
+    const std::optional<CycleResult> result = run_sampled_cycles(sampled);
     for (std::size_t i = 0; i < input.cycle.directions.size(); ++i) {
       Json values = Json::array();
       for (const CycleQuantity& quantity : quantities) {

@@ -140,7 +140,7 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
     if (!column.meaning.label.empty()) quantities.push_back(shown_quantity(labelled(column.meaning)));
   }
   Json json{{"quantities", quantities}, {"samples", Json::array()}};
-  if (layout.command == EnsembleCommand::cycle) {
+  if (has_cycles(input.montecarlo->command)) {
     json["samples"] = run_shown_samples(input, std::min(samples, most_shown_samples), most_values / part_of_samples);
   } else {
     // Not run again, as this would take minutes.

@@ -68,7 +68,7 @@ void require_same_bearing(const Case& stored, const Case& input, const std::stri
 
 }  // namespace
 
-Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input, EnsembleCommand command) {
+Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input, std::string_view command) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const NetcdfImage image(
       read_stored_result(folder, file.filename().string(), {.advice = "take it from a backup or run again"}).bytes,

@@ -29,7 +29,7 @@ inline Case running_ensemble_case(int samples) {
   input.film.rows = 6;
   input.equilibrium.emplace(EquilibriumSettings{.speeds = {4712.0}, .loads = {{20.0, 0.0}, {40.0, 0.0}}, .steps = 2});
   MonteCarloSettings& ensemble = input.montecarlo.emplace();
-  ensemble.command = EnsembleCommand::equilibrium;
+  ensemble.command = "equilibrium";
   ensemble.samples = samples;
   ensemble.bump_height.emplace(HeightScatter{Distribution{.sigma = 2e-6}, 0.0});
   ensemble.radial_clearance.emplace(Distribution{.sigma = 1e-6});
@@ -39,7 +39,7 @@ inline Case running_ensemble_case(int samples) {
 /// A rotor of 2 kg on such bearings, at two speeds with an onset of whirl between them (near 13,200 rpm).
 inline Case rotor_ensemble_case(int samples) {
   Case input = running_ensemble_case(samples);
-  input.montecarlo->command = EnsembleCommand::stability;
+  input.montecarlo->command = "stability";
   input.top_foil.formed_radius = {FormedTo::seated};  // its free end does not move
   RotorSettings rotor;
   rotor.mass = 2.0;
@@ -52,7 +52,7 @@ inline Case rotor_ensemble_case(int samples) {
 /// The same rotor with an eccentricity of 1 um, near the speeds of its largest orbit.
 inline Case unbalance_ensemble_case(int samples) {
   Case input = rotor_ensemble_case(samples);
-  input.montecarlo->command = EnsembleCommand::unbalance;
+  input.montecarlo->command = "unbalance";
   RotorSettings rotor = *input.settings.find<RotorSettings>();
   rotor.unbalances.emplace_back().amount = 2e-6;
   input.settings.set(rotor);
@@ -63,7 +63,7 @@ inline Case unbalance_ensemble_case(int samples) {
 /// The same in time at constant speed, four revolutions in few steps.
 inline Case transient_ensemble_case(int samples) {
   Case input = unbalance_ensemble_case(samples);
-  input.montecarlo->command = EnsembleCommand::transient;
+  input.montecarlo->command = "transient";
   TransientSettings settings{.steps_per_revolution = 20};
   settings.speed = {SpeedPhase{.to = -900.0, .time = 28e-3}};
   input.settings.set(settings);

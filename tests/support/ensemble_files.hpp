@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "bumpfoil/ensemble/ensemble_files.hpp"
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
+#include "bumpfoil/ensemble/ensemble_run.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "model/case_table.hpp"
 #include "support/ensemble_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -20,10 +23,9 @@ class EnsembleFiles : public ::testing::Test {
   EnsembleFiles() {
     std::vector<double> rows;
     for (std::uint64_t i = 0; i < 4; ++i) {
-      const Case sampled = sampled_case(input_, draw_sample(input_, i));
-      SampleResult result;  // the last one is an invalid sample
-      if (i < 3) result = run_sample(sampled).value();
-      const std::vector<double> row = make_ensemble_row(layout_, sampled, result);
+      // The last one is an invalid sample.
+      const std::vector<double> row = i < 3 ? EnsembleSampler(input_, layout_).run(i, [](double) { return true; }).value()
+                                            : make_ensemble_row(layout_, std::nullopt);
       rows.insert(rows.end(), row.begin(), row.end());
     }
     log_.append(rows);

@@ -18,7 +18,8 @@ struct CaseRequest {
   /// "table.key=value" each, applied in order: the value is TOML, or else a bare string.
   std::vector<std::string> overrides;
   /// Commands that will run the case: their tables must be present, and whatever prevents one from running is an error.
-  /// With "montecarlo" a case that names no solver gets ensemble_solver(), with "fit" `events` where it can.
+  /// With "montecarlo" a case that names no solver gets `events` for cycles of small displacements, which is several
+  /// times faster, else `newton`; with "fit" `events` where it can.
   std::vector<std::string> commands;
   /// Of each of these commands. Of a case with errors outside of its table it gets the settings of experiments and
   /// ensembles alone, for a bearing that may not be; with no command named, of all that have a table.

@@ -2,14 +2,12 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
-#include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/ensemble/run_flow.hpp"
-#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/sampling.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/row_log.hpp"
 
@@ -40,13 +38,13 @@ class EnsembleSampler {
   [[nodiscard]] std::optional<std::vector<double>> run(std::size_t number, const ProgressCallback& progress);
 
  private:
-  [[nodiscard]] std::unique_ptr<SampleRunner> take_runner();
-  void give_back(std::unique_ptr<SampleRunner> runner);
+  [[nodiscard]] SampleRun take_run();
+  void give_back(SampleRun run);
 
   const Case& input_;
   const EnsembleLayout& layout_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<SampleRunner>> idle_;  ///< those that no thread has just now
+  std::vector<SampleRun> idle_;  ///< those that no thread has just now
 };
 
 /// Runs the samples of an ensemble that its log has not yet, and adds them to it: in the order of their numbers, at

@@ -2,10 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -31,9 +29,6 @@ struct Sample {
 /// @pre  the case is valid and has an ensemble
 Sample draw_sample(const Case& input, std::uint64_t number);
 
-/// Strips of the bump foil whose bumps have heights drawn of their own: 1 where all strips have the same.
-std::size_t strips_drawn_apart(const Case& input);
-
 /// Factors whose sensitivities are requested: the heights of the bumps where they scatter, and each of
 /// scattered_numbers() that does. The phase of waves is none, as it has no largest value.
 std::size_t factor_count(const Case& input);
@@ -42,21 +37,5 @@ std::vector<double> factors_of(const Case& input, const Sample& sample);
 /// The case of a bearing of the ensemble: deviations are added to what the case says, and waves take the place of those
 /// of its sleeve. It has no ensemble itself, and need not be valid.
 Case sampled_case(const Case& input, const Sample& sample);
-
-/// Runs a cycle in each direction of a sampled case, for quantities alone. Nothing but the case decides on them, to the
-/// last bit. Numerical failures are reported in the result.
-/// @return nothing if the case makes no bearing
-std::optional<CycleResult> run_sample(const Case& sampled, const ProgressCallback& progress = {});
-
-/// Runs one sample after the other, with the results of run_sample(). What was built of the stiffness of one is kept
-/// for the next where heights and gaps alone scatter.
-class SampleRunner {
- public:
-  std::optional<CycleResult> run(const Case& sampled, const ProgressCallback& progress = {});
-
- private:
-  SolverSettings settings_;
-  std::optional<CycleRunner> runner_;
-};
 
 }  // namespace bumpfoil

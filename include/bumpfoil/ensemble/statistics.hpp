@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "bumpfoil/results/quantity.hpp"
+
 namespace bumpfoil {
 
 /// Percentiles that statistics have, %.
@@ -19,12 +21,6 @@ struct Statistics {
   double mean_low{};        ///< 95 % interval of the mean, 1.96 standard errors either way
   double mean_high{};
   std::array<double, percentiles.size()> percentile{};  ///< linear between the values in their order
-};
-
-/// What an undefined value stands for.
-enum class Undefined {
-  unknown,  ///< nothing: it is left out
-  largest,  ///< more than can be told, such as a clearance that was never taken up: the largest in percentiles
 };
 
 /// Statistics of values, of which those that are not numbers are undefined. Means leave these out.

@@ -9,6 +9,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/sampling.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/result_folder.hpp"
@@ -81,7 +82,6 @@ struct ExperimentInfo {
   std::string_view examples;         ///< for --help
   std::vector<std::string> files{};  ///< names of all that it writes
   std::vector<Switch> switches{};
-  std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   ExperimentRun run;
   /// Errors of a valid case that only the run of the experiment can tell; may be left out.
   std::function<std::vector<Fault>(const Case&)> check{};
@@ -92,6 +92,7 @@ struct ExperimentInfo {
   /// Files that a staged run keeps in its folder as long as it takes, with which it can go on after it was stopped.
   std::vector<std::string> checkpoints{};
   std::optional<Sweeping> sweeping{};  ///< of those that can be swept
+  std::optional<Sampling> sampling{};  ///< of those that ensembles can run
   /// Quantities of its cycles, vibrations or states, in the order of tables. Long names may leave words open.
   std::vector<VariableMeaning> quantities{};
   /// Small runs of the reference case, each with keys of its own, whose results together have all variables that there

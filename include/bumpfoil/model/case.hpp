@@ -254,8 +254,8 @@ Case reference_case();
 /// @param place  of the rotor's bearings, from 0
 Case bearing_at(const Case& input, std::size_t place);
 
-/// The solver of an ensemble whose case names none: `events` for cycles of small displacements, which is several times
-/// faster, else `newton`.
-SolverName ensemble_solver(const Case& input);
+/// Strips of the bump foil whose bumps have heights drawn of their own in the ensemble of the case: 1 where all strips
+/// have the same.
+std::size_t strips_drawn_apart(const Case& input);
 
 }  // namespace bumpfoil

@@ -43,8 +43,5 @@ inline constexpr auto enum_names<FilmPath> = std::to_array<std::string_view>({"l
                                                                               "cold_start"});
 template <>
 inline constexpr auto enum_names<ComparedPaths> = std::to_array<std::string_view>({"one", "two", "all"});
-template <>
-inline constexpr auto enum_names<EnsembleCommand> =
-    std::to_array<std::string_view>({"cycle", "equilibrium", "stability", "unbalance", "transient"});
 
 }  // namespace bumpfoil

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,19 +55,10 @@ struct WavinessScatter {
   bool operator==(const WavinessScatter&) const = default;
 };
 
-/// Command that is run for each bearing of an ensemble.
-enum class EnsembleCommand : std::uint8_t {
-  cycle,        ///< a cycle in each direction of [cycle]
-  equilibrium,  ///< the running bearing, along the path of [equilibrium] to all its states
-  stability,    ///< the rotor of [rotor] on two such bearings, over the speeds of [stability]
-  unbalance,    ///< its response to unbalance over those of [unbalance]
-  transient,    ///< the same rotor in time, through the speeds of [transient]
-};
-
 /// An ensemble of bearings that differ within their tolerances. Deviations are from what the case says, and those other
 /// than of heights are common to a bearing.
 struct MonteCarloSettings {
-  EnsembleCommand command{EnsembleCommand::cycle};
+  std::string command{"cycle"};  ///< experiment that is run for each bearing
   int samples{1000};
   int seed{1};
   bool limits{};                                       ///< for running bearings: also lift-off speeds and load

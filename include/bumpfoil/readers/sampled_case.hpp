@@ -15,6 +15,6 @@ namespace bumpfoil {
 /// @throws Error (file) if it cannot be read, or has not the checksum that summary.json lists; Error (input) if it has
 /// no such sample, or is of another bearing
 Case read_sampled_case(const std::filesystem::path& file, std::size_t number, const Case& input,
-                       EnsembleCommand command);
+                       std::string_view command);
 
 }  // namespace bumpfoil

@@ -16,6 +16,12 @@ namespace bumpfoil {
 /// Represents a number that is unknown or does not exist. Files show it in their own way, never as a number.
 inline constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
+/// What an absent value stands for in statistics.
+enum class Undefined {
+  unknown,  ///< nothing: it is left out
+  largest,  ///< more than can be told, such as a clearance that was never taken up: the largest in percentiles
+};
+
 /// As what values are written.
 struct Form {
   enum Kind {
@@ -72,15 +78,17 @@ using Tags = unsigned;
 namespace tag {
 
 inline constexpr Tags none = 0;
-inline constexpr Tags csv = 1;          ///< a column of the CSV file, too
-inline constexpr Tags headline = 2;     ///< one of the few in tables of sweeps on the terminal; shown first on pages
-inline constexpr Tags shown_first = 4;  ///< on pages
-inline constexpr Tags sampled = 8;      ///< kept of the samples of ensembles: needs no fields, same on all machines
-inline constexpr Tags of_solver = 16;   ///< how it was computed
-inline constexpr Tags measured = 32;    ///< follows from displacement and force alone
-inline constexpr Tags leading = 64;     ///< charts begin with it
+inline constexpr Tags csv = 1;           ///< a column of the CSV file, too
+inline constexpr Tags headline = 2;      ///< one of the few in tables of sweeps on the terminal; shown first on pages
+inline constexpr Tags shown_first = 4;   ///< on pages
+inline constexpr Tags sampled = 8;       ///< kept of the samples of ensembles: needs no fields, same on all machines
+inline constexpr Tags of_solver = 16;    ///< how it was computed
+inline constexpr Tags measured = 32;     ///< follows from displacement and force alone
+inline constexpr Tags leading = 64;      ///< charts begin with it
+inline constexpr Tags unlimited = 128;   ///< no limits on it in ensembles: absent in good samples and in bad ones
+inline constexpr Tags key_figure = 256;  ///< with the leading one, of the three that pages show large
 /// Tags of an experiment begin here.
-inline constexpr Tags first_of_experiment = 256;
+inline constexpr Tags first_of_experiment = 512;
 
 }  // namespace tag
 

@@ -16,6 +16,7 @@
 #include "experiments/cycle/cycle_dataset.hpp"
 #include "experiments/cycle/cycle_json.hpp"
 #include "experiments/cycle/cycle_record.hpp"
+#include "experiments/cycle/cycle_sampling.hpp"
 #include "experiments/cycle/result_layout.hpp"
 
 namespace bumpfoil {
@@ -102,9 +103,9 @@ ExperimentInfo cycle_experiment() {
               "  bumpfoil cycle case.toml -o fine --set cycle.steps=400 --set 'cycle.directions=[\"+X\"]'\n"
               "  bumpfoil cycle case.toml -o seventeen --sample tolerances/ensemble.nc:17\n",
           .files = cycle_file_names("cycle"),
-          .sampled = EnsembleCommand::cycle,
           .run = run,
           .sweeping = cycle_sweeping(Experiment::cycle, run),
+          .sampling = cycle_sampling(),
           .quantities = meanings_of(cycle_quantities(Experiment::cycle, true)),
           .small_runs = {
               {"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},

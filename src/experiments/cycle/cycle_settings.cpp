@@ -139,7 +139,9 @@ CaseTable cycle_settings() {
       .needs = "cycle",
       .describe = describe_cycle,
       .check = check_cycle,
-      .given = [](const Case& input) { return !input.cycle.directions.empty() || input.cycle.amplitude.value != 0.0; }};
+      .given = [](const Case& input) { return !input.cycle.directions.empty() || input.cycle.amplitude.value != 0.0; },
+      .swept = true,
+      .sampled_by = SolverName::events};
 }
 
 }  // namespace bumpfoil

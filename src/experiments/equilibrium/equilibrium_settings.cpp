@@ -99,6 +99,9 @@ void check_equilibrium(Checks& checks, const Case& input, const CheckedBumpFoil&
                      "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
   checks.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
                      "no load specified", "give a list such as [[\"50 N\", \"0 N\"]]");
+  checks.require_for("montecarlo",
+                     !input.montecarlo || !input.montecarlo->limits || input.montecarlo->command == "equilibrium",
+                     "montecarlo.limits", "true", "are those of running bearings", "set command = \"equilibrium\"");
   if (!input.equilibrium) return;
   const EquilibriumSettings& equilibrium = *input.equilibrium;
   checks.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "no speed specified",
@@ -155,7 +158,9 @@ CaseTable equilibrium_settings() {
           .given = [](const Case& input) { return input.equilibrium.has_value(); },
           .requested_part = [](const Case& input) -> std::string_view {
             return input.equilibrium && input.equilibrium->limits ? "limits" : "";
-          }};
+          },
+          .swept = true,
+          .sampled_by = SolverName::newton};
 }
 
 }  // namespace bumpfoil

@@ -10,6 +10,7 @@
 #include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
 #include "case/case_json.hpp"
 #include "experiments/equilibrium/equilibrium_json.hpp"
+#include "experiments/equilibrium/equilibrium_sampling.hpp"
 #include "experiments/equilibrium/running_dataset.hpp"
 
 namespace bumpfoil {
@@ -99,7 +100,6 @@ ExperimentInfo equilibrium_experiment() {
                     .help = "Version of ROSS for coefficients.toml; 2 has synchronous coefficients only",
                     .key = "equilibrium.ross_version",
                     .values = {"3", "2"}}},
-      .sampled = EnsembleCommand::equilibrium,
       .run =
           [](const Case& input, const ProgressCallback& progress) {
             return running_outcome(input, analyse_running_bearing(input, progress));
@@ -107,6 +107,7 @@ ExperimentInfo equilibrium_experiment() {
       .sweeping =
           Sweeping{.run = run_swept,
                    .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); }},
+      .sampling = equilibrium_sampling(),
       .quantities = meanings_of(all_running_quantities()),
       .small_runs = {one_state, with_limits, of_pads, on_peaks, across, of_strips}};
 }

@@ -27,8 +27,13 @@ void describe(CaseVisitor& keys, OptimisedKey& one) {
 
 void describe(CaseVisitor& keys, OptimiseSettings& optimise) {
   using enum Presence;
+  static const std::vector<std::string_view> commands = [] {
+    std::vector<std::string_view> names = swept_experiments();
+    names.emplace_back("montecarlo");
+    return names;
+  }();
   keys.choice({"command", defaulted, "Command", "command that is run at every point; \"montecarlo\": an ensemble"},
-              optimise.command);
+              commands, optimise.command);
   keys.value({"maximise", optional, "Maximise",
               "quantity of result.nc whose smallest value over all directions or states is maximised; of an ensemble "
               "\"yield\", or one with a statistic, such as \"h_min.p5\"",
@@ -101,7 +106,7 @@ void check_optimise(Checks& checks, const Case& input, const CheckedBumpFoil& /*
                      "give a quantity to maximise, or one to minimise");
   checks.require(aims <= 2, "optimise.minimise", "", fmt::format("makes {} aims", aims),
                  "give one or two aims, and limits in place of others");
-  checks.require_for("optimise", optimise.bearing_limits.empty() || optimise.command == OptimisedCommand::montecarlo,
+  checks.require_for("optimise", optimise.bearing_limits.empty() || optimise.runs_ensembles(),
                      "optimise.bearing_limits", "", "are those of an ensemble",
                      "set command = \"montecarlo\", or write them into limits");
   checks.require_for("optimise", !optimise.keys.empty(), "optimise.key", "", "is missing",
@@ -137,7 +142,7 @@ CaseTable optimise_settings() {
               },
           .requested_part = [](const Case& input) -> std::string_view {
             const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
-            return held == nullptr ? "" : name_of(held->command);
+            return held == nullptr ? std::string_view() : held->command;
           }};
 }
 

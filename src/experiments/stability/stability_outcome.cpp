@@ -6,6 +6,7 @@
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "case/case_json.hpp"
+#include "experiments/run_sampling.hpp"
 #include "experiments/stability/stability_dataset.hpp"
 #include "experiments/stability/stability_json.hpp"
 #include "experiments/stability/stability_quantities.hpp"
@@ -63,6 +64,8 @@ ExperimentInfo stability_experiment() {
   const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
     return stability_outcome(input, run_stability(input, progress));
   };
+  const Sweeping sweeping{
+      .run = run, .not_begun = [](const Case& input) { return stability_outcome(input, stability_not_begun(input)); }};
   return {
       .name = "stability",
       .summary = "Find the free motions of rotor, film and foils over speed, and where whirl begins",
@@ -74,11 +77,9 @@ ExperimentInfo stability_experiment() {
           "Growth is the real part of a rate over the speed of rotation; 1: the motion grows by a factor e per "
           "radian.\n",
       .files = {"summary.json", "stability.csv", "result.nc"},
-      .sampled = EnsembleCommand::stability,
       .run = run,
-      .sweeping =
-          Sweeping{.run = run,
-                   .not_begun = [](const Case& input) { return stability_outcome(input, stability_not_begun(input)); }},
+      .sweeping = sweeping,
+      .sampling = rotor_sampling("stable_up_to", sweeping),
       .quantities = meanings_of(stability_quantities()),
       .small_runs = {speeds}};
 }

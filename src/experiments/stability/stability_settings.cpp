@@ -36,7 +36,9 @@ CaseTable stability_settings() {
           .needs = "stability",
           .describe = describe_stability,
           .check = check_stability,
-          .given = [](const Case& input) { return input.settings.find<StabilitySettings>() != nullptr; }};
+          .given = [](const Case& input) { return input.settings.find<StabilitySettings>() != nullptr; },
+          .swept = true,
+          .sampled_by = SolverName::newton};
 }
 
 }  // namespace bumpfoil

@@ -87,7 +87,8 @@ CaseTable strip_settings() {
           .flat = true,
           .describe = describe_strip,
           .check = check_strip,
-          .given = [](const Case& input) { return input.strip.has_value(); }};
+          .given = [](const Case& input) { return input.strip.has_value(); },
+          .swept = true};
 }
 
 }  // namespace bumpfoil

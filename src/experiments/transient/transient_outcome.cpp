@@ -7,6 +7,7 @@
 #include "bumpfoil/model/validation.hpp"
 #include "case/case_json.hpp"
 #include "core/collect_faults.hpp"
+#include "experiments/run_sampling.hpp"
 #include "experiments/transient/transient_checkpoint.hpp"
 #include "experiments/transient/transient_quantities.hpp"
 #include "results/result_files.hpp"
@@ -126,6 +127,9 @@ ExperimentInfo transient_experiment() {
   const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
     return transient_outcome(input, reading_of(run_transient(input, progress)));
   };
+  const Sweeping sweeping{.run = run, .not_begun = [](const Case& input) {
+                            return transient_outcome(input, reading_of(transient_not_begun(input)));
+                          }};
   return {.name = "transient",
           .summary = "March a rotor on its bearings in time: run-up, coast-down, impulses, base motion",
           .examples =
@@ -134,16 +138,12 @@ ExperimentInfo transient_experiment() {
               "time=\"0.1 s\"}' --set 'transient.pulse={force=[\"0 N\", \"20 N\"], begin=\"5 ms\", duration=\"1 "
               "ms\"}'\n",
           .files = {"summary.json", "transient.csv", "result.nc"},
-          .sampled = EnsembleCommand::transient,
           .run = run,
           .check = transient_faults,
           .staged = stage_transient,
           .checkpoints = transient_checkpoint_names(),
-          .sweeping = Sweeping{.run = run,
-                               .not_begun =
-                                   [](const Case& input) {
-                                     return transient_outcome(input, reading_of(transient_not_begun(input)));
-                                   }},
+          .sweeping = sweeping,
+          .sampling = rotor_sampling("largest_half_peak_to_peak", sweeping),
           .quantities = meanings_of(run_quantities()),
           .small_runs = {small}};
 }

@@ -144,7 +144,9 @@ CaseTable transient_settings() {
           .needs = "transient",
           .describe = describe_transient,
           .check = check_transient,
-          .given = [](const Case& input) { return input.settings.find<TransientSettings>() != nullptr; }};
+          .given = [](const Case& input) { return input.settings.find<TransientSettings>() != nullptr; },
+          .swept = true,
+          .sampled_by = SolverName::newton};
 }
 
 }  // namespace bumpfoil

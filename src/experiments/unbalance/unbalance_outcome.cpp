@@ -6,6 +6,7 @@
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "case/case_json.hpp"
+#include "experiments/run_sampling.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
 #include "results/result_files.hpp"
 #include "results/summary_json.hpp"
@@ -119,6 +120,8 @@ ExperimentInfo unbalance_experiment() {
   const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
     return unbalance_outcome(input, run_unbalance(input, progress));
   };
+  const Sweeping sweeping{
+      .run = run, .not_begun = [](const Case& input) { return unbalance_outcome(input, unbalance_not_begun(input)); }};
   return {
       .name = "unbalance",
       .summary = "Compute the response of a rotor on its bearings to unbalance, over speed",
@@ -134,11 +137,9 @@ ExperimentInfo unbalance_experiment() {
                     .help = "Also find the periodic orbits with contacts and friction, by steps in time",
                     .key = "unbalance.orbits",
                     .value = "true"}},
-      .sampled = EnsembleCommand::unbalance,
       .run = run,
-      .sweeping =
-          Sweeping{.run = run,
-                   .not_begun = [](const Case& input) { return unbalance_outcome(input, unbalance_not_begun(input)); }},
+      .sweeping = sweeping,
+      .sampling = rotor_sampling("largest_amplitude", sweeping),
       .quantities = meanings_of(unbalance_quantities()),
       .small_runs = {speeds, with_orbits}};
 }

@@ -46,7 +46,9 @@ CaseTable unbalance_settings() {
           .needs = "unbalance",
           .describe = describe_unbalance,
           .check = check_unbalance,
-          .given = [](const Case& input) { return input.settings.find<UnbalanceSettings>() != nullptr; }};
+          .given = [](const Case& input) { return input.settings.find<UnbalanceSettings>() != nullptr; },
+          .swept = true,
+          .sampled_by = SolverName::newton};
 }
 
 }  // namespace bumpfoil

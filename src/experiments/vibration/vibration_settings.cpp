@@ -123,7 +123,8 @@ CaseTable vibration_settings() {
           .needs = "vibration",
           .describe = describe_vibration,
           .check = check_vibration,
-          .given = [](const Case& input) { return input.vibration.has_value(); }};
+          .given = [](const Case& input) { return input.vibration.has_value(); },
+          .swept = true};
 }
 
 }  // namespace bumpfoil

@@ -8,13 +8,19 @@
 #include <string_view>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/ensemble/running_sample.hpp"
+#include "bumpfoil/ensemble/ensemble_run.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/cycle/sampled_cycles.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "support/ensemble_cases.hpp"
 
 namespace bumpfoil {
 namespace {
+
+/// Of the first sample.
+std::vector<double> row_of_sample(const Case& input, const EnsembleLayout& layout) {
+  return EnsembleSampler(input, layout).run(0, [](double) { return true; }).value();
+}
 
 TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
   Case input = test_support::ensemble_case(1);
@@ -27,9 +33,8 @@ TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(names.count("clearance_5N"), 1U);
   EXPECT_EQ(names.count("clearance_1e+06N"), 1U);
 
-  const Case sampled = sampled_case(input, draw_sample(input, 0));
-  const CycleResult result = run_sample(sampled).value();
-  const std::vector<double> row = make_ensemble_row(layout, sampled, result);
+  const CycleResult result = run_sampled_cycles(sampled_case(input, draw_sample(input, 0))).value();
+  const std::vector<double> row = row_of_sample(input, layout);
   ASSERT_EQ(row.size(), layout.width());
   for (std::size_t direction = 0; direction < 2; ++direction) {
     const Cycle& cycle = result.cycles[direction];
@@ -52,7 +57,7 @@ TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
 TEST(EnsembleLayout, OfWhatWasNotRunOnlyTheStatusIsKnown) {
   const Case input = test_support::ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
-  const std::vector<double> row = make_ensemble_row(layout, input, SampleResult{});
+  const std::vector<double> row = make_ensemble_row(layout, std::nullopt);
   for (std::size_t k = 0; k < layout.per_place(); ++k) {
     if (k == 0) {
       EXPECT_EQ(row[k], layout.no_bearing());
@@ -81,9 +86,8 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
   rough.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
   EXPECT_TRUE(has(make_ensemble_layout(rough), "asperity_share"));
 
-  const Case sampled = sampled_case(input, draw_sample(input, 0));
-  const EquilibriumResult result = run_running_sample(sampled).value();
-  const std::vector<double> row = make_ensemble_row(layout, sampled, result);
+  const EquilibriumResult result = run_equilibrium(sampled_case(input, draw_sample(input, 0)));
+  const std::vector<double> row = row_of_sample(input, layout);
   ASSERT_EQ(row.size(), layout.width());
   for (std::size_t place = 0; place < 2; ++place) {
     const RunningState& state = result.states[place];
@@ -108,20 +112,19 @@ TEST(EnsembleLayout, RowsHoldTheRotorOverItsSpeeds) {
   const EnsembleLayout layout = make_ensemble_layout(input);
   ASSERT_EQ(layout.places.size(), 1U);
   EXPECT_EQ(layout.places[0].name, "rotor");
-  EXPECT_EQ(layout.dimension(), "rotor");
+  EXPECT_EQ(layout.place.name, "rotor");
   EXPECT_EQ(layout.width(), layout.columns.size());  // bump loads are omitted, as they differ between speeds
   EXPECT_EQ(layout.columns.front().meaning.name, "status");
   EXPECT_EQ(layout.status_name(static_cast<int>(Status::interrupted)), "interrupted");
   EXPECT_EQ(layout.status_name(layout.no_bearing()), "not_physical");
-  EXPECT_EQ(make_ensemble_row(layout, input, SampleResult{}).front(), layout.no_bearing());
+  EXPECT_EQ(make_ensemble_row(layout, std::nullopt).front(), layout.no_bearing());
 
   const Case sampled = sampled_case(input, draw_sample(input, 0));
   const StabilityResult result = run_stability(sampled);
   double first = 1570.8;
   for (const WhirlOnset& found : result.map.onsets) first = std::min(first, std::abs(found.onset.speed));
   ASSERT_LT(first, 1570.8);
-  const std::vector<double> row =
-      make_ensemble_row(layout, input, run_rotor_sample(sampled, EnsembleCommand::stability).value());
+  const std::vector<double> row = row_of_sample(input, layout);
   ASSERT_EQ(row.size(), layout.width());
   const auto value = [&](std::string_view name) {
     const auto column = std::find_if(layout.columns.begin(), layout.columns.end(),
@@ -138,16 +141,15 @@ TEST(EnsembleLayout, RowsHoldTheRotorOverItsSpeeds) {
 TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
   Case input = test_support::unbalance_ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
-  EXPECT_EQ(layout.dimension(), "rotor");
-  EXPECT_EQ(layout.leading(), "largest_amplitude");
+  EXPECT_EQ(layout.place.name, "rotor");
+  EXPECT_EQ(layout.leading, "largest_amplitude");
   EXPECT_EQ(layout.width(), layout.columns.size());
   std::vector<std::string> names;
   for (const EnsembleColumn& column : layout.columns) names.push_back(column.meaning.name);
   EXPECT_EQ(names, (std::vector<std::string>{"status", "largest_amplitude", "largest_amplitude_speed",
                                              "largest_amplitude_ratio"}));
   EXPECT_EQ(layout.status_name(layout.no_bearing()), "not_physical");
-  const std::vector<double> row = make_ensemble_row(
-      layout, input, run_rotor_sample(sampled_case(input, draw_sample(input, 0)), EnsembleCommand::unbalance).value());
+  const std::vector<double> row = row_of_sample(input, layout);
   EXPECT_EQ(row[0], 0.0);
   EXPECT_GT(row[1], 0.5e-6);  // the centre of mass is 1 um from the axis
   EXPECT_LT(row[1], 5e-6);
@@ -161,16 +163,15 @@ TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
 TEST(EnsembleLayout, RowsHoldWhatARotorDoesInTime) {
   const Case input = test_support::transient_ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
-  EXPECT_EQ(layout.dimension(), "rotor");
+  EXPECT_EQ(layout.place.name, "rotor");
   std::vector<std::string> names;
   for (const EnsembleColumn& column : layout.columns) names.push_back(column.meaning.name);
   EXPECT_EQ(names,
             (std::vector<std::string>{"status", "end_time", "end_speed", "largest_half_peak_to_peak",
                                       "largest_amplitude_half", "thinnest_film_of_run", "largest_asperity_load_of_run",
                                       "rub_count", "friction_loss_of_run", "energy_defect_of_run"}));
-  EXPECT_EQ(std::count(names.begin(), names.end(), layout.leading()), 1);
-  const std::vector<double> row = make_ensemble_row(
-      layout, input, run_rotor_sample(sampled_case(input, draw_sample(input, 0)), EnsembleCommand::transient).value());
+  EXPECT_EQ(std::count(names.begin(), names.end(), layout.leading), 1);
+  const std::vector<double> row = row_of_sample(input, layout);
   EXPECT_EQ(row[1], input.settings.find<TransientSettings>()->speed.front().time);
 }
 
@@ -190,7 +191,7 @@ TEST(EnsembleLayout, OfRotorsWantsOne) {
 TEST(EnsembleLayout, OfARunningBearingThatIsNoneOnlyTheStatusIsKnown) {
   const Case input = test_support::running_ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
-  const std::vector<double> row = make_ensemble_row(layout, input, SampleResult{});
+  const std::vector<double> row = make_ensemble_row(layout, std::nullopt);
   EXPECT_EQ(layout.status_name(static_cast<int>(row[0])), "not_physical");
   EXPECT_EQ(layout.status_reason(static_cast<int>(row[0])), "invalid sample");
   EXPECT_TRUE(std::all_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(layout.per_place()),

@@ -16,6 +16,7 @@
 #include "bumpfoil/experiments/cycle/cycle_csv.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/cycle/sampled_cycles.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
@@ -386,7 +387,7 @@ TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
   const auto name = [](const json& quantity) { return quantity["name"] == "max_force"; };
   const json& quantities = answer["quantities"];
   const auto place = std::find_if(quantities.begin(), quantities.end(), name) - quantities.begin();
-  const CycleResult second = run_sample(sampled_case(input, draw_sample(input, 2))).value();
+  const CycleResult second = run_sampled_cycles(sampled_case(input, draw_sample(input, 2))).value();
   EXPECT_EQ(answer["samples"][1][3][static_cast<std::size_t>(place)], second.cycles[3].turning_point->max_force);
   EXPECT_NE(answer["samples"][0], answer["samples"][1]);
   const auto of_last = [&](const char* key) {

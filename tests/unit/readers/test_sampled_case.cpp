@@ -17,7 +17,7 @@ class SampledCase : public test_support::EnsembleFiles {
  protected:
   [[nodiscard]] std::string refusal(std::size_t number, const Case& input) const {
     try {
-      read_sampled_case(netcdf_, number, input, EnsembleCommand::cycle);
+      read_sampled_case(netcdf_, number, input, "cycle");
     } catch (const Error& error) {
       return error.what();
     }
@@ -26,23 +26,23 @@ class SampledCase : public test_support::EnsembleFiles {
 };
 
 TEST_F(SampledCase, AStoredSampleIsTheOneThatWasDrawn) {
-  EXPECT_EQ(read_sampled_case(netcdf_, 2, input_, EnsembleCommand::cycle),
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, input_, "cycle"),
             sampled_case(input_, draw_sample(input_, 2)));
   Case finer = input_;
   finer.cycle.steps = 400;
   finer.montecarlo.reset();
-  EXPECT_EQ(read_sampled_case(netcdf_, 2, finer, EnsembleCommand::cycle).cycle.steps, 400);
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, finer, "cycle").cycle.steps, 400);
 }
 
 TEST_F(SampledCase, AStoredSampleIsRunByTheSolverOfItsEnsemble) {
-  const auto solver = [this](std::optional<SolverName> named, EnsembleCommand command) {
+  const auto solver = [this](std::optional<SolverName> named, std::string_view command) {
     Case input = input_;
     input.solver.name = named;
     return read_sampled_case(netcdf_, 2, input, command).solver.chosen();
   };
-  EXPECT_EQ(solver({}, EnsembleCommand::cycle), SolverName::events);
-  EXPECT_EQ(solver(SolverName::newton, EnsembleCommand::cycle), SolverName::newton);
-  EXPECT_EQ(solver({}, EnsembleCommand::equilibrium), SolverName::newton);  // events cannot solve films
+  EXPECT_EQ(solver({}, "cycle"), SolverName::events);
+  EXPECT_EQ(solver(SolverName::newton, "cycle"), SolverName::newton);
+  EXPECT_EQ(solver({}, "equilibrium"), SolverName::newton);  // events cannot solve films
 }
 
 TEST_F(SampledCase, ASampleOfADamagedFileIsRefused) {

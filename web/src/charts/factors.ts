@@ -1,7 +1,6 @@
 import { toCsv } from '../data/csv';
 import type { Ensemble, Factor } from '../data/ensemble';
 import type { Quantity } from '../data/format';
-import { mainQuantities } from '../data/main_quantities';
 import { at, capital } from '../data/run';
 import { formatNumber } from '../data/units';
 import { dropDown } from '../ui/dom';
@@ -25,7 +24,7 @@ export class FactorPanel {
     private readonly selection: EnsembleSelection,
   ) {
     const { quantities } = ensemble;
-    this.quantity = quantities.find(({ name }) => name === 'max_force') ?? at(mainQuantities(quantities, ensemble.limited), 0);
+    this.quantity = quantities.find(({ name }) => name === ensemble.attribute('leading_quantity')) ?? at(quantities, 0);
     const list = dropDown(
       `Quantity: ${title}`,
       quantities.map((value) => ({ value, text: capital(value.label) })),

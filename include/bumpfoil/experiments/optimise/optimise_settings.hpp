@@ -4,16 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/core/enum_names.hpp"
-
 namespace bumpfoil {
-
-/// What is run at every point: an experiment that can be swept, or an ensemble.
-enum class OptimisedCommand { cycle, strip, vibration, equilibrium, stability, unbalance, transient, montecarlo };
-
-template <>
-inline constexpr auto enum_names<OptimisedCommand> = std::to_array<std::string_view>(
-    {"cycle", "strip", "vibration", "equilibrium", "stability", "unbalance", "transient", "montecarlo"});
 
 /// A key that is chosen between two bounds, SI.
 struct OptimisedKey {
@@ -28,7 +19,7 @@ struct OptimisedKey {
 
 /// Which values of some keys are best.
 struct OptimiseSettings {
-  OptimisedCommand command{OptimisedCommand::equilibrium};
+  std::string command{"equilibrium"};         ///< run at every point: an experiment that can be swept, or "montecarlo"
   std::vector<std::string> maximise{};        ///< quantities; with those to be minimised one or two
   std::vector<std::string> minimise{};        ///< the same
   std::vector<std::string> limits{};          ///< "h_min > 5 um": what the result must meet
@@ -40,6 +31,7 @@ struct OptimiseSettings {
   int seed{1};                                ///< of the places among which further starts are the best
   std::vector<OptimisedKey> keys{};
 
+  [[nodiscard]] bool runs_ensembles() const { return command == "montecarlo"; }
   bool operator==(const OptimiseSettings&) const = default;
 };
 

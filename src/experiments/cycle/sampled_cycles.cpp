@@ -1,0 +1,33 @@
+#include "bumpfoil/experiments/cycle/sampled_cycles.hpp"
+
+#include <utility>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
+
+namespace bumpfoil {
+
+CycleResult SampledCycleRunner::run(const Case& sampled, const ProgressCallback& progress) {
+  SharedFoils foils = make_bearing_foils(sampled, {"cycle"});
+  if (runner_ && settings_ == sampled.solver) {
+    runner_->set_foils(std::move(foils));
+  } else {
+    settings_ = sampled.solver;
+    runner_.emplace(std::move(foils), settings_);
+  }
+  CycleResult result{.solver = sampled.solver.chosen(), .experiment = Experiment::cycle, .cycles = {}};
+  for (const double direction : sampled.cycle.directions) {
+    result.cycles.push_back(runner_->run(direction, sampled.cycle, Recording::quantities, progress));
+  }
+  return result;
+}
+
+std::optional<CycleResult> run_sampled_cycles(const Case& sampled, const ProgressCallback& progress) {
+  try {
+    return SampledCycleRunner().run(sampled, progress);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,133 @@
+#include "bumpfoil/experiments/sampling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/motion/response.hpp"
+#include "model/case_table.hpp"
+#include "support/ensemble_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const Sampling& sampling_of(const Case& input) {
+  return *experiment_named(input.montecarlo->command).sampling;
+}
+
+/// What is found of a sampled case of the ensemble of `input`.
+std::vector<SampledPlace> run_sample(const Case& input, const Case& sampled, const ProgressCallback& progress = {}) {
+  return sampling_of(input).begin(input)(sampled, progress);
+}
+
+std::size_t column_named(const EnsembleLayout& layout, std::string_view name) {
+  const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                  [name](const EnsembleColumn& one) { return one.meaning.name == name; });
+  return static_cast<std::size_t>(found - layout.columns.begin());
+}
+
+/// The names of the case file are those of the experiments that say how.
+TEST(Sampling, IsOfTheExperimentsThatTheCaseFileNames) {
+  std::vector<std::string_view> sampled;
+  std::vector<std::string_view> swept;
+  for (const ExperimentInfo& experiment : experiments()) {
+    if (experiment.sampling) sampled.push_back(experiment.name);
+    if (experiment.sweeping) swept.push_back(experiment.name);
+  }
+  EXPECT_EQ(sampled, sampled_experiments());
+  EXPECT_EQ(swept, swept_experiments());
+  EXPECT_GE(sampled.size(), 5U);
+}
+
+TEST(Sampling, OfRunningBearingsComesToTheStatesOfItsCase) {
+  const Case input = test_support::running_ensemble_case(1);
+  const EnsembleLayout layout = sampling_of(input).layout(input);
+  const std::vector<SampledPlace> found = run_sample(input, sampled_case(input, draw_sample(input, 0)));
+  ASSERT_EQ(found.size(), 2U);
+  ASSERT_EQ(layout.places.size(), 2U);
+  ASSERT_EQ(layout.coordinates.size(), 3U);
+  EXPECT_EQ(layout.coordinates[1].meaning.name, "load_x");
+  EXPECT_EQ(layout.coordinates[1].values, (std::vector{20.0, 40.0}));
+  for (const SampledPlace& place : found) {
+    EXPECT_EQ(place.values.size(), layout.columns.size());
+    EXPECT_EQ(place.values.front(), 0.0);
+    EXPECT_EQ(place.loads.size(), 26U);
+  }
+}
+
+TEST(Sampling, HasLimitsWhereTheyAreAskedFor) {
+  Case input = test_support::running_ensemble_case(1);
+  input.film.h_lift_off = 8e-6;
+  input.top_foil.formed_radius = {FormedTo::seated};  // equilibria exist at all speeds
+  const EnsembleLayout without = sampling_of(input).layout(input);
+  EXPECT_EQ(column_named(without, "lift_off_speed"), without.columns.size());
+  input.montecarlo->limits = true;
+  const std::size_t lift_off = column_named(sampling_of(input).layout(input), "lift_off_speed");
+  const std::vector<SampledPlace> found = run_sample(input, sampled_case(input, draw_sample(input, 0)));
+  EXPECT_GT(found[1].values.at(lift_off), found[0].values.at(lift_off));
+  EXPECT_GT(found[0].values.at(lift_off), 0.0);
+}
+
+TEST(Sampling, RefusesWhatMakesNoBearing) {
+  for (const Case& input : {test_support::running_ensemble_case(1), test_support::rotor_ensemble_case(1),
+                            test_support::ensemble_case(1)}) {
+    Case sampled = sampled_case(input, draw_sample(input, 0));
+    sampled.bump_foil.thickness = -0.1e-3;
+    EXPECT_THROW(static_cast<void>(run_sample(input, sampled)), Error) << input.montecarlo->command;
+  }
+}
+
+TEST(Sampling, CanBeStopped) {
+  const Case input = test_support::running_ensemble_case(1);
+  const std::vector<SampledPlace> found =
+      run_sample(input, sampled_case(input, draw_sample(input, 0)), [](double) { return false; });
+  const auto interrupted = std::find(running_statuses.begin(), running_statuses.end(), Status::interrupted);
+  EXPECT_EQ(found[0].values.front(), static_cast<double>(interrupted - running_statuses.begin()));
+}
+
+/// The sample of a rotor is its command on the sampled case. @param place  of `expected` among its values
+void expect_run_of_rotor(const Case& input, std::size_t place, const std::function<double(const Case&)>& expected) {
+  const Case sampled = sampled_case(input, draw_sample(input, 1));
+  const std::vector<double> values = run_sample(input, sampled).front().values;
+  EXPECT_EQ(values.front(), 0.0);
+  EXPECT_EQ(values[place], expected(sampled));
+  EXPECT_NE(values[place], expected(input));
+  const std::vector<double> stopped = run_sample(input, sampled, [](double) { return false; }).front().values;
+  EXPECT_EQ(stopped.front(), static_cast<double>(Status::interrupted));
+}
+
+TEST(Sampling, OfARotorHasItsOnset) {
+  expect_run_of_rotor(test_support::rotor_ensemble_case(2), 1,
+                      [](const Case& input) { return run_stability(input).map.onsets.front().onset.speed; });
+}
+
+TEST(Sampling, RespondsToUnbalanceAsItsCommandDoes) {
+  expect_run_of_rotor(test_support::unbalance_ensemble_case(2), 1, [](const Case& input) {
+    const UnbalanceResult result = run_unbalance(input);
+    double largest = 0.0;
+    for (const UnbalancePoint& point : result.points) {
+      const Eigen::Vector2cd journal = result.machine.places().front().motion * point.stuck.value();
+      largest = std::max(largest, elliptic_orbit(journal, point.speed).major);
+    }
+    return largest;
+  });
+}
+
+TEST(Sampling, MarchesInTimeAsItsCommandDoes) {
+  expect_run_of_rotor(test_support::transient_ensemble_case(2), 3, [](const Case& input) {
+    double largest = 0.0;
+    for (const TransientTurn& revolution : turns_of(run_transient(input))) {
+      largest = std::max(largest, revolution.places.front().orbit.half_peak_to_peak.maxCoeff());
+    }
+    return largest;
+  });
+}
+
+}  // namespace
+}  // namespace bumpfoil
