@@ -17,13 +17,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 4> form_names{"real", "whole", "truth", "flag"};
 
-constexpr std::array<std::pair<Tags, std::string_view>, 7> tag_names{{{tag::csv, "csv"},
+constexpr std::array<std::pair<Tags, std::string_view>, 8> tag_names{{{tag::csv, "csv"},
                                                                       {tag::headline, "headline"},
                                                                       {tag::shown_first, "shown_first"},
                                                                       {tag::sampled, "sampled"},
                                                                       {tag::of_solver, "of_solver"},
                                                                       {tag::measured, "measured"},
-                                                                      {tag::leading, "leading"}}};
+                                                                      {tag::leading, "leading"},
+                                                                      {tag::key_figure, "key_figure"}}};
 
 Json variable_json(const Variable& variable, bool coordinate) {
   const VariableMeaning& meaning = variable.meaning;

@@ -160,6 +160,7 @@ Json shown_quantity(const VariableMeaning& meaning) {
           {"of_solver", (meaning.tags & tag::of_solver) != 0},
           {"first", (meaning.tags & (tag::headline | tag::shown_first)) != 0},
           {"leads", (meaning.tags & tag::leading) != 0},
+          {"key_figure", (meaning.tags & tag::key_figure) != 0},
           {"listed", (meaning.tags & (tag::csv | tag::of_solver)) != 0 || meaning.shown.size > 0.0},
           {"meaning", meaning.long_name}};
 }

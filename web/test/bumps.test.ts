@@ -25,13 +25,13 @@ describe('a case without cycles', () => {
 });
 
 describe('main quantities', () => {
-  const quantity = (name: string, leads = false) => ({ name, leads, first: false });
+  const quantity = (name: string, leads = false, key_figure = false) => ({ name, leads, key_figure, first: false });
   const names = (...given: Parameters<typeof mainQuantities>): string[] => mainQuantities(...given).map(({ name }) => name);
 
-  it('are those that limits are set on, then what people ask for', () => {
-    const all = [quantity('x'), quantity('loss_factor'), quantity('gap', true), quantity('max_force'), quantity('loaded_stiffness')];
+  it('are those that limits are set on, then the leading one and key figures', () => {
+    const all = [quantity('x'), quantity('max_force', false, true), quantity('gap'), quantity('loss_factor', false, true), quantity('loaded_stiffness', true)];
     expect(names(all)).toEqual(['loaded_stiffness', 'max_force', 'loss_factor']);
     expect(names(all, ['x', 'none'])).toEqual(['x', 'loaded_stiffness', 'max_force']);
-    expect(names(all.slice(0, 3))).toEqual(['loss_factor', 'gap', 'x']);
+    expect(names(all.slice(0, 3))).toEqual(['max_force', 'x', 'gap']);
   });
 });

@@ -225,7 +225,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"least_torque_speed", "rad/s", "speed of minimum torque under the load: lift-off from rough surfaces",
      [](const B&, const S& state) { return state.least_torque_speed.value_or(absent); },
      csv | of_asperities | shown_first, "speed of minimum torque", shown::revolutions},
-    {"power", "W", "power loss", of<&FilmBearingOutcome::power>, csv | headline | sampled, "power loss", shown::watts},
+    {"power", "W", "power loss", of<&FilmBearingOutcome::power>, csv | headline | key_figure | sampled, "power loss", shown::watts},
     {"couette_dissipation", "W", "Couette dissipation", of<&FilmBearingOutcome::couette_dissipation>},
     {"poiseuille_dissipation", "W", "Poiseuille dissipation",
      [](const B&, const S& state) {
@@ -355,7 +355,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"critical_mass", "kg",
      "smallest mass per bearing at which a rigid rotor on two such bearings begins to whirl; none where it never does, or "
      "where the state is unstable with the journal held; sliding contacts keep sliding",
-     critical_mass_of<&S::critical_mass>, csv | shown_first | sampled, "critical rotor mass",
+     critical_mass_of<&S::critical_mass>, csv | shown_first | key_figure | sampled, "critical rotor mass",
      shown::kilograms},
     {"critical_whirl_ratio", "1", "frequency of the whirl at the critical mass over the speed of rotation",
      critical_whirl_ratio<&S::critical_mass>, csv | sampled, "  whirl ratio", shown::unitless},

@@ -118,6 +118,8 @@ export interface Quantity {
   first: boolean;
   /** Charts begin with it. */
   leads?: boolean;
+  /** With the leading one, of the three that are shown large. */
+  key_figure?: boolean;
   /** Tables of a single state list it. */
   listed?: boolean;
   /** In words; empty where the result does not say. */

@@ -2,7 +2,7 @@
 import { bearingInSpace, polarPlot, runningBearing } from '../bearing/running';
 import { pressureMap, runningLoads, thicknessChart, thicknessMap } from '../charts/film';
 import type { Quantity } from '../data/format';
-import { at, Run } from '../data/run';
+import { at, capital, Run } from '../data/run';
 import { States } from '../data/states';
 import { formatNumber, formatQuantity } from '../data/units';
 import { resultTable } from '../tables/results';
@@ -63,21 +63,25 @@ function runOf(answer: EquilibriumAnswer, name: string): Run {
   });
 }
 
+/** Names of the quantities in large letters, with the number of their digits; what is said of stability is second. */
+const large = { h_min: 4, attitude_angle: 3, power: 3, p_max: 4, critical_mass: 3 };
+
 /** Main numbers of a state, and whether film and foils stay in it. */
-function tilesOf(now: StateOfSummary, before: StateOfSummary | undefined): HTMLElement[] {
+function tilesOf(answer: EquilibriumAnswer, before: StateOfSummary | undefined): HTMLElement[] {
+  const now = stateOf(answer);
   const number = (state: StateOfSummary | undefined, key: string): number => (typeof state?.[key] === 'number' ? state[key] : NaN);
-  const of = (key: string, what: string, text: (value: number) => string): HTMLElement =>
-    tile(key, what, Number.isFinite(number(now, key)) ? text(number(now, key)) : '–', before ? compared(number(now, key), number(before, key)) : '');
+  const numbers = Object.entries(large).flatMap(([name, digits]) => {
+    const quantity = answer.run.quantities.find((one) => one.name === name);
+    if (!quantity) return [];
+    const { key, label, unit } = quantity;
+    const value = number(now, key);
+    const text = unit === 'degree' ? `${formatNumber(value, digits)}°` : formatQuantity(value, unit, digits);
+    return [tile(key, capital(label), Number.isFinite(value) ? text : '–', before ? compared(value, number(before, key)) : '')];
+  });
   const growth = number(now, 'growth_held');
   const { stable } = now;
-  return [
-    of('h_min_m', 'Minimum film thickness', (value) => formatQuantity(value, 'm', 4)),
-    tile('stable', 'Journal held', stable === true ? 'stable' : stable === false ? 'unstable' : '–', Number.isFinite(growth) ? `foils ${growth < 0 ? 'settle' : 'flutter'}: growth ${formatNumber(growth, 2)} × speed` : ''),
-    of('attitude_angle_deg', 'Attitude angle', (value) => `${formatNumber(value, 3)}°`),
-    of('power_W', 'Power loss', (value) => formatQuantity(value, 'W', 3)),
-    of('p_max_Pa', 'Maximum pressure', (value) => formatQuantity(value, 'Pa', 4)),
-    of('critical_mass_kg', 'Critical mass', (value) => formatQuantity(value, 'kg', 3)),
-  ];
+  const held = tile('stable', 'Journal held', stable === true ? 'stable' : stable === false ? 'unstable' : '–', Number.isFinite(growth) ? `foils ${growth < 0 ? 'settle' : 'flutter'}: growth ${formatNumber(growth, 2)} × speed` : '');
+  return [...numbers.slice(0, 1), held, ...numbers.slice(1)];
 }
 
 /** Views of one state; the next one takes its place. */
@@ -289,7 +293,7 @@ export class RunningView {
       `${textOf(point)}: ${isFound(now) ? `the journal runs at x = ${x ?? ''}, y = ${y ?? ''}` : 'no state was found'}${quick ? ', on a coarse mesh; that of the case follows …' : ', on the mesh of the case.'}`,
       notesOf(now.run),
     );
-    this.tiles.replaceChildren(...tilesOf(state, before && stateOf(before)));
+    this.tiles.replaceChildren(...tilesOf(now, before && stateOf(before)));
     const { dimensions, variables } = now.run;
     const layout = JSON.stringify([dimensions['pad'], Object.keys(variables), variables['film_thickness']?.dims]);
     if (!this.views || layout !== this.layout) {
