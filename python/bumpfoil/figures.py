@@ -268,8 +268,8 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
 def ensemble(result: Result, *, width: str = "double") -> Figure:
     """Distributions of the main quantities of the sampled command, by direction, state or rotor, and their means.
 
-    For cycles maximum force, structural stiffness, loop energy and loss factor; for running bearings eccentricity, attitude
-    angle, minimum film thickness and power loss; for rotors onsets of whirl, or amplitudes and film thickness.
+    For cycles maximum force, structural stiffness, loop energy and loss factor; for running bearings minimum film thickness,
+    eccentricity, attitude angle and power loss; for rotors onsets of whirl, or amplitudes and film thickness.
 
     Parameters
     ----------
@@ -283,6 +283,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     shown = [(name, f"{words} ({unit.replace('um', 'µm')})" if unit else words, size)
              for name, _, words, unit, size in _native.headlines(result.summary["sampled_command"])
              if name in data and np.isfinite(data[name]).any()]
+    shown.sort(key=lambda one: one[0] != data.attrs["leading_quantity"])
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):
         values = {place: one.values[np.isfinite(one.values)] / size

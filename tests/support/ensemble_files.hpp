@@ -24,8 +24,9 @@ class EnsembleFiles : public ::testing::Test {
     std::vector<double> rows;
     for (std::uint64_t i = 0; i < 4; ++i) {
       // The last one is an invalid sample.
-      const std::vector<double> row = i < 3 ? EnsembleSampler(input_, layout_).run(i, [](double) { return true; }).value()
-                                            : make_ensemble_row(layout_, std::nullopt);
+      const std::vector<double> row = i < 3
+                                          ? EnsembleSampler(input_, layout_).run(i, [](double) { return true; }).value()
+                                          : make_ensemble_row(layout_, std::nullopt);
       rows.insert(rows.end(), row.begin(), row.end());
     }
     log_.append(rows);

@@ -75,8 +75,8 @@ TEST(Sampling, HasLimitsWhereTheyAreAskedFor) {
 }
 
 TEST(Sampling, RefusesWhatMakesNoBearing) {
-  for (const Case& input : {test_support::running_ensemble_case(1), test_support::rotor_ensemble_case(1),
-                            test_support::ensemble_case(1)}) {
+  for (const Case& input :
+       {test_support::running_ensemble_case(1), test_support::rotor_ensemble_case(1), test_support::ensemble_case(1)}) {
     Case sampled = sampled_case(input, draw_sample(input, 0));
     sampled.bump_foil.thickness = -0.1e-3;
     EXPECT_THROW(static_cast<void>(run_sample(input, sampled)), Error) << input.montecarlo->command;

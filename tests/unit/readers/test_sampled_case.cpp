@@ -26,8 +26,7 @@ class SampledCase : public test_support::EnsembleFiles {
 };
 
 TEST_F(SampledCase, AStoredSampleIsTheOneThatWasDrawn) {
-  EXPECT_EQ(read_sampled_case(netcdf_, 2, input_, "cycle"),
-            sampled_case(input_, draw_sample(input_, 2)));
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, input_, "cycle"), sampled_case(input_, draw_sample(input_, 2)));
   Case finer = input_;
   finer.cycle.steps = 400;
   finer.montecarlo.reset();
