@@ -23,8 +23,8 @@ struct CheckOptions {
 std::string verdicts(const std::vector<CheckedCommand>& commands) {
   std::string out = commands.empty() ? "" : "\n";
   for (const CheckedCommand& command : commands) {
-    out += fmt::format("# {}: {}\n", command.name, command.faults.empty() ? "ok" : "not possible");
-    for (const Fault& fault : command.faults) out += fmt::format("#   {}\n", format_fault(fault));
+    out += fmt::format("# {}: {}\n", command.name, command.errors.empty() ? "ok" : "not possible");
+    for (const InputError& error : command.errors) out += fmt::format("#   {}\n", format_error(error));
   }
   return out;
 }
@@ -43,7 +43,7 @@ void add_check_command(CLI::App& program, Session& session) {
       "it, and why others cannot. If none can, that is an error.");
   command->callback([options, &session] {
     const CheckedCase checked =
-        check_case(read_case_text(options->case_path), options->case_path, options->overrides, faults_of_run);
+        check_case(read_case_text(options->case_path), options->case_path, options->overrides, errors_of_run);
     if (!session.quiet) print_some("warning: ", case_warnings(checked.input));
     if (!session.quiet) print_output(case_to_toml(checked.input) + verdicts(checked.commands));
   });

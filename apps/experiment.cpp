@@ -65,7 +65,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   const std::string case_text = read_case_text(options.case_path);
   Case input =
       parse_case(case_text, options.case_path,
-                 {.overrides = options.overrides, .commands = {std::string(experiment.name)}, .check = faults_of_run});
+                 {.overrides = options.overrides, .commands = {std::string(experiment.name)}, .check = errors_of_run});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, experiment.name);
   require_other_file(options, experiment.files);
   const InterruptionGuard guard;  // before anything needs cleanup

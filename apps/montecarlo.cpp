@@ -96,15 +96,15 @@ Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& 
   try {
     return parse_case(case_text, options.case_path, request);
   } catch (const Error& error) {
-    std::vector<Fault> faults = error.faults();
-    for (Fault& fault : faults) {
+    std::vector<InputError> errors = error.errors();
+    for (InputError& wrong : errors) {
       const auto blamed =
-          std::find_if(given.begin(), given.end(), [&](const Shorthand& one) { return one.key == fault.key; });
+          std::find_if(given.begin(), given.end(), [&](const Shorthand& one) { return one.key == wrong.key; });
       if (blamed == given.end()) continue;
-      fault.file.clear();
-      fault.key = blamed->option;
+      wrong.file.clear();
+      wrong.key = blamed->option;
     }
-    throw Error(error.kind(), std::move(faults));
+    throw Error(error.kind(), std::move(errors));
   }
 }
 

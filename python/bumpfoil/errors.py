@@ -8,13 +8,18 @@ class Error(Exception):
 
     Attributes
     ----------
-    faults : list of str
+    errors : list of str
         Every error, one line each: place, value found, what to change.
     """
 
-    def __init__(self, message: str, faults: list[str] | None = None) -> None:
+    def __init__(self, message: str, errors: list[str] | None = None) -> None:
         super().__init__(message)
-        self.faults = faults if faults is not None else [message]
+        self.errors = errors if errors is not None else [message]
+
+    @property
+    def faults(self) -> list[str]:
+        """The former name of ``errors``."""
+        return self.errors
 
 
 class CaseError(Error, ValueError):

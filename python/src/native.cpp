@@ -47,12 +47,12 @@ using Files = std::map<std::string, py::bytes>;
 /// What the command line calls --force is an argument here.
 Error as_python_says_it(const Error& error) {
   constexpr std::string_view option = "--force";
-  std::vector<Fault> faults = error.faults();
-  for (Fault& fault : faults) {
-    const std::size_t at = fault.advice.find(option);
-    if (at != std::string::npos) fault.advice.replace(at, option.size(), "force=True");
+  std::vector<InputError> errors = error.errors();
+  for (InputError& one : errors) {
+    const std::size_t at = one.advice.find(option);
+    if (at != std::string::npos) one.advice.replace(at, option.size(), "force=True");
   }
-  return {error.kind(), std::move(faults)};
+  return {error.kind(), std::move(errors)};
 }
 
 void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): as pybind11 wants it
@@ -60,11 +60,11 @@ void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-v
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Error& thrown_error) {
     const Error error = as_python_says_it(thrown_error);
-    py::list faults;
-    for (const Fault& fault : error.faults()) faults.append(format_fault(fault));
+    py::list errors;
+    for (const InputError& one : error.errors()) errors.append(format_error(one));
     const py::object type =
         py::module_::import("bumpfoil.errors").attr(error.kind() == ErrorKind::input ? "CaseError" : "FileError");
-    PyErr_SetObject(type.ptr(), type(std::string(error.what()), faults).ptr());
+    PyErr_SetObject(type.ptr(), type(std::string(error.what()), errors).ptr());
   }
 }
 

@@ -12,17 +12,17 @@
 namespace bumpfoil {
 namespace {
 
-/// Does what reads a source; faults of what was given in Python go by their keys alone.
+/// Does what reads a source; errors of what was given in Python go by their keys alone.
 template <typename Reading>
 auto told_by_keys(const Reading& reading) try {
   return reading();
 } catch (const Error& error) {
-  std::vector<Fault> faults = error.faults();
-  for (Fault& fault : faults) {
-    if (fault.file.starts_with("--")) fault.file.clear();
-    if (fault.file.empty()) fault.line = 0;
+  std::vector<InputError> errors = error.errors();
+  for (InputError& one : errors) {
+    if (one.file.starts_with("--")) one.file.clear();
+    if (one.file.empty()) one.line = 0;
   }
-  throw Error(error.kind(), std::move(faults));
+  throw Error(error.kind(), std::move(errors));
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ auto told_by_keys(const Reading& reading) try {
 Case read_source(const CaseSource& source, const std::vector<std::string>& commands) {
   return told_by_keys([&] {
     return parse_case(source.text, source.name,
-                      {.overrides = source.changes, .commands = commands, .check = faults_of_run});
+                      {.overrides = source.changes, .commands = commands, .check = errors_of_run});
   });
 }
 
@@ -39,7 +39,7 @@ Case read_source(const CaseSource& source, const std::vector<std::string>& comma
 }
 
 void check_source(const CaseSource& source) {
-  told_by_keys([&] { return check_case(source.text, source.name, source.changes, faults_of_run); });
+  told_by_keys([&] { return check_case(source.text, source.name, source.changes, errors_of_run); });
 }
 
 Sweep read_sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,

@@ -18,7 +18,7 @@ struct CaseSource {
   std::vector<std::string> changes;  ///< "table.key=value" each, see CaseRequest
 };
 
-/// @throws Error as parse_case() does; faults of what was given in Python have its keys alone
+/// @throws Error as parse_case() does; errors of what was given in Python have its keys alone
 Case read_source(const CaseSource& source, const std::vector<std::string>& commands = {});
 
 /// @throws Error as check_case() does, told in the same way

@@ -52,21 +52,21 @@ std::string experiments_with_pads() {
 }
 
 /// Errors that prevent the foils from being built as a truss.
-std::vector<Fault> truss_faults(const Case& input) {
+std::vector<InputError> truss_errors(const Case& input) {
   if (input.bump_foil.model != BumpFoilModel::frame) {
     for (const PlacedPad& pad : place_pads(input)) {
-      std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
-      for (std::size_t k = 0; k < pad.alone.bump_foil.strip.size() && faults.empty(); ++k) {
+      std::vector<InputError> errors = find_truss_errors(make_bearing_design(pad.alone));
+      for (std::size_t k = 0; k < pad.alone.bump_foil.strip.size() && errors.empty(); ++k) {
         if (!pad.alone.bump_foil.strip[k].has_own_bumps()) continue;
-        faults = find_truss_faults(make_bearing_design(strip_of(pad, static_cast<int>(k)).alone));
+        errors = find_truss_errors(make_bearing_design(strip_of(pad, static_cast<int>(k)).alone));
       }
-      if (!faults.empty()) return faults;
+      if (!errors.empty()) return errors;
     }
   }
   for (std::size_t i = 0; i < input.rotor_bearings.size(); ++i) {
-    std::vector<Fault> faults = truss_faults(bearing_at(input, i));
-    for (Fault& fault : faults) fault.key = fmt::format("rotor.bearing[{}].{}", i + 1, fault.key);
-    if (!faults.empty()) return faults;
+    std::vector<InputError> errors = truss_errors(bearing_at(input, i));
+    for (InputError& error : errors) error.key = fmt::format("rotor.bearing[{}].{}", i + 1, error.key);
+    if (!errors.empty()) return errors;
   }
   return {};
 }
@@ -90,8 +90,8 @@ bool chooses_truss(const toml::table& document) {
                                              [&](const toml::node& one) { return chosen_in_any(View(one)["pad"]); }));
 }
 
-/// Replaces a truss that was not requested by the frame. @param fault of the truss
-void take_frame(Case& input, const Fault& fault) {
+/// Replaces a truss that was not requested by the frame. @param error of the truss
+void take_frame(Case& input, const InputError& error) {
   const auto take_for = [](std::vector<Pad>& pads) {
     for (Pad& pad : pads) {
       if (pad.bump_foil) pad.bump_foil->model = BumpFoilModel::frame;
@@ -106,7 +106,7 @@ void take_frame(Case& input, const Fault& fault) {
   input.remarks.push_back(
       fmt::format("the bump foil is modelled as a frame, since it cannot be a truss ({} {}); set bump_foil.model = "
                   "\"frame\" to confirm, or give the constants of a truss in [bump_foil.truss]",
-                  fault.key, fault.what));
+                  error.key, error.what));
 }
 
 /// Adds errors from the checks of the named command, or of all commands with a table if none is named.
@@ -122,7 +122,8 @@ void run_checks(const CaseRequest& request, const Case& input, ReadingLog& log) 
     if (log.blames(table + ".command")) continue;  // unknown command to run
     // The command to run can be built despite errors in its own table, which are listed with those of its checks.
     const bool can_be_built = named && log.is_sound_but_for(table);
-    for (const Fault& fault : request.check(command, can_be_built ? input : settings_alone)) log.later_fault(fault);
+    for (const InputError& error : request.check(command, can_be_built ? input : settings_alone))
+      log.later_error(error);
   }
 }
 
@@ -132,7 +133,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   const std::string name = name_in_messages(file);
   toml::table document = parse_toml(text, name);
   ReadingLog log(name);
-  for (Fault& fault : apply_overrides(document, request.overrides)) log.add(std::move(fault));
+  for (InputError& error : apply_overrides(document, request.overrides)) log.add(std::move(error));
   TableReader reader(log, document);
   Case input;
   describe(reader, input);
@@ -142,7 +143,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     if (!table.given || !document.contains(table.needs)) continue;
     // Empty tables would count as absent.
     if (!table.given(input)) {
-      log.later_fault({"", 0, std::string(table.needs), "", "requests nothing", "give its keys, or remove it"});
+      log.later_error({"", 0, std::string(table.needs), "", "requests nothing", "give its keys, or remove it"});
     }
     const auto needs_none = [&](const std::string& command) {
       return command == table.experiment || requested_part(command, input) == table.experiment;
@@ -151,7 +152,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
       continue;
     }
     const auto missed = [&](const char* key, const char* advice) {
-      log.later_fault(
+      log.later_error(
           {"", 0, key, "", "is missing", fmt::format("{}: only the command {} needs none", advice, table.experiment)});
     };
     missed("bearing.radius", "give it, or bearing.diameter");
@@ -182,26 +183,26 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     if (told || document.contains(table)) continue;
     // Adding a table that pads exclude would not help.
     if (input.pads.empty() || own == nullptr || !own->flat) {
-      log.fault(table, "this table is missing",
+      log.error(table, "this table is missing",
                 fmt::format("add [{}], which this command needs; `bumpfoil init` shows its keys", table));
     } else {
-      log.fault(
+      log.error(
           "pad", "is not supported by this command, which needs one foil all around",
           fmt::format("run {}, which support pads, or remove [[pad]] and add [{}]", experiments_with_pads(), table));
     }
   }
-  std::vector<Fault> faults = find_faults(input, commands);
-  if (faults.empty()) {
-    const std::vector<Fault> of_truss = truss_faults(input);
+  std::vector<InputError> errors = find_errors(input, commands);
+  if (errors.empty()) {
+    const std::vector<InputError> of_truss = truss_errors(input);
     if (!of_truss.empty() && !chooses_truss(document)) {
       take_frame(input, of_truss.front());
     } else if (!commands.empty()) {
-      faults = of_truss;
+      errors = of_truss;
     }
   }
-  for (const Fault& fault : faults) log.later_fault(fault);
+  for (const InputError& error : errors) log.later_error(error);
   if (!requested.empty() || !log.is_sound()) run_checks(request, input, log);
-  log.throw_if_faulty();
+  log.throw_if_wrong();
   return input;
 }
 
@@ -210,7 +211,7 @@ CheckedCase check_case(std::string_view text, const std::string& name, const std
   CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}, .check = check}),
                       .commands = {}};
   const Case& input = checked.input;
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   std::vector<std::string> commands = commands_of_tables(input);
   if (input.montecarlo) commands.emplace_back("montecarlo");
   for (const std::string& command : commands) {
@@ -218,18 +219,18 @@ CheckedCase check_case(std::string_view text, const std::string& name, const std
     try {
       static_cast<void>(parse_case(text, name, {.overrides = overrides, .commands = {command}, .check = check}));
     } catch (const Error& error) {
-      one.faults = error.faults();
-      for (const Fault& fault : one.faults) {
-        const bool told = std::any_of(faults.begin(), faults.end(), [&fault](const Fault& before) {
-          return format_fault(before) == format_fault(fault);
+      one.errors = error.errors();
+      for (const InputError& found : one.errors) {
+        const bool told = std::any_of(errors.begin(), errors.end(), [&found](const InputError& before) {
+          return format_error(before) == format_error(found);
         });
-        if (!told) faults.push_back(fault);
+        if (!told) errors.push_back(found);
       }
     }
   }
   const bool runs = std::any_of(checked.commands.begin(), checked.commands.end(),
-                                [](const CheckedCommand& one) { return one.faults.empty(); });
-  if (!runs && !faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+                                [](const CheckedCommand& one) { return one.errors.empty(); });
+  if (!runs && !errors.empty()) throw Error(ErrorKind::input, std::move(errors));
   return checked;
 }
 

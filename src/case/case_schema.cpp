@@ -118,8 +118,8 @@ class KeyFacts {
       }
     }
     const toml::table document = parse_toml(text, "");
-    ReadingLog faults("");
-    TableReader reader(faults, document);
+    ReadingLog errors("");
+    TableReader reader(errors, document);
     Case input;
     describe(reader, input);
     return input;

@@ -19,8 +19,8 @@ std::vector<std::string> CsvRows::read(std::size_t line, std::string_view text) 
   const bool longer = cells.size() > columns_;
   OddLines& odd = longer ? longer_ : shorter_;
   if (odd.count++ > 0) return {};
-  odd.fault = faults_.size();
-  fault(line, text,
+  odd.error = errors_.size();
+  error(line, text,
         fmt::format("has {} column{}, separated by {}, and the header {}", cells.size(), cells.size() == 1 ? "" : "s",
                     dialect_.name, columns_),
         longer && dialect_.separator == ','
@@ -29,21 +29,21 @@ std::vector<std::string> CsvRows::read(std::size_t line, std::string_view text) 
   return {};
 }
 
-void CsvRows::fault(std::size_t line, std::string_view text, std::string what, std::string advice) {
-  faults_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
+void CsvRows::error(std::size_t line, std::string_view text, std::string what, std::string advice) {
+  errors_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
 }
 
-void CsvRows::fault(std::string what, std::string advice) {
-  faults_.push_back({path_, 0, "", "", std::move(what), std::move(advice)});
+void CsvRows::error(std::string what, std::string advice) {
+  errors_.push_back({path_, 0, "", "", std::move(what), std::move(advice)});
 }
 
-void CsvRows::throw_if_faulty() {
-  if (faults_.empty()) return;
+void CsvRows::throw_if_wrong() {
+  if (errors_.empty()) return;
   for (const OddLines& odd : {longer_, shorter_}) {
     if (odd.count < 2) continue;
-    faults_[odd.fault].what += fmt::format(" (as {} more line{})", odd.count - 1, odd.count == 2 ? "" : "s");
+    errors_[odd.error].what += fmt::format(" (as {} more line{})", odd.count - 1, odd.count == 2 ? "" : "s");
   }
-  throw Error(ErrorKind::input, std::move(faults_));
+  throw Error(ErrorKind::input, std::move(errors_));
 }
 
 }  // namespace bumpfoil

@@ -25,27 +25,27 @@ class CsvRows {
   /// The cells of a line, one per column; none and an error if their number is wrong.
   std::vector<std::string> read(std::size_t line, std::string_view text);
 
-  void fault(std::size_t line, std::string_view text, std::string what, std::string advice);
+  void error(std::size_t line, std::string_view text, std::string what, std::string advice);
 
   /// Adds an error of the whole file.
-  void fault(std::string what, std::string advice);
+  void error(std::string what, std::string advice);
 
-  [[nodiscard]] bool faulty() const { return !faults_.empty(); }
+  [[nodiscard]] bool wrong() const { return !errors_.empty(); }
 
   /// @throws Error (input) if there are errors
-  void throw_if_faulty();
+  void throw_if_wrong();
 
  private:
   /// Lines whose number of cells differs from the header, reported once at the first.
   struct OddLines {
-    std::size_t fault{};  ///< index of this error
+    std::size_t error{};  ///< index of this error
     std::size_t count{};
   };
 
   std::string path_;
   CsvDialect dialect_;
   std::size_t columns_{};
-  std::vector<Fault> faults_;
+  std::vector<InputError> errors_;
   OddLines longer_;
   OddLines shorter_;
 };

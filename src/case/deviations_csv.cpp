@@ -19,29 +19,29 @@ constexpr std::string_view deviation_header = "deviation";
 std::vector<double> read_deviations(const std::string& path) {
   const std::string text = read_text_file(path);
   std::vector<double> deviations;
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   for_each_line(text, [&](std::size_t line, std::string_view content) {
-    const auto fault = [&](std::string what, std::string advice) {
-      faults.push_back({path, line, "line", std::string(content), std::move(what), std::move(advice)});
+    const auto error = [&](std::string what, std::string advice) {
+      errors.push_back({path, line, "line", std::string(content), std::move(what), std::move(advice)});
     };
     if (line == 1) {
       if (content != deviation_header)
-        fault("is not a header of deviations", fmt::format("write {}", deviation_header));
+        error("is not a header of deviations", fmt::format("write {}", deviation_header));
     } else if (!content.empty()) {
       const auto number = parse<double>(content);
-      if (!number || !std::isfinite(*number)) return fault("is not a finite number", "give it in SI, without a unit");
+      if (!number || !std::isfinite(*number)) return error("is not a finite number", "give it in SI, without a unit");
       deviations.push_back(*number);
     }
   });
-  if (faults.empty() && deviations.empty()) {
-    faults.push_back(
+  if (errors.empty() && deviations.empty()) {
+    errors.push_back(
         {path, 0, "", "", "contains no deviations", fmt::format("write {}, and one in each line", deviation_header)});
   }
-  if (faults.empty() && std::ssize(deviations) > most_points) {
-    faults.push_back({path, 0, "", "", fmt::format("holds {} deviations", deviations.size()),
+  if (errors.empty() && std::ssize(deviations) > most_points) {
+    errors.push_back({path, 0, "", "", fmt::format("holds {} deviations", deviations.size()),
                       fmt::format("give at most {}", most_points)});
   }
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
   return deviations;
 }
 

@@ -83,7 +83,7 @@ class HeightErrorsReader {
     if (!index) return;
     const std::optional<double> value = numbers_.read(cells[column_->index]);
     if (!value) {
-      return rows_.fault(line, text, numbers_.what("height", rows_.dialect()),
+      return rows_.error(line, text, numbers_.what("height", rows_.dialect()),
                          fmt::format("give all in {}, without a unit, with one decimal sign", column_->unit.name));
     }
     lines_[*index] = line;
@@ -94,13 +94,13 @@ class HeightErrorsReader {
   /// @throws Error (input) if there are errors or a bump is missing.
   std::vector<double> finish() {
     if (!rows_.has_header()) {
-      rows_.fault("is empty",
+      rows_.error("is empty",
                   fmt::format("write bump,height_error_um and one line for each of {} bumps", given_.size()));
     }
     // An unreadable line may be the missing one.
     const auto missing = std::count(lines_.begin(), lines_.end(), std::size_t{0});
-    if (!rows_.faulty() && missing > 0) {
-      rows_.fault(fmt::format("lacks bump{} {}", missing == 1 ? "" : "s", missing_bumps(lines_)),
+    if (!rows_.wrong() && missing > 0) {
+      rows_.error(fmt::format("lacks bump{} {}", missing == 1 ? "" : "s", missing_bumps(lines_)),
                   fmt::format("give one line for each of {} bumps", lines_.size()));
     }
     std::vector<double> errors;
@@ -108,7 +108,7 @@ class HeightErrorsReader {
       errors = errors_in(column_->unit.size);
       check(errors);
     }
-    rows_.throw_if_faulty();
+    rows_.throw_if_wrong();
     return errors;
   }
 
@@ -125,7 +125,7 @@ class HeightErrorsReader {
     }
     if (found == 1) return;
     column_.reset();
-    rows_.fault(
+    rows_.error(
         line, text,
         fmt::format("has {} of heights among its {} columns, separated by {}",
                     found == 0 ? "no column" : fmt::format("{} columns", found), rows_.columns(), rows_.dialect().name),
@@ -182,11 +182,11 @@ class HeightErrorsReader {
     const auto earlier = [this](std::size_t a, std::size_t b) { return lines_[a] < lines_[b]; };
     if (beyond.empty()) {
       const auto line = *std::find_if(lines_.begin(), lines_.end(), [](std::size_t one) { return one > 0; });
-      return rows_.fault(line, texts_.at(line), "and all others are less than 0.1 um from the nominal height",
+      return rows_.error(line, texts_.at(line), "and all others are less than 0.1 um from the nominal height",
                          confusion() + " Errors this small can be given in bump_foil.height_errors");
     }
     const std::size_t first = *std::min_element(beyond.begin(), beyond.end(), earlier);
-    rows_.fault(
+    rows_.error(
         lines_[first], texts_.at(lines_[first]),
         fmt::format("{} further from the nominal height than a bump rises, {:.6g} m",
                     beyond.size() == 1 ? "lies" : fmt::format("and {} more lie", beyond.size() - 1), rises_[first]),
@@ -197,18 +197,18 @@ class HeightErrorsReader {
   std::optional<std::size_t> bump_of(std::size_t line, std::string_view text, const std::vector<std::string>& cells) {
     if (!bump_index_) {
       if (next_ < given_.size()) return next_++;
-      rows_.fault(line, text, fmt::format("is one line more than the number of bumps, {}", given_.size()),
+      rows_.error(line, text, fmt::format("is one line more than the number of bumps, {}", given_.size()),
                   "remove it, or raise bump_foil.bumps");
       return std::nullopt;
     }
     const auto bump = parse<int>(cells[*bump_index_]);
     if (!bump || *bump < 1 || *bump > static_cast<int>(given_.size())) {
-      rows_.fault(line, text, "is not a bump number", fmt::format("count bumps from 1 to {}", given_.size()));
+      rows_.error(line, text, "is not a bump number", fmt::format("count bumps from 1 to {}", given_.size()));
       return std::nullopt;
     }
     const auto index = static_cast<std::size_t>(*bump - 1);
     if (lines_[index] > 0) {
-      rows_.fault(line, text, fmt::format("repeats bump {}, given in line {}", *bump, lines_[index]),
+      rows_.error(line, text, fmt::format("repeats bump {}, given in line {}", *bump, lines_[index]),
                   "give every bump once");
       return std::nullopt;
     }

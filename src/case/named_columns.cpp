@@ -82,12 +82,12 @@ std::optional<NamedColumn> find_named_column(CsvRows& rows, std::size_t line, st
   const std::string choice = option.starts_with("--") ? fmt::format("{} '{}'", option, assigned)
                                                       : fmt::format("{} = \"{}\"", option, assigned);
   if (!found.empty()) {
-    rows.fault(line, header, fmt::format("has {} columns of the {}", found.size(), wanted.key),
+    rows.error(line, header, fmt::format("has {} columns of the {}", found.size(), wanted.key),
                fmt::format("specify which one: {}", choice));
     return std::nullopt;
   }
   if (!given.empty()) {
-    rows.fault(line, header, missing_column(rows, given, columns),
+    rows.error(line, header, missing_column(rows, given, columns),
                fmt::format("give one of these names, followed by its unit if the file has none: {}", choice));
     return std::nullopt;
   }
@@ -100,7 +100,7 @@ std::optional<NamedColumn> find_named_column(CsvRows& rows, std::size_t line, st
     understood.push_back(wanted.dimension ? fmt::format("{}_{}", name, wanted.unit) : std::string(name));
   }
   const std::string otherwise = fmt::format("name a column {}", understood.front());
-  rows.fault(
+  rows.error(
       line, header, missing_column(rows, understood.front(), columns),
       fmt::format("{}; recognised names, followed by any unit: {}; for another name use {}",
                   wanted.dimension ? column_advice(columns, understood, *wanted.dimension, otherwise) : otherwise,

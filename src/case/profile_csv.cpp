@@ -30,7 +30,7 @@ class ProfileReader {
     const std::vector<std::string> cells = rows_.read(line, text);
     if (cells.empty()) return;
     const auto no_number = [&](const char* quantity) {
-      rows_.fault(
+      rows_.error(
           line, text, numbers_.what(quantity, rows_.dialect()),
           fmt::format("give deviations in {} and angles in degrees, without units, with one decimal sign", unit_.name));
     };
@@ -44,11 +44,11 @@ class ProfileReader {
 
   /// @throws Error (input) if there are errors.
   std::vector<double> finish() {
-    if (!rows_.faulty() && deviations_.empty()) {
-      rows_.fault("contains no deviations", "write angle_deg,deviation_um and a line for each of equal angles");
+    if (!rows_.wrong() && deviations_.empty()) {
+      rows_.error("contains no deviations", "write angle_deg,deviation_um and a line for each of equal angles");
     }
-    if (!rows_.faulty() && angle_) check_angles();
-    rows_.throw_if_faulty();
+    if (!rows_.wrong() && angle_) check_angles();
+    rows_.throw_if_wrong();
     return std::move(deviations_);
   }
 
@@ -72,7 +72,7 @@ class ProfileReader {
     }
     if (found == 1) return;
     deviation_.reset();
-    rows_.fault(
+    rows_.error(
         line, text,
         fmt::format("has {} of deviations among its {} columns, separated by {}",
                     found == 0 ? "no column" : fmt::format("{} columns", found), rows_.columns(), rows_.dialect().name),
@@ -85,7 +85,7 @@ class ProfileReader {
       const double due = static_cast<double>(i) * step;
       const Angle& angle = angles_[i];
       if (std::abs(angle.degrees - due) <= angle_rounding * step) continue;
-      return rows_.fault(
+      return rows_.error(
           angle.line, angle.text,
           fmt::format("should be {:.6g} degrees: {} lines are {:.6g} degrees apart", due, angles_.size(), step),
           "give equal angles starting at 0, without 360");

@@ -12,7 +12,7 @@ namespace bumpfoil {
 namespace {
 
 /// Further errors are counted, not listed.
-constexpr std::size_t most_faults = 50;
+constexpr std::size_t most_errors = 50;
 
 /// The parent of a key: "bump_foil.truss" for "bump_foil.truss.k1", "x" for "x[3]"; empty for a key of the root.
 std::string holder_of(const std::string& key) {
@@ -50,22 +50,22 @@ const Origin* ReadingLog::place_of(const std::string& key) const {
   return nullptr;
 }
 
-void ReadingLog::fault(const std::string& key, std::string what, std::string advice) {
-  if (!faulty_.insert(key).second) return;  // already reported when read for another key
+void ReadingLog::error(const std::string& key, std::string what, std::string advice) {
+  if (!wrong_.insert(key).second) return;  // already reported when read for another key
   const Origin* place = place_of(key);
   const auto exact = origins_.find(key);
   add({place != nullptr ? place->file : file_, place != nullptr ? place->line : 0, key,
        exact != origins_.end() ? exact->second.written : std::string(), std::move(what), std::move(advice)});
 }
 
-void ReadingLog::later_fault(const Fault& fault) {
-  Fault placed = fault;
-  if (const auto other = taken_from_.find(fault.key); other != taken_from_.end()) {
+void ReadingLog::later_error(const InputError& error) {
+  InputError placed = error;
+  if (const auto other = taken_from_.find(error.key); other != taken_from_.end()) {
     placed.key = other->second;
     if (checked_.contains(placed.key)) return;
   }
   for (std::string holder = placed.key; !holder.empty(); holder = holder_of(holder)) {
-    if (faulty_.contains(holder)) return;
+    if (wrong_.contains(holder)) return;
   }
   checked_.insert(placed.key);
   const Origin* place = place_of(placed.key);
@@ -81,36 +81,39 @@ void ReadingLog::later_fault(const Fault& fault) {
 }
 
 bool ReadingLog::is_sound_but_for(const std::string& table) const {
-  return std::all_of(faults_.begin(), faults_.end(),
-                     [&](const Fault& fault) { return fault.key.starts_with(table + '.'); });
+  return std::all_of(errors_.begin(), errors_.end(),
+                     [&](const InputError& error) { return error.key.starts_with(table + '.'); });
 }
 
 bool ReadingLog::blames(const std::string& key) const {
-  return std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) { return fault.key.starts_with(key); });
+  return std::any_of(errors_.begin(), errors_.end(),
+                     [&](const InputError& error) { return error.key.starts_with(key); });
 }
 
 bool ReadingLog::full() const {
-  return faults_.size() >= most_faults;
+  return errors_.size() >= most_errors;
 }
 
-void ReadingLog::add(Fault fault, ErrorKind kind) {
-  input_fault_ = input_fault_ || kind == ErrorKind::input;
+void ReadingLog::add(InputError error, ErrorKind kind) {
+  input_error_ = input_error_ || kind == ErrorKind::input;
   if (full()) {
     ++unlisted_;
   } else {
-    faults_.push_back(std::move(fault));
+    errors_.push_back(std::move(error));
   }
 }
 
-void ReadingLog::throw_if_faulty() {
-  if (faults_.empty()) return;
-  const auto place = [this](const Fault& fault) { return std::tuple(fault.file != file_, fault.file, fault.line); };
-  std::stable_sort(faults_.begin(), faults_.end(),
-                   [&place](const Fault& a, const Fault& b) { return place(a) < place(b); });
+void ReadingLog::throw_if_wrong() {
+  if (errors_.empty()) return;
+  const auto place = [this](const InputError& error) {
+    return std::tuple(error.file != file_, error.file, error.line);
+  };
+  std::stable_sort(errors_.begin(), errors_.end(),
+                   [&place](const InputError& a, const InputError& b) { return place(a) < place(b); });
   if (unlisted_ > 0) {
-    faults_.push_back({file_, 0, "", "", fmt::format("and {} more errors", unlisted_), "fix the first ones"});
+    errors_.push_back({file_, 0, "", "", fmt::format("and {} more errors", unlisted_), "fix the first ones"});
   }
-  throw Error(input_fault_ ? ErrorKind::input : ErrorKind::file, std::move(faults_));
+  throw Error(input_error_ ? ErrorKind::input : ErrorKind::file, std::move(errors_));
 }
 
 }  // namespace bumpfoil

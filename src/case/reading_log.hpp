@@ -35,19 +35,19 @@ class ReadingLog {
   void met_unlikely(const std::string& key, std::string_view hint) { origins_[key].unit_hint = hint; }
 
   /// Adds an error of a key, at the position of the key or of the table that lacks it. Only the first per key is kept.
-  void fault(const std::string& key, std::string what, std::string advice);
+  void error(const std::string& key, std::string what, std::string advice);
 
   /// Marks an error of this key as already reported under another one.
-  void told(const std::string& key) { faulty_.insert(key); }
+  void told(const std::string& key) { wrong_.insert(key); }
 
   /// Records that `key` took its value from `other`: its errors are reported there, once.
   void taken_from(const std::string& key, const std::string& other) { taken_from_[key] = other; }
 
   /// Adds an error found after reading, unless its key, or a parent, already had one.
-  void later_fault(const Fault& fault);
+  void later_error(const InputError& error);
 
   /// Whether there are no errors so far.
-  [[nodiscard]] bool is_sound() const { return faults_.empty(); }
+  [[nodiscard]] bool is_sound() const { return errors_.empty(); }
 
   /// Whether all errors so far are in this table.
   [[nodiscard]] bool is_sound_but_for(const std::string& table) const;
@@ -56,7 +56,7 @@ class ReadingLog {
   [[nodiscard]] bool blames(const std::string& key) const;
 
   /// Adds an error with its own position.
-  void add(Fault fault, ErrorKind kind = ErrorKind::input);
+  void add(InputError error, ErrorKind kind = ErrorKind::input);
 
   /// Whether further errors are only counted.
   [[nodiscard]] bool full() const;
@@ -64,17 +64,17 @@ class ReadingLog {
   [[nodiscard]] const std::string& file() const { return file_; }
 
   /// @throws Error listing all errors by line, if there are any; of kind `file` if all of them are.
-  void throw_if_faulty();
+  void throw_if_wrong();
 
  private:
   [[nodiscard]] const Origin* place_of(const std::string& key) const;
 
   std::string file_;
-  std::vector<Fault> faults_;
+  std::vector<InputError> errors_;
   std::size_t unlisted_{};
-  bool input_fault_{};
+  bool input_error_{};
   std::map<std::string, Origin> origins_;
-  std::set<std::string> faulty_;                   ///< keys with an error during reading
+  std::set<std::string> wrong_;                    ///< keys with an error during reading
   std::set<std::string> checked_;                  ///< keys with a later error
   std::map<std::string, std::string> taken_from_;  ///< keys whose value was taken from another
 };

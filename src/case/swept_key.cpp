@@ -101,9 +101,9 @@ class SweptKeyParser {
 
  private:
   [[noreturn]] void refuse(std::string what, std::string advice) const {
-    Fault fault{"--over", 0, key_, std::string(values_), std::move(what), std::move(advice)};
-    if (key_.empty()) fault = {"", 0, "--over", std::string(argument_), fault.what, fault.advice};
-    throw Error(ErrorKind::input, {std::move(fault)});
+    InputError error{"--over", 0, key_, std::string(values_), std::move(what), std::move(advice)};
+    if (key_.empty()) error = {"", 0, "--over", std::string(argument_), error.what, error.advice};
+    throw Error(ErrorKind::input, {std::move(error)});
   }
 
   void require_few(double count) const {

@@ -51,14 +51,14 @@ void read_file(ReadingLog& log, const std::string& path, const toml::node& node,
   std::string name;
   ValueReader{log, path, node}(&name);
   if (!node.is_string()) return;
-  if (name.empty()) return log.fault(path, "is empty", "give the name of a file, or leave it out");
+  if (name.empty()) return log.error(path, "is empty", "give the name of a file, or leave it out");
   if (!contradicted.empty()) {
-    return log.fault(path, fmt::format("conflicts with {}, which is also given", contradicted), "give one of the two");
+    return log.error(path, fmt::format("conflicts with {}, which is also given", contradicted), "give one of the two");
   }
   try {
     read((std::filesystem::path(log.file()).parent_path() / name).string());
   } catch (const Error& error) {
-    for (const Fault& fault : error.faults()) log.add(fault, error.kind());
+    for (const InputError& one : error.errors()) log.add(one, error.kind());
     log.told(other);
   }
 }
@@ -83,7 +83,7 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
     return {root_.at_path(key.otherwise).node(), std::string(key.otherwise)};
   }
   if (key.presence == Presence::required && (key.spared_by.empty() || !root_.contains(key.spared_by))) {
-    log_.fault(path, "is missing",
+    log_.error(path, "is missing",
                fmt::format("give it in the table [{}]{}", path_,
                            key.stand_in.empty() ? "" : fmt::format(", or {} in its place", path_of(key.stand_in))));
   }
@@ -103,7 +103,7 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
   reader.value(key_called("step", Presence::optional, key), &step);
   reader.finish();
   const auto refuse = [&](const std::string& where, std::string what, std::string advice) {
-    log_.fault(where, std::move(what), std::move(advice));
+    log_.error(where, std::move(what), std::move(advice));
     log_.told(path);
   };
   const bool counted = ends.contains("points");
@@ -168,10 +168,10 @@ void TableReader::vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors)
   if (node == nullptr) return;
   const auto* list = node->as_array();
   if (list == nullptr) {
-    return log_.fault(path, is_where(*node, "a list"), fmt::format("write a list of vectors: {}", key.example));
+    return log_.error(path, is_where(*node, "a list"), fmt::format("write a list of vectors: {}", key.example));
   }
   if (list->size() > static_cast<std::size_t>(most_bumps)) {
-    return log_.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
+    return log_.error(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
   }
   vectors.assign(list->size(), Eigen::Vector2d::Zero());
   for (std::size_t i = 0; i < list->size(); ++i) {
@@ -194,14 +194,14 @@ void TableReader::word(const Key& key, std::span<const std::string_view> words, 
   if (node == nullptr) return;
   const std::string choices = fmt::format("write one of \"{}\"", fmt::join(words, "\", \""));
   const auto* text = node->as_string();
-  if (text == nullptr) return log_.fault(path, is_where(*node, "a word in quotes"), choices);
+  if (text == nullptr) return log_.error(path, is_where(*node, "a word in quotes"), choices);
   const auto word = std::find(words.begin(), words.end(), text->get());
   if (word != words.end()) {
     index = static_cast<std::size_t>(word - words.begin());
     return;
   }
   const auto nearest = nearest_name(text->get(), {words.begin(), words.end()});
-  log_.fault(path, "unknown value", nearest ? fmt::format("did you mean \"{}\"?", *nearest) : choices);
+  log_.error(path, "unknown value", nearest ? fmt::format("did you mean \"{}\"?", *nearest) : choices);
 }
 
 void TableReader::once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) {
@@ -211,10 +211,10 @@ void TableReader::once_or_each(const Key& once, std::initializer_list<std::pair<
   std::optional<double> common;
   value(optional_key(once), &common);
   if (has(once) && any) {
-    log_.fault(path_of(once.name), fmt::format("conflicts with {}, which are also given", fmt::join(names, " or ")),
+    log_.error(path_of(once.name), fmt::format("conflicts with {}, which are also given", fmt::join(names, " or ")),
                "give either it or all of the others");
   } else if (!has(once) && !any) {
-    log_.fault(path_of(once.name), "is missing",
+    log_.error(path_of(once.name), "is missing",
                fmt::format("give it ({}), or {}", once.text, fmt::join(names, " and ")));
   }
   for (const auto& [key, number] : each) {
@@ -232,7 +232,7 @@ bool TableReader::second_counts(const Key& first, const Key& second) {
   // On the command line, one replaces the other.
   if (is_override(node) != overridden) return overridden;
   log_.met(path_of(first.name), node);
-  log_.fault(path_of(first.name), fmt::format("conflicts with {}, which is also given", second.name),
+  log_.error(path_of(first.name), fmt::format("conflicts with {}, which is also given", second.name),
              "give one of the two");
   return true;
 }
@@ -301,11 +301,11 @@ void TableReader::tables(const Key& key, std::size_t /*count*/,
   if (node->is_table()) return read(*node->as_table(), 0);  // a single table may also be written as a plain table
   const auto* list = node->as_array();
   if (list == nullptr || (!list->empty() && !list->is_homogeneous<toml::table>())) {
-    return log_.fault(path, is_where(*node, "a list of tables"),
+    return log_.error(path, is_where(*node, "a list of tables"),
                       fmt::format("write [[{}]] on a line of its own before the keys of each", path));
   }
   if (list->size() > static_cast<std::size_t>(most_bumps)) {
-    return log_.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
+    return log_.error(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
   }
   for (std::size_t i = 0; i < list->size(); ++i) read(*list->get(i)->as_table(), i);
 }
@@ -316,7 +316,7 @@ void TableReader::table(const Key& key, bool /*given*/, const std::function<void
   const toml::node* node = table_.get(key.name);
   if (node == nullptr) {
     if (key.presence == Presence::required) {
-      log_.fault(path, "this table is missing",
+      log_.error(path, "this table is missing",
                  fmt::format("add [{}] with its keys{}{}", path, key.text.empty() ? "" : ", ", key.text));
     }
     return;
@@ -324,7 +324,7 @@ void TableReader::table(const Key& key, bool /*given*/, const std::function<void
   log_.met(path, *node);
   const toml::table* inner = node->as_table();
   if (inner == nullptr) {
-    return log_.fault(path, is_where(*node, "a table"),
+    return log_.error(path, is_where(*node, "a table"),
                       is_override(*node) ? fmt::format("set one of its keys, such as {}", first_key_of(path))
                                          : fmt::format("write [{}] on a line of its own", path));
   }
@@ -355,7 +355,7 @@ void TableReader::finish() {
     }
     log_.met(path, node);
     const std::string_view what = node.is_table() || node.is_array_of_tables() ? "unknown table" : "unknown key";
-    log_.fault(path, std::string(what), advice_on_unknown(name, node));
+    log_.error(path, std::string(what), advice_on_unknown(name, node));
   }
 }
 

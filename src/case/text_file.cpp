@@ -26,7 +26,7 @@ struct CloseFile {
 }  // namespace
 
 std::string read_text_file(const std::string& path) {
-  const auto fault = [&](std::size_t line, std::string what, std::string advice) {
+  const auto error = [&](std::size_t line, std::string what, std::string advice) {
     return Error(ErrorKind::input, {{path, line, "", "", std::move(what), std::move(advice)}});
   };
   const std::unique_ptr<std::FILE, CloseFile> file(path == standard_input ? stdin : std::fopen(path.c_str(), "rb"));
@@ -37,14 +37,14 @@ std::string read_text_file(const std::string& path) {
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
     text.append(buffer.data(), count);
     if (text.size() > largest_text_file) {
-      throw fault(0, fmt::format("is larger than {} MB", largest_text_file / 1'000'000), "is it the right file?");
+      throw error(0, fmt::format("is larger than {} MB", largest_text_file / 1'000'000), "is it the right file?");
     }
   }
   if (std::ferror(file.get()) != 0) throw_unreadable(path, errno);
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   if (const std::size_t null = text.find('\0'); null != std::string::npos) {
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(null), '\n');
-    throw fault(static_cast<std::size_t>(lines) + 1, "is not a text file: it has a null byte", "save it as UTF-8 text");
+    throw error(static_cast<std::size_t>(lines) + 1, "is not a text file: it has a null byte", "save it as UTF-8 text");
   }
   return text;
 }

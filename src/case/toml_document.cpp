@@ -10,7 +10,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "core/collect_faults.hpp"
+#include "core/collect_errors.hpp"
 #include "core/number_text.hpp"
 
 namespace bumpfoil {
@@ -81,7 +81,7 @@ std::string advice_on(std::string_view description) {
   return "write key = value, one per line, with quotes around texts and units: radius = \"19.05 mm\"";
 }
 
-Fault override_fault(std::string_view argument, std::string what, std::string advice) {
+InputError override_error(std::string_view argument, std::string what, std::string advice) {
   return {std::string(command_line), 0, std::string(argument), "", std::move(what), std::move(advice)};
 }
 
@@ -131,14 +131,14 @@ toml::table& table_of(toml::table& outer, const KeyPart& part, const std::string
   if (child == nullptr && part.number <= 1) child = &outer.insert(part.name, toml::table{}).first->second;
   if (child != nullptr && child->is_table() && part.number <= 1) return *child->as_table();
   if (child != nullptr && !child->is_table() && !child->is_array_of_tables()) {
-    throw Error(ErrorKind::input, {override_fault(argument, fmt::format("\"{}\" is a value, not a table", part.text),
+    throw Error(ErrorKind::input, {override_error(argument, fmt::format("\"{}\" is a value, not a table", part.text),
                                                   "give the key of a value inside a table")});
   }
   toml::array* list = child == nullptr ? nullptr : child->as_array();
   const std::size_t count = list == nullptr ? (child == nullptr ? 0 : 1) : list->size();
   if (part.number > count || (part.number == 0 && count > 1)) {
     throw Error(ErrorKind::input,
-                {override_fault(argument, fmt::format("\"{}\" does not exist: there are {}", part.text, count),
+                {override_error(argument, fmt::format("\"{}\" does not exist: there are {}", part.text, count),
                                 fmt::format("count from \"{}[1]\"", part.name))});
   }
   return *list->get(part.number == 0 ? 0 : part.number - 1)->as_table();
@@ -183,7 +183,7 @@ void apply_override(toml::table& root, const std::string& argument) {
   const std::size_t equals = argument.find('=');
   const std::vector<KeyPart> parts = split_key(std::string_view(argument).substr(0, equals));
   if (equals == std::string::npos || parts.empty()) {
-    throw Error(ErrorKind::input, {override_fault(argument, "does not assign a key of the case file",
+    throw Error(ErrorKind::input, {override_error(argument, "does not assign a key of the case file",
                                                   "write table.key=value, for example friction.coefficient=0.2")});
   }
   toml::table value = parse_override_value(argument.substr(0, equals), argument.substr(equals + 1));
@@ -210,12 +210,12 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   }
 }
 
-std::vector<Fault> apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
-  std::vector<Fault> faults;
+std::vector<InputError> apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
+  std::vector<InputError> errors;
   for (const std::string& argument : overrides) {
-    collect_faults(faults, [&] { apply_override(root, argument); });
+    collect_errors(errors, [&] { apply_override(root, argument); });
   }
-  return faults;
+  return errors;
 }
 
 }  // namespace bumpfoil

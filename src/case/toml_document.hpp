@@ -23,6 +23,6 @@ toml::table parse_toml(std::string_view text, const std::string& name);
 /// Replaces or adds values given as "table.key=value", or "table[2].key=value" in the second of several tables. The
 /// value is TOML, else a bare string. Their nodes carry `command_line` as the file.
 /// @return an error for every override that cannot be applied
-std::vector<Fault> apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
+std::vector<InputError> apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
 
 }  // namespace bumpfoil

@@ -107,51 +107,51 @@ std::string_view name_of(Dimension dimension) {
   return text_of(dimension).name;
 }
 
-std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimension due) {
+std::variant<double, QuantityError> parse_quantity(std::string_view text, Dimension due) {
   const std::string advice = fmt::format("write {} with its unit, for example {}", name_of(due), example_quantity(due));
   text = trimmed(text);
-  if (text.empty()) return QuantityFault{"is empty", advice};
-  if (text.size() > longest_quantity || printable(text) != text) return QuantityFault{"is not a quantity", advice};
+  if (text.empty()) return QuantityError{"is empty", advice};
+  if (text.size() > longest_quantity || printable(text) != text) return QuantityError{"is not a quantity", advice};
 
   double number = 0.0;
   const auto [end, status] = read_number(text, number);
   if (status == std::errc::result_out_of_range) {
-    return QuantityFault{"has a number that double precision cannot hold", advice};
+    return QuantityError{"has a number that double precision cannot hold", advice};
   }
-  if (status != std::errc{}) return QuantityFault{"does not start with a number", advice};
-  if (!std::isfinite(number)) return QuantityFault{"is not finite", advice};
+  if (status != std::errc{}) return QuantityError{"does not start with a number", advice};
+  if (!std::isfinite(number)) return QuantityError{"is not finite", advice};
 
   const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
   if (unit_text.empty()) {
-    return QuantityFault{"has no unit", fmt::format("{}, or a number in {} without quotes", advice, si_unit(due))};
+    return QuantityError{"has no unit", fmt::format("{}, or a number in {} without quotes", advice, si_unit(due))};
   }
   const bool inverse = (due == Dimension::frequency || due == Dimension::per_area) && unit_text.starts_with("1/");
   if (unit_text.front() == ',' || has_stray_digits(unit_text.substr(inverse ? 1 : 0))) {
-    return QuantityFault{
+    return QuantityError{
         fmt::format("has digits instead of a unit, in \"{}\"", unit_text),
         "write one number with a decimal point, without separators, and one unit with whole exponents"};
   }
   const std::optional<UnitMeaning> unit = read_unit(unit_text);
-  if (!unit) return QuantityFault{fmt::format("has an unknown unit, \"{}\"", unit_text), advice};
+  if (!unit) return QuantityError{fmt::format("has an unknown unit, \"{}\"", unit_text), advice};
   if (!measures(*unit, due)) {
     for (const DimensionText& other : dimensions) {
       if (measures(*unit, other.dimension)) {
-        return QuantityFault{fmt::format("is {}, expected {}", other.name, name_of(due)), advice};
+        return QuantityError{fmt::format("is {}, expected {}", other.name, name_of(due)), advice};
       }
     }
-    return QuantityFault{fmt::format("has the unit \"{}\", expected {}", unit_text, name_of(due)), advice};
+    return QuantityError{fmt::format("has the unit \"{}\", expected {}", unit_text, name_of(due)), advice};
   }
   if (!unit->scale)
-    return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
+    return QuantityError{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
   double value = scaled(number, *unit->scale);
   if (due == Dimension::frequency && !counts_radians(*unit)) {
     if (!counts_turns(unit_text)) {
-      return QuantityFault{fmt::format("has the unit \"{}\", which may count revolutions or radians", unit_text),
+      return QuantityError{fmt::format("has the unit \"{}\", which may count revolutions or radians", unit_text),
                            "write \"Hz\" or \"rpm\" for revolutions, \"rad/s\" for radians"};
     }
     value *= 2.0 * std::numbers::pi;
   }
-  if (!std::isfinite(value)) return QuantityFault{"is not finite", advice};
+  if (!std::isfinite(value)) return QuantityError{"is not finite", advice};
   return value;
 }
 

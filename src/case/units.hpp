@@ -30,7 +30,7 @@ enum class Dimension {
 };
 
 /// Why a text is not the expected quantity.
-struct QuantityFault {
+struct QuantityError {
   std::string what;
   std::string advice;
 };
@@ -39,7 +39,7 @@ struct QuantityFault {
 /// rad, N, N/m, Pa, rad/s, K, Pa s, Pa/m, 1/m2). Units are those of unit_table.hpp. Errors are a missing unit, a unit
 /// of another dimension, with an offset or logarithmic, and a number that is not finite. Frequencies: "Hz" counts 2 pi,
 /// "rpm" and "1/min" 2 pi / 60; "1/s", which could be a hertz or rad/s, is an error.
-std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimension due);
+std::variant<double, QuantityError> parse_quantity(std::string_view text, Dimension due);
 
 /// SI unit of a dimension, such as "m", "rad" or "N/m".
 std::string_view si_unit(Dimension dimension);

@@ -74,7 +74,7 @@ std::string is_where(const toml::node& node, std::string_view due) {
 }
 
 void ValueReader::refuse(std::string_view due, std::string advice) const {
-  log.fault(path, is_where(node, due), std::move(advice));
+  log.error(path, is_where(node, due), std::move(advice));
 }
 
 void ValueReader::operator()(std::string* value) const {
@@ -98,7 +98,7 @@ void ValueReader::operator()(int* value) const {
   if (number == nullptr) {
     refuse("a whole number", fmt::format("write a whole number{}, such as 26", without_quotes(node)));
   } else if (number->get() < std::numeric_limits<int>::min() || number->get() > std::numeric_limits<int>::max()) {
-    log.fault(path, "is out of range", number->get() > 0 ? "give a smaller number" : "give a larger number");
+    log.error(path, "is out of range", number->get() > 0 ? "give a smaller number" : "give a larger number");
   } else {
     *value = static_cast<int>(number->get());
   }
@@ -123,8 +123,8 @@ void ValueReader::operator()(std::optional<double>* value) const {
     refuse("a number", number_advice(node));
   } else if (const auto* text = node.as_string()) {
     const auto quantity = parse_quantity(text->get(), *dimension);
-    if (const auto* fault = std::get_if<QuantityFault>(&quantity)) {
-      log.fault(path, fault->what, fault->advice + alternatives);
+    if (const auto* error = std::get_if<QuantityError>(&quantity)) {
+      log.error(path, error->what, error->advice + alternatives);
     } else {
       *value = std::get<double>(quantity);
     }
@@ -166,7 +166,7 @@ void ValueReader::operator()(std::vector<std::string>* value) const {
   if (list == nullptr && !node.is_string()) return refuse("a text or a list of texts", "write each in quotes");
   const std::size_t count = list == nullptr ? 1 : list->size();
   if (count > static_cast<std::size_t>(most_texts)) {
-    return log.fault(path, fmt::format("has {} entries", count), fmt::format("give at most {}", most_texts));
+    return log.error(path, fmt::format("has {} entries", count), fmt::format("give at most {}", most_texts));
   }
   value->assign(count, {});
   for (std::size_t i = 0; i < count; ++i) {
@@ -188,7 +188,7 @@ void ValueReader::read_list(std::vector<double>& values, std::span<const NamedNu
     return refuse("a list", fmt::format("write a list in brackets: [{}]", names.empty() ? example : "\"+X\""));
   }
   if (list->size() > static_cast<std::size_t>(most_bumps)) {
-    return log.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
+    return log.error(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
   }
   std::string words;
   for (const auto& [name, number] : names) words += fmt::format("{} \"{}\"", words.empty() ? ", or" : ",", name);
@@ -226,7 +226,7 @@ const toml::array* plane_vector(ReadingLog& log, const std::string& path, const 
                                 std::string_view example) {
   const auto* list = node.as_array();
   if (list != nullptr && list->size() == 2) return list;
-  log.fault(path, list == nullptr ? is_where(node, "a list") : fmt::format("has {} entries", list->size()),
+  log.error(path, list == nullptr ? is_where(node, "a list") : fmt::format("has {} entries", list->size()),
             fmt::format("give two, along X and Y: {}", example));
   return nullptr;
 }
@@ -239,7 +239,7 @@ std::optional<PlaneTarget> read_place(ReadingLog& log, const std::string& path, 
   for (const toml::node& entry : *list) {
     const std::optional<Control> met = control_of(entry);
     if (met && control.value_or(*met) != *met) {
-      log.fault(path, "mixes a displacement and a load", "give two lengths or two forces");
+      log.error(path, "mixes a displacement and a load", "give two lengths or two forces");
       return std::nullopt;
     }
     if (met) control = met;
@@ -258,11 +258,11 @@ void read_places(ReadingLog& log, const std::string& path, const toml::node& nod
                  PathPoints& points) {
   const auto* list = node.as_array();
   if (list == nullptr || list->empty()) {
-    return log.fault(path, list == nullptr ? is_where(node, "a list") : "is empty",
+    return log.error(path, list == nullptr ? is_where(node, "a list") : "is empty",
                      fmt::format("give pairs along X and Y: {}", example));
   }
   if (list->size() > static_cast<std::size_t>(most_points)) {
-    return log.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_points));
+    return log.error(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_points));
   }
   PathPoints read;
   for (std::size_t i = 0; i < list->size(); ++i) {
@@ -272,7 +272,7 @@ void read_places(ReadingLog& log, const std::string& path, const toml::node& nod
     const auto place = read_place(log, entry_path, entry, read.control, "[\"0 um\", \"-40 um\"]");
     if (!place) return;
     if (i > 0 && place->control != read.control) {
-      return log.fault(entry_path, "mixes displacements and loads", "give lengths only, or forces only");
+      return log.error(entry_path, "mixes displacements and loads", "give lengths only, or forces only");
     }
     read.control = place->control;
     read.values.push_back(place->value);

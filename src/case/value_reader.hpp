@@ -39,7 +39,7 @@ struct ValueReader {
   void operator()(PerBump* value) const;
   void operator()(FormedRadius* value) const;
 
-  /// Faulty entries become zero.
+  /// Wrong entries become zero.
   void operator()(std::vector<double>* value) const;
 
   /// Texts in a list, or a single one.

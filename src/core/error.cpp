@@ -9,34 +9,34 @@
 namespace bumpfoil {
 namespace {
 
-std::string join(const std::vector<Fault>& faults) {
+std::string join(const std::vector<InputError>& errors) {
   std::string out;
-  for (const Fault& fault : faults) {
+  for (const InputError& error : errors) {
     if (!out.empty()) out += '\n';
-    out += format_fault(fault);
+    out += format_error(error);
   }
   return out;
 }
 
 }  // namespace
 
-Error::Error(ErrorKind kind, std::vector<Fault> faults)
-    : std::runtime_error(join(faults)), kind_(kind), faults_(std::move(faults)) {}
+Error::Error(ErrorKind kind, std::vector<InputError> errors)
+    : std::runtime_error(join(errors)), kind_(kind), errors_(std::move(errors)) {}
 
-std::string format_fault(const Fault& fault) {
+std::string format_error(const InputError& error) {
   std::string out;
-  if (!fault.file.empty()) {
-    out += printable(fault.file, longest_path);
-    if (fault.line > 0) out += fmt::format(":{}", fault.line);
+  if (!error.file.empty()) {
+    out += printable(error.file, longest_path);
+    if (error.line > 0) out += fmt::format(":{}", error.line);
     out += ": ";
   }
-  if (!fault.key.empty()) {
-    out += printable(fault.key);
-    if (!fault.value.empty()) out += " = " + printable(fault.value);
+  if (!error.key.empty()) {
+    out += printable(error.key);
+    if (!error.value.empty()) out += " = " + printable(error.value);
     out += ": ";
   }
-  out += printable(fault.what, fault.what.size());
-  if (!fault.advice.empty()) out += "; " + printable(fault.advice, fault.advice.size());
+  out += printable(error.what, error.what.size());
+  if (!error.advice.empty()) out += "; " + printable(error.advice, error.advice.size());
   return out;
 }
 

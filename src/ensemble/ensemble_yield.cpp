@@ -53,15 +53,15 @@ Yield yield_of(const std::vector<bool>& passes) {
 
 std::vector<EnsembleLimit> parse_limits(const std::vector<std::string>& texts, const EnsembleLayout& layout) {
   std::vector<EnsembleLimit> limits;
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   for (const std::string& text : texts) {
     try {
       limits.push_back(parse_limit(text, layout));
     } catch (const Error& error) {
-      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+      errors.insert(errors.end(), error.errors().begin(), error.errors().end());
     }
   }
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
   return limits;
 }
 

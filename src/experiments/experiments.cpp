@@ -43,10 +43,10 @@ const std::vector<std::string>& result_names() {
   return all;
 }
 
-std::vector<Fault> faults_of_run(const std::string& command, const Case& input) {
+std::vector<InputError> errors_of_run(const std::string& command, const Case& input) {
   const auto found = std::find_if(experiments().begin(), experiments().end(),
                                   [&](const ExperimentInfo& experiment) { return experiment.name == command; });
-  return found == experiments().end() || !found->check ? std::vector<Fault>{} : found->check(input);
+  return found == experiments().end() || !found->check ? std::vector<InputError>{} : found->check(input);
 }
 
 }  // namespace bumpfoil

@@ -29,9 +29,9 @@ class RotorFile {
   RotorMatrices read() {
     RotorMatrices matrices;
     if (json_.is_discarded() || !json_.is_object()) {
-      fault("", json_.is_discarded() ? "is not JSON" : "is not a JSON object",
+      error("", json_.is_discarded() ? "is not JSON" : "is not a JSON object",
             "give {\"M\": [[...], ...], \"C\": ..., \"G\": ..., \"K\": ..., \"bearing\": [...]}");
-      throw_if_faulty();
+      throw_if_wrong();
     }
     check_names(json_, "", rotor_file_keys);
     rows("M", matrices.mass);
@@ -40,20 +40,20 @@ class RotorFile {
     rows("K", matrices.stiffness);
     places("bearing", true, matrices.bearings);
     places("station", false, matrices.stations);
-    throw_if_faulty();
-    faults_ = find_matrix_faults(matrices);
-    for (Fault& one : faults_) one.file = path_;
-    throw_if_faulty();
+    throw_if_wrong();
+    errors_ = find_matrix_errors(matrices);
+    for (InputError& one : errors_) one.file = path_;
+    throw_if_wrong();
     return matrices;
   }
 
  private:
-  void fault(std::string key, std::string what, std::string advice) {
-    faults_.push_back({path_, 0, std::move(key), "", std::move(what), std::move(advice)});
+  void error(std::string key, std::string what, std::string advice) {
+    errors_.push_back({path_, 0, std::move(key), "", std::move(what), std::move(advice)});
   }
 
-  void throw_if_faulty() {
-    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+  void throw_if_wrong() {
+    if (!errors_.empty()) throw Error(ErrorKind::input, std::move(errors_));
   }
 
   template <std::size_t N>
@@ -62,7 +62,7 @@ class RotorFile {
     for (const auto& [name, value] : object.items()) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
       const auto nearest = nearest_name(name, {known.begin(), known.end()});
-      fault(holder + name, "unknown key",
+      error(holder + name, "unknown key",
             nearest ? fmt::format("did you mean \"{}\"?", *nearest)
                     : fmt::format("known here: {}", fmt::join(known, ", ")));
     }
@@ -71,11 +71,11 @@ class RotorFile {
   /// A square matrix, row by row.
   void rows(const std::string& key, std::vector<double>& entries) {
     const auto found = json_.find(key);
-    if (found == json_.end()) return fault(key, "is missing", "give it, of zeros where the rotor has none");
-    if (!found->is_array()) return fault(key, "is not a list of rows", "write [[...], [...], ...]");
+    if (found == json_.end()) return error(key, "is missing", "give it, of zeros where the rotor has none");
+    if (!found->is_array()) return error(key, "is not a list of rows", "write [[...], [...], ...]");
     const std::size_t n = found->size();
     if (n > static_cast<std::size_t>(most_rotor_unknowns)) {
-      return fault(key, fmt::format("has {} rows", n),
+      return error(key, fmt::format("has {} rows", n),
                    fmt::format("give at most {}: reduce the rotor", most_rotor_unknowns));
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -83,9 +83,9 @@ class RotorFile {
       const std::string name = fmt::format("{}[{}]", key, i + 1);
       const auto is_number = [](const nlohmann::json& one) { return one.is_number(); };
       if (!row.is_array() || !std::all_of(row.begin(), row.end(), is_number)) {
-        fault(name, "is not a list of numbers", "give a number for each column");
+        error(name, "is not a list of numbers", "give a number for each column");
       } else if (row.size() != n) {
-        fault(name, fmt::format("has {} numbers, but there are {} rows", row.size(), n), "give a square matrix");
+        error(name, fmt::format("has {} numbers, but there are {} rows", row.size(), n), "give a square matrix");
       } else {
         for (const nlohmann::json& one : row) entries.push_back(one.get<double>());
       }
@@ -96,25 +96,25 @@ class RotorFile {
     const auto found = json_.find(key);
     if (found == json_.end()) {
       if (required)
-        fault(key, "is missing", "give two, such as {\"name\": \"drive end\", \"z\": 0.04, \"x\": 8, \"y\": 9}");
+        error(key, "is missing", "give two, such as {\"name\": \"drive end\", \"z\": 0.04, \"x\": 8, \"y\": 9}");
       return;
     }
-    if (!found->is_array()) return fault(key, "is no list", "write [{\"name\": ...}, ...]");
+    if (!found->is_array()) return error(key, "is no list", "write [{\"name\": ...}, ...]");
     if (found->size() > static_cast<std::size_t>(most_rotor_unknowns)) {
-      return fault(key, fmt::format("has {} entries", found->size()),
+      return error(key, fmt::format("has {} entries", found->size()),
                    fmt::format("give at most {}", most_rotor_unknowns));
     }
     for (std::size_t i = 0; i < found->size(); ++i) {
       const nlohmann::json& entry = (*found)[i];
       const std::string name = fmt::format("{}[{}]", key, i + 1);
       if (!entry.is_object()) {
-        fault(name, "is no object", "write {\"name\": \"drive end\", \"z\": 0.04, \"x\": 8, \"y\": 9}");
+        error(name, "is no object", "write {\"name\": \"drive end\", \"z\": 0.04, \"x\": 8, \"y\": 9}");
         continue;
       }
       check_names(entry, name + ".", place_keys);
       const auto part = [&](const char* what, bool right_kind, const char* kind) {
         if (entry.contains(what) && right_kind) return true;
-        fault(fmt::format("{}.{}", name, what), entry.contains(what) ? fmt::format("is no {}", kind) : "is missing",
+        error(fmt::format("{}.{}", name, what), entry.contains(what) ? fmt::format("is no {}", kind) : "is missing",
               fmt::format("give a {}", kind));
         return false;
       };
@@ -137,7 +137,7 @@ class RotorFile {
 
   std::string path_;
   nlohmann::json json_;
-  std::vector<Fault> faults_;
+  std::vector<InputError> errors_;
 };
 
 }  // namespace

@@ -347,11 +347,11 @@ bool check_kind(Checks& checks, const RotorSettings& rotor) {
 }
 
 bool check_matrices(Checks& checks, const RotorMatrices& matrices) {
-  const std::vector<Fault> faults = find_matrix_faults(matrices);
-  for (const Fault& fault : faults) {
-    checks.require(false, "rotor.matrix." + fault.key, fault.value, fault.what, fault.advice);
+  const std::vector<InputError> errors = find_matrix_errors(matrices);
+  for (const InputError& error : errors) {
+    checks.require(false, "rotor.matrix." + error.key, error.value, error.what, error.advice);
   }
-  return faults.empty();
+  return errors.empty();
 }
 
 /// Checks that bearings that differ match one position each.

@@ -86,19 +86,19 @@ void check_own_bumps(Checks& checks, const std::string& key, const BumpFoil& foi
                  "give overall heights, bump_foil.height_reference = \"overall\", or remove it");
   checks.require(foil.truss == TrussOverrides{}, own, value,
                  "conflicts with constants of a truss, which apply to all strips", "remove it or [bump_foil.truss]");
-  const auto faults_with = [&](const BumpFoil& alike) {
+  const auto errors_with = [&](const BumpFoil& alike) {
     Checks alone;
     check_bump_foil(alone, alike, radius);
     return alone.take();
   };
-  if (!faults_with(foil).empty()) return;
+  if (!errors_with(foil).empty()) return;
   constexpr std::string_view section_of_all = "bump_foil.section";
-  for (const CommandFault& found : faults_with(with_bumps_of(foil, strip))) {
-    const Fault& fault = found.fault;
-    if (fault.key.starts_with(section_of_all)) {
-      checks.require(false, sections + fault.key.substr(section_of_all.size()), fault.value, fault.what, fault.advice);
+  for (const CommandError& found : errors_with(with_bumps_of(foil, strip))) {
+    const InputError& error = found.error;
+    if (error.key.starts_with(section_of_all)) {
+      checks.require(false, sections + error.key.substr(section_of_all.size()), error.value, error.what, error.advice);
     } else {
-      checks.require(false, own, value, fmt::format("does not fit: {} {}", fault.key, fault.what), fault.advice);
+      checks.require(false, own, value, fmt::format("does not fit: {} {}", error.key, error.what), error.advice);
     }
   }
 }

@@ -70,7 +70,7 @@ class Checks {
   bool require_for(std::string_view command, bool right, std::string key, std::string value, std::string what,
                    std::string advice) {
     if (right) return true;
-    faults_.push_back({command, {"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)}});
+    errors_.push_back({command, {"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)}});
     return false;
   }
 
@@ -118,14 +118,14 @@ class Checks {
                                 std::move(what), std::move(advice));
   }
 
-  std::vector<CommandFault> take() { return std::move(faults_); }
+  std::vector<CommandError> take() { return std::move(errors_); }
 
  private:
   void note(const std::string& key, const Range& range) {
     if (checked_ != nullptr) checked_->push_back({key, range});
   }
 
-  std::vector<CommandFault> faults_;
+  std::vector<CommandError> errors_;
   std::vector<CheckedKey>* checked_;
 };
 

@@ -144,42 +144,42 @@ void check_combination(Checks& checks, const Case& input) {
 }
 
 /// Whether any of these errors affects all commands.
-bool any_concerns_all(const std::vector<CommandFault>& faults) {
-  return std::any_of(faults.begin(), faults.end(), [](const CommandFault& one) { return one.command.empty(); });
+bool any_concerns_all(const std::vector<CommandError>& errors) {
+  return std::any_of(errors.begin(), errors.end(), [](const CommandError& one) { return one.command.empty(); });
 }
 
 /// Errors of a single pad, excluding those of the bearing.
-std::vector<CommandFault> find_faults_of_pad(Case alone, std::size_t pad, double lobe,
-                                             const std::vector<CommandFault>& known) {
+std::vector<CommandError> find_errors_of_pad(Case alone, std::size_t pad, double lobe,
+                                             const std::vector<CommandError>& known) {
   if (alone.top_foil.formed_radius.to == FormedTo::seated && alone.bearing.radial_clearance > 0.0) {
     alone.top_foil.formed_radius = {FormedTo::radius, formed_radius(alone.top_foil.formed_radius, alone.bearing)};
   }
   // On a preloaded pad the journal flattens the bumps at a smaller displacement.
   alone.bearing.radial_clearance -= std::max(lobe, 0.0);
-  std::vector<CommandFault> faults = check_case(alone);
-  std::erase_if(faults, [&known](const CommandFault& found) {
-    return std::any_of(known.begin(), known.end(), [&found](const CommandFault& one) {
-      return one.command == found.command && one.fault.key == found.fault.key;
+  std::vector<CommandError> errors = check_case(alone);
+  std::erase_if(errors, [&known](const CommandError& found) {
+    return std::any_of(known.begin(), known.end(), [&found](const CommandError& one) {
+      return one.command == found.command && one.error.key == found.error.key;
     });
   });
-  for (auto& [command, fault] : faults) {
-    const bool of_foil = fault.key.starts_with("bump_foil") || fault.key.starts_with("top_foil");
-    if (of_foil) fault.key = fmt::format("pad[{}].{}", pad + 1, fault.key);
+  for (auto& [command, error] : errors) {
+    const bool of_foil = error.key.starts_with("bump_foil") || error.key.starts_with("top_foil");
+    if (of_foil) error.key = fmt::format("pad[{}].{}", pad + 1, error.key);
   }
-  return faults;
+  return errors;
 }
 
 /// Errors of the foils of pads, first as given, then stretched to their arcs.
-std::vector<CommandFault> find_pad_faults(const Case& input, const std::vector<CommandFault>& known) {
-  std::vector<CommandFault> faults;
+std::vector<CommandError> find_pad_errors(const Case& input, const std::vector<CommandError>& known) {
+  std::vector<CommandError> errors;
   const auto add = [&](const PadDesign& pad, std::size_t k) {
     Case alone = input;
     static_cast<PadDesign&>(alone) = pad;
     alone.pads.clear();
     alone.rotor_bearings.clear();
     alone.bearing.pad_gap.reset();
-    std::vector<CommandFault> more = find_faults_of_pad(alone, k, input.pads[k].lobe, known);
-    faults.insert(faults.end(), more.begin(), more.end());
+    std::vector<CommandError> more = find_errors_of_pad(alone, k, input.pads[k].lobe, known);
+    errors.insert(errors.end(), more.begin(), more.end());
   };
   for (std::size_t k = 0; k < input.pads.size(); ++k) {
     PadDesign pad = input;
@@ -188,20 +188,20 @@ std::vector<CommandFault> find_pad_faults(const Case& input, const std::vector<C
     add(pad, k);
   }
   // Errors that affect all commands in a pad would recur in the placed pad.
-  if (any_concerns_all(faults) || any_concerns_all(known)) return faults;
-  faults.clear();
+  if (any_concerns_all(errors) || any_concerns_all(known)) return errors;
+  errors.clear();
   const std::vector<PlacedPad> pads = place_pads(input);
   for (std::size_t k = 0; k < pads.size(); ++k) add(pads[k].alone, k);
-  if (any_concerns_all(faults)) return faults;
+  if (any_concerns_all(errors)) return errors;
   Checks checks;
   check_overlaps(checks, input, pads);
-  std::vector<CommandFault> overlaps = checks.take();
-  faults.insert(faults.end(), overlaps.begin(), overlaps.end());
-  return faults;
+  std::vector<CommandError> overlaps = checks.take();
+  errors.insert(errors.end(), overlaps.begin(), overlaps.end());
+  return errors;
 }
 
 /// Errors of the bearing of the case, and of the requested runs.
-std::vector<CommandFault> check_bearing_and_runs(const Case& input, std::vector<CheckedKey>* checked = nullptr) {
+std::vector<CommandError> check_bearing_and_runs(const Case& input, std::vector<CheckedKey>* checked = nullptr) {
   Checks checks(checked);
   const BumpFoil& foil = input.bump_foil;
   const bool strip = std::any_of(case_tables().begin(), case_tables().end(),
@@ -229,48 +229,48 @@ std::vector<CommandFault> check_bearing_and_runs(const Case& input, std::vector<
   if (input.montecarlo) check_montecarlo(checks, *input.montecarlo, usable_radius);
   check_combination(checks, input);
   const bool placed = check_pads(checks, input, usable_radius);
-  std::vector<CommandFault> faults = checks.take();
-  if (!placed) return faults;
-  std::vector<CommandFault> more = find_pad_faults(input, faults);
-  faults.insert(faults.end(), more.begin(), more.end());
-  return faults;
+  std::vector<CommandError> errors = checks.take();
+  if (!placed) return errors;
+  std::vector<CommandError> more = find_pad_errors(input, errors);
+  errors.insert(errors.end(), more.begin(), more.end());
+  return errors;
 }
 
 /// Errors of the bearings of a rotor, excluding those of the bearing of the case.
-std::vector<CommandFault> find_rotor_bearing_faults(const Case& input, const std::vector<CommandFault>& known) {
-  std::vector<CommandFault> faults;
-  const auto is_known = [&known](const CommandFault& found) {
-    return std::any_of(known.begin(), known.end(), [&found](const CommandFault& one) {
-      return one.command == found.command && format_fault(one.fault) == format_fault(found.fault);
+std::vector<CommandError> find_rotor_bearing_errors(const Case& input, const std::vector<CommandError>& known) {
+  std::vector<CommandError> errors;
+  const auto is_known = [&known](const CommandError& found) {
+    return std::any_of(known.begin(), known.end(), [&found](const CommandError& one) {
+      return one.command == found.command && format_error(one.error) == format_error(found.error);
     });
   };
   for (std::size_t i = 0; i < input.rotor_bearings.size(); ++i) {
     const Case alone = bearing_at(input, i);
-    for (CommandFault& found : check_bearing_and_runs(alone)) {
+    for (CommandError& found : check_bearing_and_runs(alone)) {
       if (is_known(found)) continue;
-      found.fault.key = fmt::format("rotor.bearing[{}].{}", i + 1, found.fault.key);
-      faults.push_back(std::move(found));
+      found.error.key = fmt::format("rotor.bearing[{}].{}", i + 1, found.error.key);
+      errors.push_back(std::move(found));
     }
     if (!input.montecarlo || !input.montecarlo->bump_height) continue;
     // Height errors are drawn once, for the bumps of the case: every bearing needs the same number.
     const int bumps = total_bumps(alone);
     if (bumps == total_bumps(input)) continue;
-    faults.push_back(
+    errors.push_back(
         {"montecarlo",
          {"", 0, fmt::format("rotor.bearing[{}].bump_foil.bumps", i + 1), "",
           fmt::format("makes {} bumps, but heights are drawn for the {} of the case", bumps, total_bumps(input)),
           "give all bearings as many bumps, or remove montecarlo.bump_height"}});
   }
-  return faults;
+  return errors;
 }
 
 }  // namespace
 
-std::vector<CommandFault> check_case(const Case& input) {
-  std::vector<CommandFault> faults = check_bearing_and_runs(input);
-  const std::vector<CommandFault> more = find_rotor_bearing_faults(input, faults);
-  faults.insert(faults.end(), more.begin(), more.end());
-  return faults;
+std::vector<CommandError> check_case(const Case& input) {
+  std::vector<CommandError> errors = check_bearing_and_runs(input);
+  const std::vector<CommandError> more = find_rotor_bearing_errors(input, errors);
+  errors.insert(errors.end(), more.begin(), more.end());
+  return errors;
 }
 
 std::vector<CheckedKey> checked_keys(const Case& input) {
@@ -279,18 +279,18 @@ std::vector<CheckedKey> checked_keys(const Case& input) {
   return checked;
 }
 
-std::vector<Fault> find_faults(const Case& input, const std::vector<std::string>& commands) {
-  std::vector<Fault> faults;
-  for (const CommandFault& one : check_case(input)) {
+std::vector<InputError> find_errors(const Case& input, const std::vector<std::string>& commands) {
+  std::vector<InputError> errors;
+  for (const CommandError& one : check_case(input)) {
     const bool meets = std::find(commands.begin(), commands.end(), one.command) != commands.end();
-    if (one.command.empty() || meets) faults.push_back(one.fault);
+    if (one.command.empty() || meets) errors.push_back(one.error);
   }
-  return faults;
+  return errors;
 }
 
 void require_valid(const Case& input, const std::vector<std::string>& commands) {
-  std::vector<Fault> faults = find_faults(input, commands);
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  std::vector<InputError> errors = find_errors(input, commands);
+  if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
 }
 
 void require_bearing(const Case& input, const std::vector<std::string>& commands) {

@@ -60,7 +60,7 @@ ExperimentInfo optimise_experiment() {
                                      return optimise_files(input, *result, status, provenance);
                                    }};
               },
-          .check = optimise_faults,
+          .check = optimise_errors,
           .small_runs = {{"optimise.command=cycle", "optimise.maximise=[\"loss_factor\"]",
                           "optimise.minimise=[\"max_force\"]", "optimise.limits=[\"max_force > 1 N\"]",
                           "optimise.evaluations=40", "optimise.tolerance=0.05", "optimise.starts=1", "optimise.front=1",

@@ -12,7 +12,7 @@
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "case/key_list.hpp"
-#include "core/collect_faults.hpp"
+#include "core/collect_errors.hpp"
 #include "experiments/fit/fit_keys.hpp"
 #include "optimise/point_runner.hpp"
 
@@ -38,30 +38,30 @@ LimitWords words_for(const std::string& key, const OptimiseSettings& settings) {
           "its result.nc, and sweep.nc of its sweeps, have their names", "h_min > 5 um"};
 }
 
-std::vector<Fault> faults_of_model(Case input, OptimiseSettings settings) {
+std::vector<InputError> errors_of_model(Case input, OptimiseSettings settings) {
   input.settings.set(std::move(settings));
-  std::vector<Fault> faults;
-  collect_faults(faults, [&] { const OptimiseModel model(input); });
-  return faults;
+  std::vector<InputError> errors;
+  collect_errors(errors, [&] { const OptimiseModel model(input); });
+  return errors;
 }
 
 /// Errors in quantities and limits that no result of the command has for any bearing: a small run already has all.
-std::vector<Fault> faults_whatever_the_bearing(const Case& input, OptimiseSettings settings) {
+std::vector<InputError> errors_whatever_the_bearing(const Case& input, OptimiseSettings settings) {
   const bool ensemble = settings.runs_ensembles();
   if (ensemble && !input.montecarlo) return {};
   const std::string& command = ensemble ? input.montecarlo->command : settings.command;
   settings.keys.clear();
-  std::optional<std::vector<Fault>> all;
+  std::optional<std::vector<InputError>> all;
   for (const std::vector<std::string>& keys : experiment_named(command).small_runs) {
     Case reference = parse_case(case_template("gen1"), "", {.overrides = keys, .commands = {command}});
     reference.montecarlo = input.montecarlo;
-    const std::vector<Fault> own = faults_of_model(std::move(reference), settings);
+    const std::vector<InputError> own = errors_of_model(std::move(reference), settings);
     if (!all) all = own;
-    std::erase_if(*all, [&own](const Fault& fault) {
-      return std::none_of(own.begin(), own.end(), [&fault](const Fault& other) { return other.key == fault.key; });
+    std::erase_if(*all, [&own](const InputError& error) {
+      return std::none_of(own.begin(), own.end(), [&error](const InputError& other) { return other.key == error.key; });
     });
   }
-  return all.value_or(std::vector<Fault>{});
+  return all.value_or(std::vector<InputError>{});
 }
 
 }  // namespace
@@ -70,22 +70,22 @@ OptimiseModel::OptimiseModel(const Case& input) : settings_(*input.settings.find
   Case bare = input;
   bare.settings.set(OptimiseSettings{});
   text_ = case_to_toml(bare);
-  std::vector<Fault> faults;
-  runner_ = make_point_runner(bare, settings_, faults);
-  read_aims(faults);
-  read_limits(faults);
-  find_start(bare, faults);
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  std::vector<InputError> errors;
+  runner_ = make_point_runner(bare, settings_, errors);
+  read_aims(errors);
+  read_limits(errors);
+  find_start(bare, errors);
+  if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
 }
 
 OptimiseModel::~OptimiseModel() = default;
 
-void OptimiseModel::read_aims(std::vector<Fault>& faults) {
+void OptimiseModel::read_aims(std::vector<InputError>& errors) {
   const std::vector<LimitedQuantity> quantities = runner_->quantities();
   const auto read = [&](const std::vector<std::string>& names, bool maximise) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       const std::string key = fmt::format("optimise.{}[{}]", maximise ? "maximise" : "minimise", i + 1);
-      collect_faults(faults, [&] {
+      collect_errors(errors, [&] {
         const std::size_t number = parse_quantity_name(names[i], quantities, words_for(key, settings_));
         aims_.push_back({quantity_of(*runner_, number, !maximise), maximise});
       });
@@ -95,10 +95,10 @@ void OptimiseModel::read_aims(std::vector<Fault>& faults) {
   read(settings_.minimise, false);
 }
 
-void OptimiseModel::read_limits(std::vector<Fault>& faults) {
+void OptimiseModel::read_limits(std::vector<InputError>& errors) {
   const std::vector<LimitedQuantity> quantities = runner_->quantities();
   for (std::size_t i = 0; i < settings_.limits.size(); ++i) {
-    collect_faults(faults, [&] {
+    collect_errors(errors, [&] {
       const std::string& text = settings_.limits[i];
       const QuantityLimit limit =
           parse_quantity_limit(text, quantities, words_for(fmt::format("optimise.limits[{}]", i + 1), settings_));
@@ -107,7 +107,7 @@ void OptimiseModel::read_limits(std::vector<Fault>& faults) {
   }
 }
 
-void OptimiseModel::find_start(const Case& bare, std::vector<Fault>& faults) {
+void OptimiseModel::find_start(const Case& bare, std::vector<InputError>& errors) {
   const std::vector<ListedKey> held = list_keys(bare);
   for (const OptimisedKey& one : settings_.keys) {
     const std::optional<Dimension> dimension = dimension_of(one.key);
@@ -117,7 +117,7 @@ void OptimiseModel::find_start(const Case& bare, std::vector<Fault>& faults) {
     const double own = known ? listed->value.get<double>() : 0.5 * (one.lower + one.upper);
     start_.push_back(one.start.value_or(std::clamp(own, one.lower, one.upper)));
   }
-  collect_faults(faults, [&] { static_cast<void>(case_with(start_)); });
+  collect_errors(errors, [&] { static_cast<void>(case_with(start_)); });
 }
 
 Case OptimiseModel::case_with(const std::vector<double>& values) const {
@@ -144,7 +144,7 @@ std::optional<OptimisePoint> OptimiseModel::evaluate(const std::vector<double>& 
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::input) throw;
     point.status = PointStatus::not_physical;
-    point.message = format_fault(error.faults().front());
+    point.message = format_error(error.errors().front());
     return point;
   }
   if (run.status == RunStatus::interrupted) return std::nullopt;
@@ -167,15 +167,15 @@ std::optional<OptimisePoint> OptimiseModel::evaluate(const std::vector<double>& 
   return point;
 }
 
-std::vector<Fault> optimise_faults(const Case& input) {
+std::vector<InputError> optimise_errors(const Case& input) {
   OptimiseSettings settings = *input.settings.find<OptimiseSettings>();
   Case bare = input;
   bare.settings.set(OptimiseSettings{});
-  if (!find_faults(bare).empty()) return faults_whatever_the_bearing(input, std::move(settings));
+  if (!find_errors(bare).empty()) return errors_whatever_the_bearing(input, std::move(settings));
   // Errors of keys are reported by [optimise] itself; the quantities do not depend on them.
   std::erase_if(settings.keys,
                 [](const OptimisedKey& one) { return !is_fitted_key(one.key) || !(one.lower < one.upper); });
-  return faults_of_model(std::move(bare), std::move(settings));
+  return errors_of_model(std::move(bare), std::move(settings));
 }
 
 }  // namespace bumpfoil

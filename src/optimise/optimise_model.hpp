@@ -35,9 +35,9 @@ class OptimiseModel {
                                                       std::vector<std::string>* warnings = nullptr) const;
 
  private:
-  void read_aims(std::vector<Fault>& faults);
-  void read_limits(std::vector<Fault>& faults);
-  void find_start(const Case& bare, std::vector<Fault>& faults);
+  void read_aims(std::vector<InputError>& errors);
+  void read_limits(std::vector<InputError>& errors);
+  void find_start(const Case& bare, std::vector<InputError>& errors);
 
   OptimiseSettings settings_;
   std::string text_;  ///< the case without [optimise]

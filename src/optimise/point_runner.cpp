@@ -93,16 +93,16 @@ const std::vector<NamedStatistic>& named_statistics() {
 /// Runs an ensemble: the same random samples at every point, so that points differ by their keys only.
 class EnsembleRunner final : public PointRunner {
  public:
-  EnsembleRunner(const Case& input, const OptimiseSettings& settings, std::vector<Fault>& faults)
+  EnsembleRunner(const Case& input, const OptimiseSettings& settings, std::vector<InputError>& errors)
       : texts_(settings.bearing_limits) {
     const EnsembleLayout layout = make_ensemble_layout(input);
     for (std::size_t i = 0; i < texts_.size(); ++i) {
       try {
         static_cast<void>(parse_limits({texts_[i]}, layout));
       } catch (const Error& error) {
-        for (Fault fault : error.faults()) {
-          fault.key = fmt::format("optimise.bearing_limits[{}]", i + 1);
-          faults.push_back(std::move(fault));
+        for (InputError one : error.errors()) {
+          one.key = fmt::format("optimise.bearing_limits[{}]", i + 1);
+          errors.push_back(std::move(one));
         }
       }
     }
@@ -199,9 +199,9 @@ class EnsembleRunner final : public PointRunner {
 }  // namespace
 
 std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings,
-                                                     std::vector<Fault>& faults) {
+                                                     std::vector<InputError>& errors) {
   if (settings.runs_ensembles()) {
-    return std::make_unique<EnsembleRunner>(input, settings, faults);
+    return std::make_unique<EnsembleRunner>(input, settings, errors);
   }
   return std::make_unique<ExperimentRunner>(experiment_named(settings.command), input);
 }

@@ -37,9 +37,9 @@ class PointRunner {
                                      const ProgressCallback& progress) const = 0;
 };
 
-/// The runner of the command of [optimise]. @param faults  receives errors of the limits of bearings
+/// The runner of the command of [optimise]. @param errors  receives errors of the limits of bearings
 /// @throws Error (input) if the case cannot be built
 std::unique_ptr<const PointRunner> make_point_runner(const Case& input, const OptimiseSettings& settings,
-                                                     std::vector<Fault>& faults);
+                                                     std::vector<InputError>& errors);
 
 }  // namespace bumpfoil

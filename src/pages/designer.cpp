@@ -292,17 +292,17 @@ Json answer_statistics(const Json& request) {
   return statistics_json(statistics_of(each(request.at("values"), number_of)));
 }
 
-Json faults_json(const Error& error) {
+Json errors_json(const Error& error) {
   Json json = Json::array();
-  for (const Fault& fault : error.faults()) {
-    json.push_back({{"line", fault.line},
-                    {"key", fault.key},
-                    {"value", fault.value},
-                    {"what", fault.what},
-                    {"advice", fault.advice},
-                    {"message", format_fault(fault)}});
+  for (const InputError& one : error.errors()) {
+    json.push_back({{"line", one.line},
+                    {"key", one.key},
+                    {"value", one.value},
+                    {"what", one.what},
+                    {"advice", one.advice},
+                    {"message", format_error(one)}});
   }
-  return {{"faults", json}};
+  return {{"errors", json}};
 }
 
 Json answer_json(const Json& request) {
@@ -326,7 +326,7 @@ std::string designer_answer(std::string_view request) {
   try {
     json = answer_json(Json::parse(request));
   } catch (const Error& error) {
-    json = faults_json(error);
+    json = errors_json(error);
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -230,7 +230,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
 std::string report_json(const std::vector<fs::path>& folders, const ReadingOptions& options) {
   BUMPFOIL_ASSERT(!folders.empty());
   Json runs = Json::array();
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   std::vector<fs::path> sources = folders;
   for (const MeasuredFile& file : options.measured) sources.push_back(file.path);
   const std::vector<std::string> names = names_of(sources);
@@ -241,12 +241,12 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
       run.update(read_run(folder, std::max<std::size_t>(1, options.most_values / folders.size()), options));
       runs.push_back(std::move(run));
     } catch (const Error& error) {
-      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+      errors.insert(errors.end(), error.errors().begin(), error.errors().end());
     } catch (const std::bad_alloc&) {
-      faults.push_back({folder.string(), 0, "", "", "needs more than the available memory", ""});
+      errors.push_back({folder.string(), 0, "", "", "needs more than the available memory", ""});
     }
   }
-  if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));
+  if (!errors.empty()) throw Error(ErrorKind::file, std::move(errors));
   for (std::size_t i = 0; i < options.measured.size(); ++i) {
     runs.push_back(measured_run(options.measured[i], options.columns, names[folders.size() + i], runs, options.warn));
   }

@@ -15,15 +15,15 @@
 namespace bumpfoil {
 
 std::string read_binary_file(const std::filesystem::path& path) try {
-  const auto fault = [&](std::string what, std::string advice = "") {
+  const auto error = [&](std::string what, std::string advice = "") {
     return Error(ErrorKind::file, {{path.string(), 0, "", "", std::move(what), std::move(advice)}});
   };
-  const auto unreadable = [&] { return fault("cannot be read: " + std::generic_category().message(errno)); };
+  const auto unreadable = [&] { return error("cannot be read: " + std::generic_category().message(errno)); };
   // Opening a pipe without a writer must not block before it is rejected.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0) throw unreadable();
-  if (!S_ISREG(status.st_mode)) throw fault("is not a regular file");
+  if (!S_ISREG(status.st_mode)) throw error("is not a regular file");
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t size = 0;
   while (size < bytes.size()) {

@@ -54,16 +54,16 @@ constexpr std::array<std::string_view, 5> bearing_tables{"bearing", "bump_foil",
 
 /// Requires the same bearing, foils and friction: the reference of the deviations.
 void require_same_bearing(const Case& stored, const Case& input, const std::string& file) {
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   for (const CaseDifference& difference : case_differences(stored, input)) {
     // Tables of a list are numbered: pad[2].
     const std::string table = difference.key.substr(0, difference.key.find_first_of(".["));
     const bool is_of_bearing = std::find(bearing_tables.begin(), bearing_tables.end(), table) != bearing_tables.end();
     if (!is_of_bearing && !difference.key.starts_with("rotor.bearing[")) continue;
-    faults.push_back({file, 0, difference.key, difference.theirs, fmt::format("is {} in this case", difference.ours),
+    errors.push_back({file, 0, difference.key, difference.theirs, fmt::format("is {} in this case", difference.ours),
                       "give the case of the ensemble"});
   }
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
 }
 
 }  // namespace

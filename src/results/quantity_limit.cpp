@@ -67,8 +67,8 @@ QuantityLimit parse_quantity_limit(const std::string& text, const std::vector<Li
     limit.bound = *number;
   } else if (const std::optional<Dimension> dimension = dimension_in(unit)) {
     const auto quantity = parse_quantity(value, *dimension);
-    if (const auto* fault = std::get_if<QuantityFault>(&quantity))
-      refuse_limit(text, words, fault->what, fault->advice);
+    if (const auto* error = std::get_if<QuantityError>(&quantity))
+      refuse_limit(text, words, error->what, error->advice);
     limit.bound = std::get<double>(quantity);
   } else {
     refuse_limit(text, words, "does not end with a number",

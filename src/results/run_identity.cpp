@@ -62,21 +62,21 @@ void require_same_run(const std::string& identity, const Case& input, const std:
   if (identity == ours) return;
   std::string_view their_text = identity;
   std::string_view our_text = ours;
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   constexpr std::string_view advice = "continue with the original settings, or restart with --force";
   for (const char* const what : {"program", "instruction set"}) {
     const std::string theirs = take_line(their_text);
     const std::string now = take_line(our_text);
-    if (theirs != now) faults.push_back({file, 0, what, theirs, fmt::format("is {} now", now), std::string(advice)});
+    if (theirs != now) errors.push_back({file, 0, what, theirs, fmt::format("is {} now", now), std::string(advice)});
   }
   // Another version may write cases that this one cannot read: then the version explains the difference.
-  if (their_text != our_text && faults.empty()) {
+  if (their_text != our_text && errors.empty()) {
     for (const CaseDifference& difference : case_differences(parse_case(their_text, file), nameless(input))) {
-      faults.push_back(
+      errors.push_back(
           {file, 0, difference.key, difference.theirs, fmt::format("is {} now", difference.ours), std::string(advice)});
     }
   }
-  throw Error(ErrorKind::input, std::move(faults));
+  throw Error(ErrorKind::input, std::move(errors));
 }
 
 }  // namespace bumpfoil

@@ -86,14 +86,14 @@ class MatrixCheck {
  public:
   explicit MatrixCheck(const RotorMatrices& matrices) : matrices_(matrices), n_(unknowns_of(matrices)) {}
 
-  std::vector<Fault> faults() {
+  std::vector<InputError> errors() {
     if (sizes() && places() && numbers() && symmetries() && stiffness()) rigid();
-    return std::move(faults_);
+    return std::move(errors_);
   }
 
  private:
   bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
-    if (!right) faults_.push_back({"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)});
+    if (!right) errors_.push_back({"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)});
     return right;
   }
 
@@ -241,13 +241,13 @@ class MatrixCheck {
   std::array<std::pair<std::string_view, const std::vector<double>*>, 4> all_{
       {{"M", &matrices_.mass}, {"C", &matrices_.damping}, {"G", &matrices_.gyroscopic}, {"K", &matrices_.stiffness}}};
   std::vector<std::pair<std::string_view, const std::vector<double>*>> others_{all_.begin() + 1, all_.end()};
-  std::vector<Fault> faults_;
+  std::vector<InputError> errors_;
 };
 
 }  // namespace
 
-std::vector<Fault> find_matrix_faults(const RotorMatrices& matrices) {
-  return MatrixCheck(matrices).faults();
+std::vector<InputError> find_matrix_errors(const RotorMatrices& matrices) {
+  return MatrixCheck(matrices).errors();
 }
 
 Rotor make_rotor(const RotorMatrices& matrices) {

@@ -130,33 +130,33 @@ std::vector<TrussConstants> given_or_identified(const FoilDesign& foils) {
   return constants;
 }
 
-std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussConstants>& constants) {
-  std::vector<Fault> faults;
+std::vector<InputError> errors_of(const FoilDesign& foils, const std::vector<TrussConstants>& constants) {
+  std::vector<InputError> errors;
   const auto check = [&](const char* name, double TrussConstants::*value, std::size_t bumps) {
     const auto end = constants.begin() + static_cast<std::ptrdiff_t>(bumps);
     const auto worst =
         std::find_if(constants.begin(), end, [&](const TrussConstants& own) { return own.*value < 0.0; });
     if (worst == end) return;
     const bool uniform = std::equal(foils.bumps.begin() + 1, foils.bumps.end(), foils.bumps.begin());
-    Fault fault;
-    fault.key = fmt::format("bump_foil.truss.{}", name);
-    fault.what = fmt::format("is identified as {:.4g} N/m for {}: the truss would be unstable", (*worst).*value,
+    InputError error;
+    error.key = fmt::format("bump_foil.truss.{}", name);
+    error.what = fmt::format("is identified as {:.4g} N/m for {}: the truss would be unstable", (*worst).*value,
                              uniform ? std::string("this shape of bump")
                                      : fmt::format("bump {} among its neighbours", worst - constants.begin() + 1));
-    fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
+    error.advice = "give a positive value, or set bump_foil.model = \"frame\"";
     // The sum determines the stiffness of a bump: an increase of k2 alone would stiffen it.
     const double sum = (*worst).k2 + (*worst).k3;
     if (value == &TrussConstants::k2 && !foils.truss.k3 && sum > 0.0) {
-      fault.advice =
+      error.advice =
           fmt::format("set bump_foil.model = \"frame\", or give k2, k3 and k4, with k2 + k3 = {:.4g} N/m", sum);
     }
-    faults.push_back(fault);
+    errors.push_back(error);
   };
   check("k1", &TrussConstants::k1, constants.size());
   check("k2", &TrussConstants::k2, constants.size());
   check("k3", &TrussConstants::k3, constants.size());
   check("k4", &TrussConstants::k4, 1);  // other bumps have no weld before them
-  return faults;
+  return errors;
 }
 
 }  // namespace
@@ -183,14 +183,14 @@ TrussConstants identify_truss_constants(const BumpArc& arc, const Section& secti
   return constants;
 }
 
-std::vector<Fault> find_truss_faults(const FoilDesign& foils) {
-  return faults_of(foils, given_or_identified(foils));
+std::vector<InputError> find_truss_errors(const FoilDesign& foils) {
+  return errors_of(foils, given_or_identified(foils));
 }
 
 std::vector<TrussConstants> make_truss_constants(const FoilDesign& foils) {
   std::vector<TrussConstants> constants = given_or_identified(foils);
-  if (std::vector<Fault> faults = faults_of(foils, constants); !faults.empty()) {
-    throw Error(ErrorKind::input, std::move(faults));
+  if (std::vector<InputError> errors = errors_of(foils, constants); !errors.empty()) {
+    throw Error(ErrorKind::input, std::move(errors));
   }
   return constants;
 }

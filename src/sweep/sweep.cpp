@@ -14,7 +14,7 @@
 #include "case/case_json.hpp"
 #include "case/key_list.hpp"
 #include "case/toml_document.hpp"
-#include "core/collect_faults.hpp"
+#include "core/collect_errors.hpp"
 #include "core/number_text.hpp"
 
 namespace bumpfoil {
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view over_option = "--over";
 /// Further errors are counted, not listed.
-constexpr std::size_t most_sweep_faults = 50;
+constexpr std::size_t most_sweep_errors = 50;
 /// The list of which each point takes one value.
 constexpr std::string_view swept_list = "equilibrium.speeds";
 /// Must be equal at all points: their spectra share an axis.
@@ -43,34 +43,34 @@ class OptionReader {
 
   std::vector<SweepAxis> read() {
     for (const std::string& argument : request_.over) {
-      collect_faults(faults_, [&] { add(parse_swept_key(argument)); });
+      collect_errors(errors_, [&] { add(parse_swept_key(argument)); });
     }
     double points = 1.0;
     for (const SweepAxis& axis : axes_) points *= static_cast<double>(axis.swept.values.size());
     if (points > static_cast<double>(most_sweep_points)) {
-      fault("", fmt::format("make a grid of {:.0f} points", points),
+      error("", fmt::format("make a grid of {:.0f} points", points),
             fmt::format("a sweep takes at most {}", most_sweep_points));
     }
-    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+    if (!errors_.empty()) throw Error(ErrorKind::input, std::move(errors_));
     return std::move(axes_);
   }
 
  private:
-  void fault(const std::string& key, std::string what, std::string advice) {
-    faults_.push_back({std::string(over_option), 0, key, "", std::move(what), std::move(advice)});
+  void error(const std::string& key, std::string what, std::string advice) {
+    errors_.push_back({std::string(over_option), 0, key, "", std::move(what), std::move(advice)});
   }
 
   void add(SweptKey swept) {
     const std::string& key = swept.key;
     const ListedKey* listed = find_key(keys_, key);
-    if (listed == nullptr || listed->is_table()) return fault(key, "unknown key", advice_on_number(keys_, key));
-    if (listed->path == never_swept) return fault(key, "is the same at all points", "set it by --set");
+    if (listed == nullptr || listed->is_table()) return error(key, "unknown key", advice_on_number(keys_, key));
+    if (listed->path == never_swept) return error(key, "is the same at all points", "set it by --set");
     const bool is_list = listed->path == swept_list;
-    if (!is_list && !listed->holds_number()) return fault(key, "is not numeric", "sweep over numeric keys");
+    if (!is_list && !listed->holds_number()) return error(key, "is not numeric", "sweep over numeric keys");
     const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };
-    if (std::any_of(axes_.begin(), axes_.end(), same)) return fault(key, "is swept twice", "give it once");
+    if (std::any_of(axes_.begin(), axes_.end(), same)) return error(key, "is swept twice", "give it once");
     for (const std::string& one : request_.overrides) {
-      if (one.starts_with(key + '=')) fault(key, "is swept, and set by --set", "give one of the two");
+      if (one.starts_with(key + '=')) error(key, "is swept, and set by --set", "give one of the two");
     }
     const std::string title = fmt::format("{}: {}", find_key(keys_, listed->table())->key.title, listed->key.title);
     SweepAxis axis{.swept = {}, .is_list = is_list, .name = key, .title = title, .unit = "1", .values = {}};
@@ -88,7 +88,7 @@ class OptionReader {
     for (const std::string& value : swept.values) {
       const std::optional<Dimension> dimension = dimension_of_either(value);
       if (dimension && dimension == first) continue;
-      fault(swept.key,
+      error(swept.key,
             fmt::format("is \"{}\", {}", value, first ? "but others are of another kind" : "expected a unit"),
             "write lengths or forces, all with their units: 10 um:50 um:10 um");
       return {};
@@ -99,40 +99,40 @@ class OptionReader {
   const SweepRequest& request_;
   std::vector<ListedKey> keys_{list_keys()};
   std::vector<SweepAxis> axes_;
-  std::vector<Fault> faults_;
+  std::vector<InputError> errors_;
 };
 
 /// Errors of all points: each is reported once, with the first point that has it.
-class GridFaults {
+class GridErrors {
  public:
-  GridFaults(const Sweep& sweep, std::size_t points) : sweep_(sweep), points_(points) {}
+  GridErrors(const Sweep& sweep, std::size_t points) : sweep_(sweep), points_(points) {}
 
   void add(std::size_t point, const Error& error) {
     input_ = input_ || error.kind() == ErrorKind::input;
-    for (const Fault& fault : error.faults()) {
-      const auto [place, is_new] = places_.try_emplace(format_fault(fault), faults_.size());
-      if (is_new) faults_.push_back({fault, point, 0});
-      ++faults_[place->second].count;
+    for (const InputError& one : error.errors()) {
+      const auto [place, is_new] = places_.try_emplace(format_error(one), errors_.size());
+      if (is_new) errors_.push_back({one, point, 0});
+      ++errors_[place->second].count;
     }
   }
 
   void throw_if_any() const {
-    if (faults_.empty()) return;
-    std::vector<Fault> told;
-    for (const Found& found : faults_) {
-      if (told.size() == most_sweep_faults) {
-        told.push_back({"", 0, "", "", fmt::format("and {} more errors", faults_.size() - most_sweep_faults),
+    if (errors_.empty()) return;
+    std::vector<InputError> told;
+    for (const Found& found : errors_) {
+      if (told.size() == most_sweep_errors) {
+        told.push_back({"", 0, "", "", fmt::format("and {} more errors", errors_.size() - most_sweep_errors),
                         "fix the first ones"});
         break;
       }
-      Fault& fault = told.emplace_back(found.fault);
-      const auto swept = [&fault](const SweepAxis& axis) {
-        return fault.key == axis.swept.key + (axis.is_list ? "[1]" : "");
+      InputError& error = told.emplace_back(found.error);
+      const auto swept = [&error](const SweepAxis& axis) {
+        return error.key == axis.swept.key + (axis.is_list ? "[1]" : "");
       };
-      if (fault.file == command_line && std::any_of(sweep_.axes.begin(), sweep_.axes.end(), swept))
-        fault.file = over_option;
+      if (error.file == command_line && std::any_of(sweep_.axes.begin(), sweep_.axes.end(), swept))
+        error.file = over_option;
       if (found.count == points_) continue;  // independent of the grid
-      fault.what += fmt::format(" (at {}{})", point_name(sweep_, found.first),
+      error.what += fmt::format(" (at {}{})", point_name(sweep_, found.first),
                                 found.count > 1 ? fmt::format(" and {} more points", found.count - 1) : "");
     }
     throw Error(input_ ? ErrorKind::input : ErrorKind::file, std::move(told));
@@ -140,14 +140,14 @@ class GridFaults {
 
  private:
   struct Found {
-    Fault fault;
+    InputError error;
     std::size_t first;
     std::size_t count;
   };
 
   const Sweep& sweep_;
   std::size_t points_;
-  std::vector<Found> faults_;
+  std::vector<Found> errors_;
   std::map<std::string, std::size_t> places_;
   bool input_{};
 };
@@ -180,7 +180,7 @@ std::size_t points_of(const std::vector<SweepAxis>& axes) {
 /// Reads the values of an axis from the cases along it, with all other keys at their first values.
 void take_values(Sweep& sweep) {
   std::size_t stride = sweep.cases.size();
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   for (SweepAxis& axis : sweep.axes) {
     const std::size_t count = axis.swept.values.size();
     stride /= count;
@@ -190,12 +190,12 @@ void take_values(Sweep& sweep) {
       axis.values.push_back(value);
       const auto [first, is_new] = known.try_emplace(value, i);
       if (is_new) continue;
-      faults.push_back({std::string(over_option), 0, axis.swept.key, axis.swept.values[i],
+      errors.push_back({std::string(over_option), 0, axis.swept.key, axis.swept.values[i],
                         fmt::format("is the same value as {}", axis.swept.values[first->second]),
                         "give every value once"});
     }
   }
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
 }
 
 /// Whether the number of loops is small enough to store them.
@@ -229,7 +229,7 @@ Sweep parse_sweep(std::string_view text, const std::string& name, const SweepReq
   }
   Sweep sweep{.experiment = &experiment, .axes = OptionReader(request).read(), .cases = {}};
   const std::size_t points = points_of(sweep.axes);
-  GridFaults faults(sweep, points);
+  GridErrors errors(sweep, points);
   for (std::size_t point = 0; point < points; ++point) {
     CaseRequest one{.overrides = request.overrides, .commands = {request.command}};
     if (request.limits) one.overrides.emplace_back("equilibrium.limits=true");
@@ -242,10 +242,10 @@ Sweep parse_sweep(std::string_view text, const std::string& name, const SweepReq
     try {
       sweep.cases.push_back(parse_case(text, name, one));
     } catch (const Error& error) {
-      faults.add(point, error);
+      errors.add(point, error);
     }
   }
-  faults.throw_if_any();
+  errors.throw_if_any();
   take_values(sweep);
   sweep.with_loops = keeps_loops(sweep);
   return sweep;

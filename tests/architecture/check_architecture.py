@@ -1,4 +1,4 @@
-"""Checks the rules that keep the modules apart; prints every fault and exits non-zero if there is one.
+"""Checks the rules that keep the modules apart; prints every error and exits non-zero if there is one.
 
 Usage: check_architecture.py REPOSITORY
 """
@@ -221,7 +221,7 @@ def check_named_tests(root):
                 yield f"{file.relative_to(root).as_posix()}:{line_of(text, match.start())}: no test {match.group()}"
 
 
-def find_faults(root):
+def find_errors(root):
     return [
         *check_sources(root),
         *check_foreign_headers(root),
@@ -234,6 +234,6 @@ def find_faults(root):
 
 
 if __name__ == "__main__":
-    found = find_faults(Path(sys.argv[1]))
+    found = find_errors(Path(sys.argv[1]))
     print("\n".join(found) or "The modules keep apart.")
     sys.exit(1 if found else 0)

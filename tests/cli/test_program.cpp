@@ -309,7 +309,7 @@ TEST_F(Program, WritesNothingForAWrongCase) {
     EXPECT_NE(outcome.errors.find("wrong.toml"), std::string::npos);
     // At least: `cycle` also reports a missing table.
     EXPECT_GE(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'),
-              static_cast<std::ptrdiff_t>(wrong.faults));
+              static_cast<std::ptrdiff_t>(wrong.errors));
     EXPECT_FALSE(wrote_results());
   }
 }

@@ -30,7 +30,7 @@ TEST_F(RunInShell, TakesEveryNameOfAFolder) {
   }
 }
 
-TEST_F(RunInShell, ALimitOfFileSizesIsAFaultOfTheFile) {
+TEST_F(RunInShell, ALimitOfFileSizesIsAnErrorOfTheFile) {
   for (const std::string before : {"", "trap '' XFSZ; "}) {
     EXPECT_EQ(run(before + "ulimit -f 100; $bumpfoil cycle case.toml -o full"), 4) << log();
     EXPECT_NE(log().find("full/cycle.csv: cannot be written: File too large"), std::string::npos) << log();
@@ -58,7 +58,7 @@ std::vector<std::string> writing_commands() {
 /// Without home, terminal or input, in a locale with decimal commas or without a locale, and with names that contain
 /// blanks and non-ASCII letters, all works as usual. Existing files are kept; if nothing can be written, the message
 /// says so and no files remain.
-TEST_F(RunInShell, EveryCommandThatWritesMeetsTheFaultsOfItsMachine) {
+TEST_F(RunInShell, EveryCommandThatWritesMeetsTheErrorsOfItsMachine) {
   ASSERT_EQ(run(cycle + "-o base"), 0);
   for (const std::string& command : writing_commands()) {
     SCOPED_TRACE(command);

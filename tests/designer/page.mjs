@@ -51,22 +51,22 @@ async function opened(fragment, options) {
   // Vibrations take seconds, and many of them beside other tests.
   context.setDefaultTimeout(120000);
   const page = await context.newPage();
-  const faults = [];
-  page.on('pageerror', (error) => faults.push(String(error)));
-  page.on('console', (message) => faults.push(message.text()));
+  const errors = [];
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('console', (message) => errors.push(message.text()));
   page.on('request', (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) faults.push(request.url());
+    if (!/^(file|data|blob):/.test(request.url())) errors.push(request.url());
   });
   await page.goto(pathToFileURL(file).href + fragment);
   await page.waitForFunction(() => document.documentElement.dataset.answered);
-  return { page, faults };
+  return { page, errors };
 }
 
 /** Shows the page as it opens. */
 export async function withPage(check, { fragment = '', ...options } = {}) {
-  const { page, faults } = await opened(fragment, options);
+  const { page, errors } = await opened(fragment, options);
   await check(page);
-  assert.deepEqual(faults, []);
+  assert.deepEqual(errors, []);
   await page.context().close();
 }
 
@@ -74,13 +74,13 @@ let shared;
 
 /** Shows the page with the reference case, after other changes: to open it takes longer than most tests. */
 export async function withSharedPage(check) {
-  const { page, faults } = shared ?? (await opened('', {}));
+  const { page, errors } = shared ?? (await opened('', {}));
   shared = undefined; // unless all goes well
   if ((await textOf(page)) !== reference) await write(page, reference);
   await page.getByRole('tab', { name: 'Loops' }).click();
   await check(page);
-  assert.deepEqual(faults, []);
-  shared = { page, faults };
+  assert.deepEqual(errors, []);
+  shared = { page, errors };
 }
 
 /** Puts a text in the place of the case. */

@@ -38,7 +38,7 @@ export function loopsOfProgram(text) {
 }
 
 /** What `bumpfoil cycle` finds wrong with a case, one line each. */
-export function faultsOfProgram(text) {
+export function errorsOfProgram(text) {
   return withFolder((folder) => {
     const file = join(folder, 'case.toml');
     writeFileSync(file, text);

@@ -73,24 +73,24 @@ test('a slider is dragged in one step', () =>
     assert.equal(await textOf(page), reference);
   }));
 
-test('faults stand beside their fields in the words of the program', () =>
+test('errors stand beside their fields in the words of the program', () =>
   withSharedPage(async (page) => {
     await type(page, 'bearing.radial_clearance', '31.8 N');
-    const fault = page.locator('[data-key="bearing.radial_clearance"] .fault');
-    assert.match(await fault.textContent(), /is a force, expected a length/);
+    const error = page.locator('[data-key="bearing.radial_clearance"] .error');
+    assert.match(await error.textContent(), /is a force, expected a length/);
     assert.equal(await field(page, 'bearing.radial_clearance').getAttribute('aria-invalid'), 'true');
     assert.equal(await tile(page, 'max_force_N'), '739.3 N');
     await type(page, 'bearing.radial_clearance', '20 um');
-    assert.equal(await fault.textContent(), '');
+    assert.equal(await error.textContent(), '');
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
     await page.getByRole('tab', { name: 'Case file' }).click();
     await answered(page, () => page.locator('.editor').fill(reference.replace('[cycle]', '[cycle]\nparsnips = 1')));
-    assert.match(await page.locator('.general-faults').textContent(), /Line \d+: cycle\.parsnips = 1: unknown key/);
+    assert.match(await page.locator('.general-errors').textContent(), /Line \d+: cycle\.parsnips = 1: unknown key/);
   }));
 
 test('decimal commas are understood, and lists without brackets', () =>
   withSharedPage(async (page) => {
-    const fault = (key) => page.locator(`[data-key="${key}"] .fault`).textContent();
+    const error = (key) => page.locator(`[data-key="${key}"] .error`).textContent();
     const clearance = field(page, 'bearing.radial_clearance');
     await clearance.fill('31,8 um');
     await clearance.press('Tab');
@@ -99,19 +99,19 @@ test('decimal commas are understood, and lists without brackets', () =>
     await type(page, 'bearing.radial_clearance', '1,5');
     assert.match(await textOf(page), /^radial_clearance = "1\.5 um" /m);
     await type(page, 'bearing.radial_clearance', '1,500 um');
-    assert.match(await fault('bearing.radial_clearance'), /write one number with a decimal point, without separators/);
+    assert.match(await error('bearing.radial_clearance'), /write one number with a decimal point, without separators/);
     assert.equal(await clearance.inputValue(), '1,500 um');
     await type(page, 'bearing.radial_clearance', '31.8 um');
     await type(page, 'bump_foil.height_errors', '1 um, 2 um');
     assert.match(await textOf(page), /^height_errors = \["1 um", "2 um"\]/m);
-    assert.match(await fault('bump_foil.height_errors'), /one value per bump, 26 in all/);
+    assert.match(await error('bump_foil.height_errors'), /one value per bump, 26 in all/);
     await type(page, 'bump_foil.height_errors', Array.from({ length: 26 }, (_, i) => `${i % 3},5`).join('; ').concat(' um'));
-    assert.equal(await fault('bump_foil.height_errors'), '');
+    assert.equal(await error('bump_foil.height_errors'), '');
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
     // What is no list stays a text: the fields around it are not touched.
     await type(page, 'bump_foil.height_errors', '[1 um 2');
-    assert.match(await fault('bump_foil.height_errors'), /does not begin|has digits|is no|unit/);
-    assert.equal(await page.locator('.general-faults').textContent(), '');
+    assert.match(await error('bump_foil.height_errors'), /does not begin|has digits|is no|unit/);
+    assert.equal(await page.locator('.general-errors').textContent(), '');
   }));
 
 test('units are changed without changing the bearing', () =>
@@ -158,8 +158,8 @@ test('tables of lists are added, changed and taken out one by one', () =>
       await type(page, 'bearing.sleeve_waviness[2].harmonic', '2');
       assert.match(await textOf(page), /\[\[bearing\.sleeve_waviness\]\]\nharmonic = 3\namplitude = "4 um"\n\n\[\[bearing\.sleeve_waviness\]\]\nharmonic = 2\namplitude = "5 um"\n$/);
       await type(page, 'bearing.sleeve_waviness[2].harmonic', '-2');
-      assert.match(await page.locator('[data-key="bearing.sleeve_waviness[2].harmonic"] .fault').textContent(), /give a whole number from 1/);
-      assert.equal(await page.locator('.general-faults').textContent(), '');
+      assert.match(await page.locator('[data-key="bearing.sleeve_waviness[2].harmonic"] .error').textContent(), /give a whole number from 1/);
+      assert.equal(await page.locator('.general-errors').textContent(), '');
       await answered(page, () => waves.getByRole('button', { name: 'Remove: Waviness of the sleeve 2' }).click());
       await answered(page, () => waves.getByRole('button', { name: 'Remove: Waviness of the sleeve 1' }).click());
       assert.equal((await textOf(page)).trim(), reference.trim());
@@ -247,7 +247,7 @@ test('bumps are given one by one, by a law or all alike', () =>
     const sheet = Array.from({ length: 26 }, (_, i) => `"${i < 5 ? 0.127 : i === 5 ? 0.11 : 0.102} mm"`).join(', ');
     assert.ok((await textOf(page)).includes(`\nthickness = [${sheet}]`), await textOf(page));
     assert.doesNotMatch(await textOf(page), /^\[\[bump_foil\.section\]\]/m);
-    assert.equal(await page.locator('.general-faults').textContent(), '');
+    assert.equal(await page.locator('.general-errors').textContent(), '');
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
 test('a bump foil is split into strips, each with fields of its own, as many as are counted', () =>
@@ -274,8 +274,8 @@ test('a bump foil is split into strips, each with fields of its own, as many as 
     assert.match(await textOf(page), /^stagger = 0\.5$/m);
     assert.notEqual(await tile(page, 'max_force_N'), stiffer);
     await type(page, 'bump_foil.strip[3].height_errors', '-900 um');
-    assert.match(await page.locator('[data-key="bump_foil.strip[3].height_errors"] .fault').textContent(), /is more than the rise of the bump/);
-    assert.equal(await page.locator('.general-faults').textContent(), '');
+    assert.match(await page.locator('[data-key="bump_foil.strip[3].height_errors"] .error').textContent(), /is more than the rise of the bump/);
+    assert.equal(await page.locator('.general-errors').textContent(), '');
     await answered(page, () => strips.getByRole('button', { name: 'Remove: Strip' }).click());
     assert.equal((await textOf(page)).trim(), `${alongX.trim().replace('strips = 1 ', 'strips = 3 ').replace(/^bumps = 26$/m, 'bumps = 25')}\n\n[width]\nmodes = 3`);
   }));
@@ -292,7 +292,7 @@ test('a bearing of pads is shown and changed pad by pad', () =>
     await page.locator('[data-table="pad[3]"] .own-foils summary').click();
     await type(page, 'pad[3].bump_foil.thickness', '0.12 mm');
     assert.match((await textOf(page)).split(/^\[\[pad\]\]/m)[3], /^bump_foil\.thickness = "0\.12 mm"$/m);
-    assert.equal(await page.locator('.general-faults').textContent(), '');
+    assert.equal(await page.locator('.general-errors').textContent(), '');
     await page.locator('.numbers [role="group"] button').getByText('−X').click();
     assert.notEqual(await tile(page, 'max_force_N'), before);
   }));
@@ -303,7 +303,7 @@ async function settled(page, tab) {
   if (title === 'Running' || title === 'Rotor') await page.waitForFunction((view) => document.querySelector(view).dataset.answered, `.${title.toLowerCase()}`);
 }
 
-test('the page fits from 390 px up, with its results in sight, and has no fault for those who cannot see it', () =>
+test('the page fits from 390 px up, with its results in sight, and has no error for those who cannot see it', () =>
   withPage(async (page) => {
     // A coarse mesh, on which the tests need not wait.
     await write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n`);

@@ -5,7 +5,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { due, faultsOfProgram, largestDifference, loopsOfProgram, reference, run, withFolder } from './support.mjs';
+import { due, errorsOfProgram, largestDifference, loopsOfProgram, reference, run, withFolder } from './support.mjs';
 
 const { BUMPFOIL_SOLVER: folder, BUMPFOIL_EXAMPLES: examples } = process.env;
 const makeSolver = createRequire(import.meta.url)(join(folder, 'solver.cjs'));
@@ -35,7 +35,7 @@ test('loops are those of the program', () => {
   assert.equal(new Set(Object.values(cases)).size, 4);
   for (const [name, text] of Object.entries(cases)) {
     const answer = ask({ what: 'csv', text });
-    assert.equal(answer.faults, undefined, JSON.stringify(answer.faults));
+    assert.equal(answer.errors, undefined, JSON.stringify(answer.errors));
     const difference = largestDifference(loopsOfProgram(text), answer.csv);
     console.log(`${name}: loops differ by ${difference.toExponential(1)} of the largest force`);
     assert.ok(difference <= due, `${name}: ${difference}`);
@@ -48,32 +48,32 @@ test('every example is understood as the program understands it', () => {
     const text = readFileSync(join(examples, name), 'utf8');
     // The page has no files.
     if (/^\w*file = /m.test(text)) continue;
-    assert.equal(ask({ what: 'properties', text }).faults, undefined, name);
-    const { faults = [] } = ask({ what: 'cycles', text });
-    const told = faults.map(({ line, message }) => (line > 0 ? `${line}: ${message}` : message));
-    assert.deepEqual(told, faultsOfProgram(text), name);
+    assert.equal(ask({ what: 'properties', text }).errors, undefined, name);
+    const { errors = [] } = ask({ what: 'cycles', text });
+    const told = errors.map(({ line, message }) => (line > 0 ? `${line}: ${message}` : message));
+    assert.deepEqual(told, errorsOfProgram(text), name);
     read.push(told.length > 0);
   }
   // Some are of other experiments, which have no loops for the page.
-  assert.ok(read.includes(true) && read.filter((faulty) => !faulty).length >= 3, String(read));
+  assert.ok(read.includes(true) && read.filter((wrong) => !wrong).length >= 3, String(read));
 });
 
-test('faults are told in the words of the program', () => {
-  const { faults } = ask({ what: 'cycles', text: reference.replace('= "31.8 um"', '= "31.8 N"').replace('bumps = 26', 'bumps = 0') });
+test('errors are told in the words of the program', () => {
+  const { errors } = ask({ what: 'cycles', text: reference.replace('= "31.8 um"', '= "31.8 N"').replace('bumps = 26', 'bumps = 0') });
   assert.deepEqual(
-    faults.map(({ key, line }) => [key, reference.split('\n')[line - 1].trim().split(' ')[0]]),
+    errors.map(({ key, line }) => [key, reference.split('\n')[line - 1].trim().split(' ')[0]]),
     [
       ['bearing.radial_clearance', 'radial_clearance'],
       ['bump_foil.bumps', 'bumps'],
     ],
   );
-  assert.match(faults[0].what, /is a force, expected a length/);
+  assert.match(errors[0].what, /is a force, expected a length/);
 });
 
 test('files beside the case are told to be none', () => {
-  const { faults } = ask({ what: 'cycles', text: reference.replace('stiffness_follows_height', 'height_errors_file = "measured.csv"\nstiffness_follows_height') });
-  assert.deepEqual(faults.map(({ what }) => what), ['cannot be read: a page has no files beside the case']);
-  assert.equal(ask({ what: 'cycles', text: reference }).faults, undefined); // and goes on
+  const { errors } = ask({ what: 'cycles', text: reference.replace('stiffness_follows_height', 'height_errors_file = "measured.csv"\nstiffness_follows_height') });
+  assert.deepEqual(errors.map(({ what }) => what), ['cannot be read: a page has no files beside the case']);
+  assert.equal(ask({ what: 'cycles', text: reference }).errors, undefined); // and goes on
 });
 
 test('properties, samples and vibrations are those of the program', () => {
@@ -90,8 +90,8 @@ test('properties, samples and vibrations are those of the program', () => {
     const { statistics } = JSON.parse(readFileSync(join(place, 'm', 'summary.json'), 'utf8'));
     const text = `${reference}\n[montecarlo]\nsamples = 3\nseed = 5\nbump_height = { distribution = "normal", std = "5 um" }\n`;
     const { samples: before } = ask({ what: 'samples', text, first: 0, count: 2 });
-    const { quantities, samples, statistics: found, faults } = ask({ what: 'samples', text, first: 2, count: 1, before });
-    assert.equal(faults, undefined, JSON.stringify(faults));
+    const { quantities, samples, statistics: found, errors } = ask({ what: 'samples', text, first: 2, count: 1, before });
+    assert.equal(errors, undefined, JSON.stringify(errors));
     assert.equal(samples.length, 3);
     quantities.forEach(({ key }, i) => {
       Object.values(statistics).forEach((byQuantity, direction) => {

@@ -251,16 +251,16 @@ test('what is shown is saved as a report', () =>
     const report = join(folder, 'report.html');
     await (await download).saveAs(report);
     const other = await page.context().newPage();
-    const faults = [];
-    other.on('pageerror', (error) => faults.push(String(error)));
-    other.on('console', (message) => faults.push(message.text()));
+    const errors = [];
+    other.on('pageerror', (error) => errors.push(String(error)));
+    other.on('console', (message) => errors.push(message.text()));
     await other.goto(pathToFileURL(report).href);
     await other.waitForFunction(() => document.documentElement.dataset.drawn);
     assert.match(await other.locator('h1').textContent(), /A <\/script> in a title/);
     assert.match(await other.locator('.about').first().textContent(), /2 runs compared · solver newton · bumpfoil /);
     const row = other.locator('tr[data-key="max_force_N"]').first();
     assert.match(await row.textContent(), /739\.3.*964\.4/);
-    assert.deepEqual(faults, []);
+    assert.deepEqual(errors, []);
     await other.close();
   }));
 

@@ -46,24 +46,24 @@ def strings_and_comments_apart(line):
     return code, quoted, False
 
 
-def faults_of(program):
+def errors_of(program):
     """What MATLAB does not understand, with its line."""
-    faults, depth, guarded = [], 0, None
+    errors, depth, guarded = [], 0, None
     for number, line in enumerate(program.splitlines(), 1):
         code, quoted, hash_comment = strings_and_comments_apart(line)
         code = code.strip()
         if guarded is None and GUARD.match(code):
             guarded = depth
-        faults += [(number, "comment with #")] if hash_comment else []
-        faults += [(number, "escape in double quotes") for text in quoted if "\\" in text]
+        errors += [(number, "comment with #")] if hash_comment else []
+        errors += [(number, "escape in double quotes") for text in quoted if "\\" in text]
         for rule, name in RULES.items():
             if re.search(rule, code) and not (name == "function of Octave" and guarded is not None):
-                faults.append((number, name))
+                errors.append((number, name))
         # The end of an index stands in brackets.
         depth += len(OPENS.findall(code.split("(")[0])) - len(re.findall(r"(?<![(\w:,+\-*/ ])end\b", code))
         if guarded is not None and depth <= guarded:
             guarded = None
-    return faults
+    return errors
 
 
 class Matlab(unittest.TestCase):
@@ -71,10 +71,10 @@ class Matlab(unittest.TestCase):
         examples = list(EXAMPLES.glob("*.m"))
         self.assertGreater(len(examples), 0)
         for example in examples:
-            self.assertEqual(faults_of(example.read_text(encoding="utf-8")), [], example.name)
+            self.assertEqual(errors_of(example.read_text(encoding="utf-8")), [], example.name)
 
     def test_what_is_of_octave_alone_is_found(self):
-        for line, fault in {
+        for line, error in {
             "if (! ready)": "! for ~",
             "if a != b": "! for ~",
             "x = 1; # of Octave": "comment with #",
@@ -96,7 +96,7 @@ class Matlab(unittest.TestCase):
             "puts('x');": "function of Octave",
             "pkg load netcdf": "function of Octave",
         }.items():
-            self.assertEqual(faults_of(f"x = 1;\n{line}\n"), [(2, fault)], line)
+            self.assertEqual(errors_of(f"x = 1;\n{line}\n"), [(2, error)], line)
 
     def test_what_both_know_is_let_pass(self):
         for line in (
@@ -109,13 +109,13 @@ class Matlab(unittest.TestCase):
             "fprintf('%d\\n', x);",
             "z = [x(1) (2)];",
         ):
-            self.assertEqual(faults_of(line), [], line)
+            self.assertEqual(errors_of(line), [], line)
 
     def test_what_octave_needs_stands_behind_a_question(self):
         guard = "if exist('OCTAVE_VERSION', 'builtin')\n  pkg load netcdf\n  if x\n    y = 1;\n  end\n  puts('x');\nend\n"
-        self.assertEqual(faults_of(guard), [])
-        self.assertEqual(faults_of(guard + "puts('x');\n"), [(8, "function of Octave")])
-        self.assertEqual(faults_of("if exist('other', 'builtin')\n  pkg load netcdf\nend\n"), [(2, "function of Octave")])
+        self.assertEqual(errors_of(guard), [])
+        self.assertEqual(errors_of(guard + "puts('x');\n"), [(8, "function of Octave")])
+        self.assertEqual(errors_of("if exist('other', 'builtin')\n  pkg load netcdf\nend\n"), [(2, "function of Octave")])
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ class CaseSchema(unittest.TestCase):
     def setUp(self):
         self.case = tomllib.loads((EXAMPLES / "gen1.toml").read_text(encoding="utf-8"))
 
-    def faults(self, case):
+    def errors(self, case):
         return paths_of(VALIDATOR.iter_errors(case))
 
     def test_is_a_schema(self):
@@ -56,7 +56,7 @@ class CaseSchema(unittest.TestCase):
         self.assertGreater(len(cases), 20)
         for path in cases:
             with self.subTest(case=path.name):
-                self.assertEqual(self.faults(tomllib.loads(path.read_text(encoding="utf-8"))), [])
+                self.assertEqual(self.errors(tomllib.loads(path.read_text(encoding="utf-8"))), [])
 
     def test_accepts_what_cases_show_as_comments(self):
         """Keys and tables that are commented out in the presets, and the case of the former model without a top foil."""
@@ -76,10 +76,10 @@ class CaseSchema(unittest.TestCase):
         self.assertIn("montecarlo", everything)
         self.assertIn("data", everything["fit"])
         del everything["rotor"]["matrix"]  # its matrices are shown as [...]
-        self.assertEqual(self.faults(everything), [])
+        self.assertEqual(self.errors(everything), [])
         del self.case["top_foil"]
         self.case["bump_foil"]["model"] = "former"
-        self.assertEqual(self.faults(self.case), [])
+        self.assertEqual(self.errors(self.case), [])
 
     def test_accepts_all_forms(self):
         foil, cycle = self.case["bump_foil"], self.case["cycle"]
@@ -100,7 +100,7 @@ class CaseSchema(unittest.TestCase):
                 {"key": "bearing.radial_clearance", "start": "30 um", "lower": "20 um", "upper": "50 um"},
             ],
         }
-        self.assertEqual([fault for fault in self.faults(self.case) if not fault.startswith("asperity")], [])
+        self.assertEqual([error for error in self.errors(self.case) if not error.startswith("asperity")], [])
 
     def test_refuses_misspelt_keys_in_every_table(self):
         tables = list(tables_of(SCHEMA))
@@ -143,7 +143,7 @@ class CaseSchema(unittest.TestCase):
             ("title", None, 1),
             ("solver", None, "newton"),
         ]
-        self.assertEqual(self.faults(self.case), [])
+        self.assertEqual(self.errors(self.case), [])
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "case.toml"
             text = (EXAMPLES / "gen1.toml").read_text(encoding="utf-8")
@@ -155,7 +155,7 @@ class CaseSchema(unittest.TestCase):
                         case[table] = value
                     else:
                         case.setdefault(table, {})[key] = value
-                    self.assertEqual([fault.split(".")[0] for fault in self.faults(case)][:1], [table])
+                    self.assertEqual([error.split(".")[0] for error in self.errors(case)][:1], [table])
                     name = table if key is None else f"{table}.{key}"
                     checked = subprocess.run([PROGRAM, "check", file, "--set", f"{name}={json.dumps(value)}"], capture_output=True)
                     self.assertEqual(checked.returncode, 2)

@@ -1,4 +1,4 @@
-"""A case is the same whatever it is made of, and its faults are told in the words of the program."""
+"""A case is the same whatever it is made of, and its errors are told in the words of the program."""
 
 import pickle
 import subprocess
@@ -126,7 +126,7 @@ def test_changes_leave_the_case_as_it_was():
     assert bumpfoil.Case(case.to_dict(), cycle={"steps": 10}) == case.replace({"cycle.steps": 10})
 
 
-def test_faults_are_those_of_the_program(tmp_path):
+def test_errors_are_those_of_the_program(tmp_path):
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(GEN1.read_text().replace('radius = "19.05 mm"', 'radius = "19.05 N"').replace("bumps = ", "bmups = "))
     told = subprocess.run([PROGRAM, "check", wrong], capture_output=True, text=True)
@@ -134,12 +134,13 @@ def test_faults_are_those_of_the_program(tmp_path):
     with pytest.raises(bumpfoil.CaseError) as caught:
         bumpfoil.Case(wrong)
     assert str(caught.value) == told.stderr.rstrip("\n")
-    assert caught.value.faults == told.stderr.splitlines()
-    assert len(caught.value.faults) > 2
+    assert caught.value.errors == told.stderr.splitlines()
+    assert len(caught.value.errors) > 2
+    assert caught.value.faults == caught.value.errors  # the former name
     assert isinstance(caught.value, ValueError)
 
 
-def test_faults_of_what_python_gave_go_by_their_keys():
+def test_errors_of_what_python_gave_go_by_their_keys():
     with pytest.raises(bumpfoil.CaseError, match=r"^bearing\.radius = -1: must be positive"):
         bumpfoil.check(GEN1, bearing={"radius": -1})
     tables = bumpfoil.Case(GEN1).to_dict()

@@ -43,7 +43,7 @@ def test_sweep_of_another_command():
         bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0]}, command="path")
 
 
-def test_faults_of_a_sweep():
+def test_errors_of_a_sweep():
     with pytest.raises(bumpfoil.CaseError, match=r"^friction\.coefficient = -1"):
         bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0, -1]})
 

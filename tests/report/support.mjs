@@ -21,7 +21,7 @@ export let folder;
 let browser;
 let page;
 let url;
-let faults = [];
+let errors = [];
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'bumpfoil-report-'));
@@ -29,11 +29,11 @@ before(async () => {
   const args = ['--no-sandbox', '--disable-gpu', '--js-flags=--no-opt --no-maglev'];
   browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args });
   page = await browser.newPage();
-  page.on('pageerror', (error) => faults.push(String(error)));
-  page.on('console', (message) => faults.push(message.text()));
-  page.on('dialog', (dialog) => faults.push(`dialog: ${dialog.message()}`));
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('console', (message) => errors.push(message.text()));
+  page.on('dialog', (dialog) => errors.push(`dialog: ${dialog.message()}`));
   page.on('request', (request) => {
-    if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) faults.push(request.url());
+    if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) errors.push(request.url());
   });
 });
 
@@ -75,11 +75,11 @@ export async function withReport(file, check, { viewport = { width: 1280, height
   await page.setViewportSize(viewport);
   await page.emulateMedia({ media: null, colorScheme });
   url = pathToFileURL(join(folder, file)).href;
-  faults = [];
+  errors = [];
   await page.goto(url);
   await page.locator('html[data-drawn]').waitFor();
   await check(page);
-  assert.deepEqual(faults, []);
+  assert.deepEqual(errors, []);
 }
 
 /** Goes to a part that is folded at first. */

@@ -32,7 +32,7 @@ class ReportedRun : public testing::Test {
   [[nodiscard]] json stored_summary() const { return json::parse(folder_.read("summary.json")); }
 
   /// Error message of a report for a changed value in the summary; null removes it.
-  [[nodiscard]] std::string fault_of(const std::string& key, const json& value) const {
+  [[nodiscard]] std::string error_of(const std::string& key, const json& value) const {
     json changed = stored_summary();
     changed[key] = value;
     if (value.is_null()) changed.erase(key);
@@ -47,15 +47,15 @@ class ReportedRun : public testing::Test {
   }
 
   /// Checks that list entries in the summary are rejected if a value is missing or replaced.
-  /// @param fault  expected start of the message about a replaced value
+  /// @param error  expected start of the message about a replaced value
   void expect_refused_without(const std::string& list, const json& entry, const json& other,
-                              const std::string& fault) const {
+                              const std::string& error) const {
     for (const auto& [key, value] : entry.items()) {
       json spoilt = entry;
       spoilt.erase(key);
-      EXPECT_EQ(fault_of(list, json::array({entry, spoilt})), "/summary.json: " + key + ": is missing");
+      EXPECT_EQ(error_of(list, json::array({entry, spoilt})), "/summary.json: " + key + ": is missing");
       spoilt[key] = other;
-      EXPECT_EQ(fault_of(list, json::array({spoilt})).find("/summary.json: " + key + ": " + fault), 0U) << key;
+      EXPECT_EQ(error_of(list, json::array({spoilt})).find("/summary.json: " + key + ": " + error), 0U) << key;
     }
   }
 

@@ -11,13 +11,13 @@ using Fragments = std::vector<std::string>;
 
 /// The whole case with `from` replaced by `to`; the error is expected in the line where `to` starts.
 WrongCase edit(std::string name, const std::string& from, const std::string& to, Fragments fragments,
-               std::size_t faults = 1) {
+               std::size_t errors = 1) {
   std::string text = whole_case();
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw std::logic_error("the case has no " + from);
   text.replace(at, from.size(), to);
   const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
-  return {std::move(name), std::move(text), faults, static_cast<std::size_t>(line), std::move(fragments)};
+  return {std::move(name), std::move(text), errors, static_cast<std::size_t>(line), std::move(fragments)};
 }
 
 /// The whole case without the line of a key; the error is expected at the start of its table.
@@ -27,8 +27,8 @@ WrongCase without(std::string name, const std::string& line, const std::string& 
   return wrong;
 }
 
-WrongCase text(std::string name, std::string content, std::size_t faults, std::size_t line, Fragments fragments) {
-  return {std::move(name), std::move(content), faults, line, std::move(fragments)};
+WrongCase text(std::string name, std::string content, std::size_t errors, std::size_t line, Fragments fragments) {
+  return {std::move(name), std::move(content), errors, line, std::move(fragments)};
 }
 
 std::string repeated(const std::string& piece, std::size_t count) {

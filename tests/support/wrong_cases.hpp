@@ -15,7 +15,7 @@ std::size_t line_of(const std::string& text, const std::string& fragment);
 struct WrongCase {
   std::string name;
   std::string text;
-  std::size_t faults{1};
+  std::size_t errors{1};
   std::size_t line{};                  ///< expected in the first error; 0 if it has none
   std::vector<std::string> fragments;  ///< required in its message
 };

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 
 /// Further errors of a case that a command is to run: those that only what runs it can tell.
-using CaseCheck = std::function<std::vector<Fault>(const std::string& command, const Case& input)>;
+using CaseCheck = std::function<std::vector<InputError>(const std::string& command, const Case& input)>;
 
 /// Additions of the caller to a case file.
 struct CaseRequest {
@@ -26,7 +26,7 @@ struct CaseRequest {
   CaseCheck check{};
 };
 
-/// Reads a case file in TOML and checks everything about it: unknown keys, types, units, and find_faults. Every error
+/// Reads a case file in TOML and checks everything about it: unknown keys, types, units, and find_errors. Every error
 /// is listed at once with file, line, key, the value found and what to change; if the text is not TOML, only the first
 /// place is.
 /// @throws Error (input) if the case is invalid; Error (file) if the file, or a file that it names, cannot be read.
@@ -43,7 +43,7 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
 /// Verdict of a command on a case that has its table.
 struct CheckedCommand {
   std::string name;
-  std::vector<Fault> faults;  ///< none: it runs
+  std::vector<InputError> errors;  ///< none: it runs
 };
 
 struct CheckedCase {

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 
 /// One error in the user's input: where it is, the value found, what to change.
-struct Fault {
+struct InputError {
   std::string file;    ///< empty when the case was built in memory
   std::size_t line{};  ///< 1-based; 0 when unknown
   std::string key;     ///< dotted key of the case file, such as "bump_foil.height"; empty when it has none
@@ -30,18 +30,18 @@ enum class ErrorKind {
 /// Numerical failures are never thrown; they are reported in results.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, std::vector<Fault> faults);
+  Error(ErrorKind kind, std::vector<InputError> errors);
 
   [[nodiscard]] ErrorKind kind() const { return kind_; }
-  [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
+  [[nodiscard]] const std::vector<InputError>& errors() const { return errors_; }
 
  private:
   ErrorKind kind_;
-  std::vector<Fault> faults_;
+  std::vector<InputError> errors_;
 };
 
 /// One line for one error: `file:line: key = value: what; advice`, leaving out what is unknown. All of it is
 /// `printable` and long values are shortened, so that the line is safe to print whatever it quotes.
-std::string format_fault(const Fault& fault);
+std::string format_error(const InputError& error);
 
 }  // namespace bumpfoil

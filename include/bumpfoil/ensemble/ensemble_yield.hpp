@@ -20,7 +20,7 @@ struct EnsembleLimit {
 
 /// Reads limits such as "clearance_5N > 20 um" or "max_force < 900": quantity, > or <, and a number with a unit or in
 /// SI.
-/// @throws Error (input) with every fault
+/// @throws Error (input) with every error
 std::vector<EnsembleLimit> parse_limits(const std::vector<std::string>& texts, const EnsembleLayout& layout);
 
 /// How many of the bearings keep their limits.

@@ -84,7 +84,7 @@ struct ExperimentInfo {
   std::vector<Switch> switches{};
   ExperimentRun run;
   /// Errors of a valid case that only the run of the experiment can tell; may be left out.
-  std::function<std::vector<Fault>(const Case&)> check{};
+  std::function<std::vector<InputError>(const Case&)> check{};
   std::function<std::string(const Case&)> solvers{};  ///< names of those it takes; null: the solver of the case
   /// Runs it for the command line, and stages its files as it goes: of an experiment whose results the memory may not
   /// hold. Its outcome has the totals, and no files. Others are run, and then written.
@@ -108,6 +108,6 @@ const ExperimentInfo& experiment_named(std::string_view name);
 
 /// What the check of the experiment of this name finds in a case; nothing where there is no such experiment, or it has
 /// no check. A CaseCheck.
-std::vector<Fault> faults_of_run(const std::string& command, const Case& input);
+std::vector<InputError> errors_of_run(const std::string& command, const Case& input);
 
 }  // namespace bumpfoil

@@ -16,10 +16,10 @@ inline constexpr int most_bumps = 100'000;
 inline constexpr int most_points = 1'000'000;
 
 /// An error of a case, and the command that it prevents; empty: all of them.
-struct CommandFault {
+struct CommandError {
   /// "cycle", "strip", "path", "vibration", "equilibrium", "limits" of it, "film" or "montecarlo"
   std::string_view command;
-  Fault fault;
+  InputError error;
 };
 
 /// Every physical error of a case (signs, sizes, overlap, lengths of lists, models that do not fit together), each with
@@ -29,13 +29,13 @@ struct CommandFault {
 /// only the reader of a case file has them.
 ///
 /// A case without directions and amplitude has no cycle to run, and one with a strip may have no bearing, neither of
-/// which is a fault.
-std::vector<CommandFault> check_case(const Case& input);
+/// which is an error.
+std::vector<CommandError> check_case(const Case& input);
 
 /// Those that concern all commands, and those of some; empty when the case can be built, and run by these.
-std::vector<Fault> find_faults(const Case& input, const std::vector<std::string>& commands = {});
+std::vector<InputError> find_errors(const Case& input, const std::vector<std::string>& commands = {});
 
-/// @throws Error (input) listing all of find_faults(input, commands) if there are any.
+/// @throws Error (input) listing all of find_errors(input, commands) if there are any.
 void require_valid(const Case& input, const std::vector<std::string>& commands = {});
 
 /// @throws Error (input) as require_valid() does, and if the case has a strip but no bearing.

@@ -112,13 +112,13 @@ struct OptimiseResult {
 double relative_miss(const OptimiseLimit& limit, double value);
 
 /// Errors of [optimise] that only the results of its command can reveal: names of quantities, limits, starts.
-std::vector<Fault> optimise_faults(const Case& input);
+std::vector<InputError> optimise_errors(const Case& input);
 
 /// Maximises or minimises a quantity over keys of a case, within their bounds and under limits on other quantities,
 /// without derivatives.
 ///
 /// The result depends on the case alone, to the last bit, not on threads. A point that fails is kept, and never best.
-/// @throws Error (input) with optimise_faults()
+/// @throws Error (input) with optimise_errors()
 OptimiseResult run_optimise(const Case& input, const ProgressCallback& progress = {}, unsigned threads = 0);
 
 }  // namespace bumpfoil

@@ -32,7 +32,7 @@ namespace bumpfoil {
 ///   ensemble.
 /// * `statistics`: of the `values`, null where unknown, what `samples` has of a quantity.
 ///
-/// Where the case is wrong the answer has `faults` alone, each with `line` (0 where unknown), `key`, `value`, `what`,
+/// Where the case is wrong the answer has `errors` alone, each with `line` (0 where unknown), `key`, `value`, `what`,
 /// `advice`, and the whole as a `message` of one line. Numerical failures are in the results.
 std::string designer_answer(std::string_view request);
 

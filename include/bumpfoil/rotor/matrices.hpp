@@ -39,10 +39,10 @@ inline constexpr int most_rotor_unknowns = 300;
 /// holds the rotor or lets go of a part of it, places that do not lie where a tilt of the rotor has them, gyroscopic
 /// terms of the other sense of rotation. Their keys are "M", "bearing[1].x"; matrices that are wrong in themselves are
 /// not checked further.
-std::vector<Fault> find_matrix_faults(const RotorMatrices& matrices);
+std::vector<InputError> find_matrix_errors(const RotorMatrices& matrices);
 
 /// Rigid motions are those that follow the bearings without a force.
-/// @pre find_matrix_faults() finds none
+/// @pre find_matrix_errors() finds none
 Rotor make_rotor(const RotorMatrices& matrices);
 
 }  // namespace bumpfoil

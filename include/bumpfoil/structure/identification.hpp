@@ -40,7 +40,7 @@ TrussConstants identify_truss_constants(const BumpArc& arc, const Section& secti
 
 /// Reasons why foils cannot be built as a truss: identified constants that are negative, so that the truss would be
 /// unstable. Empty if the truss can be built.
-std::vector<Fault> find_truss_faults(const FoilDesign& foils);
+std::vector<InputError> find_truss_errors(const FoilDesign& foils);
 
 /// Constants of the truss, one set per bump: the given ones, and in place of those that are not given the identified
 /// ones. A bump's own shape gives its k1, k4 and theta_d, and the sum k2 + k3 of its cell. k3 between two bumps is the
@@ -49,7 +49,7 @@ std::vector<Fault> find_truss_faults(const FoilDesign& foils);
 ///     k3_n = (K3_(n-1) + K3_n) / 2,   k2_n = K2_n - (K3_(n-1) - 2 K3_n + K3_(n+1)) / 4
 ///
 /// with K2, K3 of a uniform row of the shape of bump n. A neighbour that is not there counts as one of the same shape.
-/// @throws Error (input) listing find_truss_faults(foils) if there are any.
+/// @throws Error (input) listing find_truss_errors(foils) if there are any.
 std::vector<TrussConstants> make_truss_constants(const FoilDesign& foils);
 
 }  // namespace bumpfoil

@@ -45,7 +45,7 @@ struct Sweep {
 inline constexpr std::size_t most_loop_values = 4'000'000;
 
 /// Makes the grid of a sweep. Every case is that of `bumpfoil <command> --set KEY=VALUE ...`, to the last bit, and
-/// every fault of every one is listed, once, with the first point that has it.
+/// every error of every one is listed, once, with the first point that has it.
 /// @param text  of the case file   @param name  stands for the file in messages, see parse_case()
 /// @throws Error (input) if the command is not swept, a key is swept twice, is neither a number nor the speeds of
 /// [equilibrium], is set besides, takes a value twice, if the grid has more than most_sweep_points, or if a case is

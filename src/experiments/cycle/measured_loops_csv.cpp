@@ -39,7 +39,7 @@ class LoopsReader {
     given_at_ = place(at);
     numbers_ = {};  // each file may have its own decimal sign
     if (!given_at_)
-      rows_.fault(fmt::format("is assigned to the {} {}, which does not exist", at_column_, at), at_advice());
+      rows_.error(fmt::format("is assigned to the {} {}, which does not exist", at_column_, at), at_advice());
   }
 
   void read_line(std::size_t line, std::string_view text) {
@@ -49,7 +49,7 @@ class LoopsReader {
     const std::vector<std::string> cells = rows_.read(line, text);
     if (cells.empty()) return;
     const auto no_number = [&](const char* quantity) {
-      rows_.fault(line, text, numbers_.what(quantity, rows_.dialect()),
+      rows_.error(line, text, numbers_.what(quantity, rows_.dialect()),
                   "give all without a unit, with one decimal sign");
     };
     const std::optional<double> displacement = numbers_.read(cells[displacement_->index]);
@@ -59,29 +59,29 @@ class LoopsReader {
     std::optional<double> at = given_at_;
     if (at_) {
       at = place(cells[*at_]);
-      if (!at) return rows_.fault(line, text, fmt::format("has no {}", at_column_), at_advice());
+      if (!at) return rows_.error(line, text, fmt::format("has no {}", at_column_), at_advice());
     }
     points_at(at).push_back({*displacement * displacement_->unit.size, *force * force_->unit.size});
   }
 
   /// @throws Error (input) if there are errors
   std::vector<MeasuredLoop> finish() {
-    if (points_.empty() && !rows_.faulty()) {
-      rows_.fault("contains no loop", "write displacement_um,force_N and a line for each point of the loop");
+    if (points_.empty() && !rows_.wrong()) {
+      rows_.error("contains no loop", "write displacement_um,force_N and a line for each point of the loop");
     }
     std::vector<MeasuredLoop> loops;
-    const bool faulty = rows_.faulty();
+    const bool wrong = rows_.wrong();
     for (const auto& [at, points] : points_) {
-      if (faulty) break;
+      if (wrong) break;
       if (auto cycle = last_cycle(points)) {
         loops.push_back({at, std::move(*cycle)});
       } else {
-        rows_.fault(fmt::format("{} {} does not go to a displacement and back", at ? at_column_ : "the loop",
+        rows_.error(fmt::format("{} {} does not go to a displacement and back", at ? at_column_ : "the loop",
                                 at ? fmt::format("{}", *at) : "in it"),
                     "give its points in the order of measurement, displacements positive towards the foils");
       }
     }
-    rows_.throw_if_faulty();
+    rows_.throw_if_wrong();
     return loops;
   }
 
@@ -96,10 +96,10 @@ class LoopsReader {
       if (is_column(names[i], at_name) || is_column(names[i], at_name + "_deg")) at_ = i;
     }
     if (!at_ && !given_.at.empty())
-      rows_.fault(line, text, missing_column(rows_, given_.at, names),
+      rows_.error(line, text, missing_column(rows_, given_.at, names),
                   fmt::format("name one of these in {}", given_.option));
     if (at_ && given_at_) {
-      rows_.fault(line, text, fmt::format("has a column {}", names[*at_]),
+      rows_.error(line, text, fmt::format("has a column {}", names[*at_]),
                   fmt::format("leave out the {} after the file name", at_column_));
     }
   }

@@ -34,7 +34,7 @@ MeasuredColumns parse_measured_columns(std::string_view text, std::string_view o
 /// [mm]".
 /// @param at_column  "direction" ("+X" or degrees) or "cycle" (1, 2, ...)
 /// @param at         value for a file without this column; empty if unknown
-/// @throws Error (input) that lists every faulty line, and every loop that does not reverse; Error (file) if the
+/// @throws Error (input) that lists every wrong line, and every loop that does not reverse; Error (file) if the
 ///         file cannot be read
 std::vector<MeasuredLoop> read_measured_loops(const std::string& path, const std::string& at_column,
                                               const MeasuredColumns& columns = {}, const std::string& at = "");

@@ -38,14 +38,14 @@ class TableOfReadings {
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
     if (!rows_.has_header()) return read_header(line, text);
-    if (rows_.faulty() && columns_.empty()) return;
+    if (rows_.wrong() && columns_.empty()) return;
     const std::vector<std::string> cells = rows_.read(line, text);
     if (cells.empty()) return;
     ++count_;
     for (const auto& [info, column] : columns_) {
       const std::optional<double> number = numbers_.read(cells[column.index]);
       if (!number) {
-        return rows_.fault(line, text, numbers_.what(info->name(), rows_.dialect()),
+        return rows_.error(line, text, numbers_.what(info->name(), rows_.dialect()),
                            "give all without a unit, with one decimal sign; rows that lack a number go into data of "
                            "their own");
       }
@@ -54,8 +54,8 @@ class TableOfReadings {
   }
 
   void finish() {
-    if (count_ == 0 && !rows_.faulty()) rows_.fault("contains no row", "write a line for each place of measurement");
-    rows_.throw_if_faulty();
+    if (count_ == 0 && !rows_.wrong()) rows_.error("contains no row", "write a line for each place of measurement");
+    rows_.throw_if_wrong();
   }
 
  private:
@@ -75,7 +75,7 @@ class TableOfReadings {
         columns_.emplace_back(info, std::move(*found));
       }
     }
-    if (rows_.faulty()) columns_.clear();
+    if (rows_.wrong()) columns_.clear();
   }
 
   CsvRows rows_;

@@ -29,7 +29,7 @@ std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
 }
 
 std::optional<StiffnessRange> bump_foil_range(const PadDesign& pad, const FoilDesign& foils) {
-  if (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty()) return std::nullopt;
+  if (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_errors(foils).empty()) return std::nullopt;
   const FoilStructure structure = make_foil_structure(foils);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index row = 0; row < structure.K.rows(); ++row) {
@@ -48,7 +48,7 @@ BearingDesign bearing_of(const PadDesign& pad) {
 }
 
 std::optional<PadAssembly> assembly_of(const PadDesign& pad, const FoilDesign& foils) {
-  if (!is_formed(pad) || (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty())) return {};
+  if (!is_formed(pad) || (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_errors(foils).empty())) return {};
   const std::vector<PadAssembly> assembly = foils_without_journal(bearing_of(pad)).assembly;
   return assembly.empty() ? std::nullopt : std::optional(assembly.front());
 }

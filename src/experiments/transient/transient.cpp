@@ -67,13 +67,13 @@ std::vector<RotorStation>::const_iterator place_named(const std::vector<RotorSta
 /// @throws Error (input) with the pulses whose places the rotor does not have
 void require_places(const std::vector<RotorPulse>& pulses, const std::vector<RotorStation>& places) {
   const std::vector<std::string> names = each(places, [](const RotorStation& place) { return place.name; });
-  std::vector<Fault> faults;
+  std::vector<InputError> errors;
   for (std::size_t i = 0; i < pulses.size(); ++i) {
     if (place_named(places, pulses[i].at) != places.end()) continue;
-    faults.push_back({"", 0, fmt::format("transient.pulse[{}].at", i + 1), pulses[i].at, "is no place of the rotor",
+    errors.push_back({"", 0, fmt::format("transient.pulse[{}].at", i + 1), pulses[i].at, "is no place of the rotor",
                       fmt::format("give one of these: {}", fmt::join(names, ", "))});
   }
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
 }
 
 /// Weight, unbalance, pulses and the inertia forces of base motion.

@@ -6,7 +6,7 @@
 #include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "case/case_json.hpp"
-#include "core/collect_faults.hpp"
+#include "core/collect_errors.hpp"
 #include "experiments/run_sampling.hpp"
 #include "experiments/transient/transient_checkpoint.hpp"
 #include "experiments/transient/transient_quantities.hpp"
@@ -107,11 +107,11 @@ Outcome stage_transient(const Case& input, const StagedRun& staged, const Progre
 }
 
 /// Checks places of pulses, which require the rotor.
-std::vector<Fault> transient_faults(const Case& input) {
-  if (!find_faults(input).empty()) return {};  // the rotor requires valid bearings
-  std::vector<Fault> faults;
-  collect_faults(faults, [&] { static_cast<void>(transient_not_begun(input)); });
-  return faults;
+std::vector<InputError> transient_errors(const Case& input) {
+  if (!find_errors(input).empty()) return {};  // the rotor requires valid bearings
+  std::vector<InputError> errors;
+  collect_errors(errors, [&] { static_cast<void>(transient_not_begun(input)); });
+  return errors;
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ ExperimentInfo transient_experiment() {
               "ms\"}'\n",
           .files = {"summary.json", "transient.csv", "result.nc"},
           .run = run,
-          .check = transient_faults,
+          .check = transient_errors,
           .staged = stage_transient,
           .checkpoints = transient_checkpoint_names(),
           .sweeping = sweeping,

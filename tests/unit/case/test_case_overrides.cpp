@@ -123,7 +123,7 @@ TEST(Overrides, CannotSmuggleInOtherKeys) {
   EXPECT_EQ(with({"title=1\nb=2"}).title, "1\nb=2");
 }
 
-TEST(Overrides, AreReportedWithTheOtherFaults) {
+TEST(Overrides, AreReportedWithTheOtherErrors) {
   const std::string message = refusal({"nonsense", "bearing.radius=0", "friction.coefficient=true"});
   EXPECT_NE(message.find("nonsense"), std::string::npos);
   EXPECT_NE(message.find("bearing.radius"), std::string::npos);

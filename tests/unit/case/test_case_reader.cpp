@@ -80,9 +80,9 @@ TEST(CheckCase, SaysWhatEachCommandWouldSay) {
                            "[strip]\ndisplacement = \"20 um\"\n[montecarlo]\nbump_height = { std = \"10 um\" }\n";
   const auto verdicts = [&text](const std::vector<std::string>& overrides) {
     std::string out;
-    for (const auto& [name, faults] : check_case(text, "case.toml", overrides).commands) {
+    for (const auto& [name, errors] : check_case(text, "case.toml", overrides).commands) {
       out += name;
-      for (const Fault& fault : faults) out += fmt::format(" {}:{}", fault.line, fault.key);
+      for (const InputError& error : errors) out += fmt::format(" {}:{}", error.line, error.key);
       out += ' ';
     }
     return out;
@@ -340,7 +340,7 @@ TEST(ReadCase, TakesARayToPositions) {
 }
 
 TEST(ReadCase, SaysWhatIsWrongWithARunningBearing) {
-  const auto fault = [](const std::string& loads) {
+  const auto error = [](const std::string& loads) {
     return refusal({"equilibrium.speeds=[\"300 Hz\"]", "equilibrium.loads=" + loads});
   };
   try {
@@ -350,10 +350,10 @@ TEST(ReadCase, SaysWhatIsWrongWithARunningBearing) {
   } catch (const Error& error) {
     expect_in(error.what(), "equilibrium.loads: no load specified");
   }
-  EXPECT_NE(fault("50 N").find("write a list of vectors: [[\"50 N\", \"0 N\"]]"), std::string::npos);
-  EXPECT_NE(fault("[\"50 N\", \"0 N\"]").find("equilibrium.loads[1]"), std::string::npos);
-  EXPECT_NE(fault("[[\"50 N\"]]").find("give two, along X and Y"), std::string::npos);
-  EXPECT_NE(fault("[[\"50 N\", \"3 um\"]]").find("equilibrium.loads[1][2] = 3 um: is a length, expected a force"),
+  EXPECT_NE(error("50 N").find("write a list of vectors: [[\"50 N\", \"0 N\"]]"), std::string::npos);
+  EXPECT_NE(error("[\"50 N\", \"0 N\"]").find("equilibrium.loads[1]"), std::string::npos);
+  EXPECT_NE(error("[[\"50 N\"]]").find("give two, along X and Y"), std::string::npos);
+  EXPECT_NE(error("[[\"50 N\", \"3 um\"]]").find("equilibrium.loads[1][2] = 3 um: is a length, expected a force"),
             std::string::npos);
   EXPECT_NE(refusal({"equilibrium.speeds=[\"50 1/s\"]", "equilibrium.loads=[[5, 0]]"})
                 .find("may count revolutions or radians"),
@@ -598,10 +598,10 @@ top_foil = { thickness = "9 mm" }
     static_cast<void>(parse_case(text, "two.toml"));
     FAIL();
   } catch (const Error& error) {
-    ASSERT_EQ(error.faults().size(), 1U) << error.what();
-    EXPECT_EQ(error.faults()[0].key, "rotor.bearing[2].top_foil.thickness");
-    EXPECT_EQ(error.faults()[0].line, 10U + std::count(before.begin(), before.end(), '\n'));
-    EXPECT_EQ(error.faults()[0].file, "two.toml");
+    ASSERT_EQ(error.errors().size(), 1U) << error.what();
+    EXPECT_EQ(error.errors()[0].key, "rotor.bearing[2].top_foil.thickness");
+    EXPECT_EQ(error.errors()[0].line, 10U + std::count(before.begin(), before.end(), '\n'));
+    EXPECT_EQ(error.errors()[0].file, "two.toml");
   }
 }
 

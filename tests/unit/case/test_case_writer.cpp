@@ -141,7 +141,7 @@ Case arbitrary_case() {
 
 RC_GTEST_PROP(CaseToToml, IsReadBackToTheLastBit, ()) {
   const Case input = arbitrary_case();
-  RC_ASSERT(find_faults(input).empty());
+  RC_ASSERT(find_errors(input).empty());
   RC_ASSERT(parse_case(case_to_toml(input), "written") == input);
 }
 

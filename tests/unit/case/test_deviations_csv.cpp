@@ -27,12 +27,12 @@ TEST_F(DeviationsCsv, HoldsANumberInEachLine) {
             (std::vector<double>{1e-6, -2e-6, 0.0}));
 }
 
-TEST_F(DeviationsCsv, TellsEveryFaultWithItsLine) {
-  const std::string faults = refusal("deviations\n1e-6\n5 um\ninf\n");
+TEST_F(DeviationsCsv, TellsEveryErrorWithItsLine) {
+  const std::string errors = refusal("deviations\n1e-6\n5 um\ninf\n");
   for (const char* line :
        {"measured.csv:1: line = deviations: is not a header", "measured.csv:3: line = 5 um: is not a finite",
         "measured.csv:4: line = inf: is not a finite"}) {
-    EXPECT_NE(faults.find(line), std::string::npos) << faults;
+    EXPECT_NE(errors.find(line), std::string::npos) << errors;
   }
   EXPECT_NE(refusal("deviation\n").find("contains no deviations"), std::string::npos);
 }

@@ -24,7 +24,7 @@ class HeightErrorsCsv : public ::testing::Test {
       read(text);
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::input);
-      EXPECT_EQ(error.faults().size(), 1U) << error.what();
+      EXPECT_EQ(error.errors().size(), 1U) << error.what();
       return error.what();
     }
     return "";

@@ -58,8 +58,8 @@ TEST(HeightErrorsFile, HasItsOwnLines) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
     std::vector<std::size_t> lines;
-    for (const Fault& fault : error.faults()) {
-      if (fault.file.ends_with("heights.csv")) lines.push_back(fault.line);
+    for (const InputError& one : error.errors()) {
+      if (one.file.ends_with("heights.csv")) lines.push_back(one.line);
     }
     EXPECT_EQ(lines, (std::vector<std::size_t>{3, 4, 5, 6, 7, 9, 10, 11, 13})) << error.what();
     EXPECT_NE(std::string(error.what()).find("repeats bump 1, given in line 2"), std::string::npos);
@@ -78,9 +78,9 @@ TEST(HeightErrorsFile, IsReadBesideAWrongListOfDimensions) {
                        .commands = {}});
       ADD_FAILURE();
     } catch (const Error& error) {
-      ASSERT_EQ(error.faults().size(), 2U) << error.what();
-      EXPECT_EQ(error.faults()[0].key, "bump_foil." + dimension);
-      EXPECT_EQ(error.faults()[1].line, 3U) << error.what();
+      ASSERT_EQ(error.errors().size(), 2U) << error.what();
+      EXPECT_EQ(error.errors()[0].key, "bump_foil." + dimension);
+      EXPECT_EQ(error.errors()[1].line, 3U) << error.what();
     }
   }
   // Without nominal heights, valid ones cause no message.
@@ -92,7 +92,7 @@ TEST(HeightErrorsFile, IsReadBesideAWrongListOfDimensions) {
                      .commands = {}});
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_EQ(error.faults().size(), 1U) << error.what();
+    EXPECT_EQ(error.errors().size(), 1U) << error.what();
   }
 }
 
@@ -136,18 +136,18 @@ TEST(HeightErrorsFile, MayBeWrittenInManyWays) {
 TEST(HeightErrorsFile, SaysHowItWasUnderstood) {
   const TemporaryFolder folder;
   const std::string path = folder.write("case.toml", whole_case());
-  const auto fault = [&](const std::string& csv) -> std::string {
+  const auto error = [&](const std::string& csv) -> std::string {
     folder.write("heights.csv", csv);
     try {
       read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}});
     } catch (const Error& error) {
-      EXPECT_EQ(error.faults().size(), 1U) << error.what();
-      return format_fault(error.faults()[0]);
+      EXPECT_EQ(error.errors().size(), 1U) << error.what();
+      return format_error(error.errors()[0]);
     }
     return "none";
   };
   const auto says = [&](const std::string& csv, const std::string& text) {
-    EXPECT_NE(fault(csv).find(text), std::string::npos) << fault(csv);
+    EXPECT_NE(error(csv).find(text), std::string::npos) << error(csv);
   };
   std::string in_um;
   for (int bump = 1; bump <= 26; ++bump) in_um += std::to_string(bump) + ",4.2\n";
@@ -179,8 +179,8 @@ TEST(HeightErrorsFile, MustNameEveryBump) {
     read_case(folder.write("case.toml", whole_case()), request);
     ADD_FAILURE();
   } catch (const Error& error) {
-    ASSERT_EQ(error.faults().size(), 1U);
-    EXPECT_EQ(error.faults()[0].what, "lacks bumps 25 to 26");
+    ASSERT_EQ(error.errors().size(), 1U);
+    EXPECT_EQ(error.errors()[0].what, "lacks bumps 25 to 26");
   }
 }
 

@@ -17,12 +17,12 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// The error of an option, with its advice.
-std::string swept_key_fault(const std::string& argument) {
+std::string swept_key_error(const std::string& argument) {
   try {
     static_cast<void>(parse_swept_key(argument));
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
-    EXPECT_EQ(error.faults().size(), 1U);
+    EXPECT_EQ(error.errors().size(), 1U);
     return error.what();
   }
   return "none";
@@ -41,8 +41,8 @@ TEST(SweptKey, RangeHoldsNumbersAsPeopleWriteThem) {
 TEST(SweptKey, UnitsStandBehindEveryNumber) {
   EXPECT_EQ(parse_swept_key("cycle.amplitude=60 um:90 um:10 um").values, (Words{"60 um", "70 um", "80 um", "90 um"}));
   EXPECT_EQ(parse_swept_key("a.b = -10um : 10um : 10um").values, (Words{"-10 um", "0 um", "10 um"}));
-  EXPECT_TRUE(has(swept_key_fault("a.b=60 um:90 um:10"), "has the units \"um\", \"um\" and \"\""));
-  EXPECT_TRUE(has(swept_key_fault("a.b=60 um:0.1 mm:10 um"), "same unit"));
+  EXPECT_TRUE(has(swept_key_error("a.b=60 um:90 um:10"), "has the units \"um\", \"um\" and \"\""));
+  EXPECT_TRUE(has(swept_key_error("a.b=60 um:0.1 mm:10 um"), "same unit"));
 }
 
 TEST(SweptKey, RangesMayFallStandStillOrUsePowersOfTen) {
@@ -59,37 +59,37 @@ TEST(SweptKey, RangeEndsWhereItWasToldTo) {
   // Thirds with limited digits: a final step that is too short, and one that is too long.
   EXPECT_EQ(parse_swept_key("a.b=0:1:0.3333333").values, (Words{"0", "0.3333333", "0.6666666", "1"}));
   EXPECT_EQ(parse_swept_key("a.b=0:1:0.33333334").values.back(), "1");
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:0.5:0.2"), "does not end at 0.5; steps of 0.2 lead to 0.4 and 0.6"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:1:0.333"), "does not end at 1"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:-1:-0.3"), "lead to -0.9 and -1.2"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:0.5:0.2"), "does not end at 0.5; steps of 0.2 lead to 0.4 and 0.6"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:1:0.333"), "does not end at 1"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:-1:-0.3"), "lead to -0.9 and -1.2"));
 }
 
 TEST(SweptKey, ListHoldsWhatWasWritten) {
   EXPECT_EQ(parse_swept_key("a.b=[0.1, 0.20,3]").values, (Words{"0.1", "0.20", "3"}));
   EXPECT_EQ(parse_swept_key("a.b=[\"60 um\", '0.1 mm', 70 um]").values, (Words{"60 um", "0.1 mm", "70 um"}));
-  EXPECT_TRUE(has(swept_key_fault("a.b=[]"), "empty entry"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=[1,]"), "empty entry"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=[1, 2"), "close it with ]"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=[truss, frame]"), "has \"truss\", expected a number"));
+  EXPECT_TRUE(has(swept_key_error("a.b=[]"), "empty entry"));
+  EXPECT_TRUE(has(swept_key_error("a.b=[1,]"), "empty entry"));
+  EXPECT_TRUE(has(swept_key_error("a.b=[1, 2"), "close it with ]"));
+  EXPECT_TRUE(has(swept_key_error("a.b=[truss, frame]"), "has \"truss\", expected a number"));
 }
 
 TEST(SweptKey, SaysWhatElseIsWrong) {
-  EXPECT_EQ(swept_key_fault("friction.coefficient").find("--over = friction.coefficient: does not give"), 0U);
-  EXPECT_TRUE(has(swept_key_fault("friction.coefficient"), "write KEY=FROM:TO:STEP or KEY=[a, b]"));
-  EXPECT_TRUE(has(swept_key_fault("=0:1:1"), "does not give"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0.1"), "neither a range nor a list"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:1"), "neither a range nor a list"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:1:2:3"), "neither a range nor a list"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:0,5:0,1"), "has a decimal comma; write decimal points"));
-  EXPECT_TRUE(has(swept_key_fault("a.b="), "expected a number"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:nan:1"), "has \"nan\", expected a number"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:1:0"), "has no step"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:1:-0.1"), "steps away from its end; give the step 0.1"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:1:1e-9"), "a sweep takes at most 10000"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0:1e30:1"), "spans more than 15 digits"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=0.1234567890123456:1:1"), "more than 15 digits"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=1e999:1:1"), "expected a number"));
-  EXPECT_TRUE(has(swept_key_fault("a.b=[" + std::string(10'000, ',') + "]"), "has 10001 values"));
+  EXPECT_EQ(swept_key_error("friction.coefficient").find("--over = friction.coefficient: does not give"), 0U);
+  EXPECT_TRUE(has(swept_key_error("friction.coefficient"), "write KEY=FROM:TO:STEP or KEY=[a, b]"));
+  EXPECT_TRUE(has(swept_key_error("=0:1:1"), "does not give"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0.1"), "neither a range nor a list"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:1"), "neither a range nor a list"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:1:2:3"), "neither a range nor a list"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:0,5:0,1"), "has a decimal comma; write decimal points"));
+  EXPECT_TRUE(has(swept_key_error("a.b="), "expected a number"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:nan:1"), "has \"nan\", expected a number"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:1:0"), "has no step"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:1:-0.1"), "steps away from its end; give the step 0.1"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:1:1e-9"), "a sweep takes at most 10000"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0:1e30:1"), "spans more than 15 digits"));
+  EXPECT_TRUE(has(swept_key_error("a.b=0.1234567890123456:1:1"), "more than 15 digits"));
+  EXPECT_TRUE(has(swept_key_error("a.b=1e999:1:1"), "expected a number"));
+  EXPECT_TRUE(has(swept_key_error("a.b=[" + std::string(10'000, ',') + "]"), "has 10001 values"));
 }
 
 /// digits * 10^-decimals, written with a decimal point.

@@ -14,49 +14,49 @@ namespace {
 using test_support::WrongCase;
 
 /// Reads the text from a file, as the program does.
-std::vector<Fault> faults_of(const std::string& text) {
+std::vector<InputError> errors_of(const std::string& text) {
   const test_support::TemporaryFolder folder;
   try {
     const std::string file = folder.write("wrong.toml", text);
     static_cast<void>(check_case(read_case_text(file), file));
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
-    return error.faults();
+    return error.errors();
   }
   return {};
 }
 
-bool says(const Fault& fault, const WrongCase& wrong) {
-  const std::string message = format_fault(fault);
-  return (wrong.line == 0 || fault.line == wrong.line) &&
+bool says(const InputError& error, const WrongCase& wrong) {
+  const std::string message = format_error(error);
+  return (wrong.line == 0 || error.line == wrong.line) &&
          std::all_of(wrong.fragments.begin(), wrong.fragments.end(),
                      [&](const std::string& fragment) { return message.find(fragment) != std::string::npos; });
 }
 
-std::string listed(const std::vector<Fault>& faults) {
+std::string listed(const std::vector<InputError>& errors) {
   std::string out;
-  for (const Fault& fault : faults) out += format_fault(fault) + '\n';
+  for (const InputError& error : errors) out += format_error(error) + '\n';
   return out;
 }
 
 TEST(WholeCase, IsRight) {
-  const std::vector<Fault> faults = faults_of(test_support::whole_case());
-  EXPECT_TRUE(faults.empty()) << listed(faults);
+  const std::vector<InputError> errors = errors_of(test_support::whole_case());
+  EXPECT_TRUE(errors.empty()) << listed(errors);
 }
 
-TEST(WrongCases, EveryFaultIsNamedOnceWithPlaceAndAdvice) {
+TEST(WrongCases, EveryErrorIsNamedOnceWithPlaceAndAdvice) {
   for (const WrongCase& wrong : test_support::wrong_cases()) {
     SCOPED_TRACE(wrong.name);
-    const std::vector<Fault> faults = faults_of(wrong.text);
-    EXPECT_EQ(faults.size(), wrong.faults) << listed(faults);
-    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) { return says(fault, wrong); }))
+    const std::vector<InputError> errors = errors_of(wrong.text);
+    EXPECT_EQ(errors.size(), wrong.errors) << listed(errors);
+    EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const InputError& error) { return says(error, wrong); }))
         << "line " << wrong.line << " of:\n"
-        << listed(faults);
-    for (const Fault& fault : faults) {
-      EXPECT_NE(fault.file.find("wrong.toml"), std::string::npos);
-      EXPECT_FALSE(fault.what.empty());
-      EXPECT_FALSE(fault.advice.empty()) << format_fault(fault);
-      for (const char c : format_fault(fault)) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << "control character";
+        << listed(errors);
+    for (const InputError& error : errors) {
+      EXPECT_NE(error.file.find("wrong.toml"), std::string::npos);
+      EXPECT_FALSE(error.what.empty());
+      EXPECT_FALSE(error.advice.empty()) << format_error(error);
+      for (const char c : format_error(error)) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << "control character";
     }
   }
 }
@@ -84,10 +84,10 @@ TEST(WrongCase, SaysEverythingAtOnce) {
   replace("\"3.556 mm\"", "\"5 mm\"");               // line 12
   replace("coefficient = 0.1", "coefficient = -1");  // line 27
   replace("\"37.5 deg\"", "37.5");                   // line 32
-  const std::vector<Fault> faults = faults_of(text);
+  const std::vector<InputError> errors = errors_of(text);
   std::vector<std::size_t> lines;
-  for (const Fault& fault : faults) lines.push_back(fault.line);
-  EXPECT_EQ(lines, (std::vector<std::size_t>{1, 3, 4, 11, 13, 28, 33})) << listed(faults);
+  for (const InputError& error : errors) lines.push_back(error.line);
+  EXPECT_EQ(lines, (std::vector<std::size_t>{1, 3, 4, 11, 13, 28, 33})) << listed(errors);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/results/result_folder.hpp"
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -28,6 +29,16 @@ TEST(Experiments, SayOfThemselvesWhatACommandNeeds) {
   for (const char* name : {"cycle", "strip", "path", "vibration", "film", "equilibrium"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
+}
+
+/// A run replaces and refuses the files of all commands, but a case may lie beside its results.
+TEST(Experiments, NameTheFilesThatIdentifyResults) {
+  const std::set<std::string> names(result_names().begin(), result_names().end());
+  EXPECT_EQ(names.size(), result_names().size());
+  for (const ExperimentInfo& experiment : experiments()) {
+    for (const std::string& name : experiment.files) EXPECT_EQ(names.contains(name), name != "case.toml") << name;
+  }
+  for (const char* name : {"sweep.nc", "ensemble.nc", "report.html"}) EXPECT_TRUE(names.contains(name)) << name;
 }
 
 TEST(Experiments, RunACaseToTheFilesThatTheyName) {

@@ -43,23 +43,23 @@ Json rotor_file() {
 }
 
 /// "key: what" of all errors of a file with this text.
-std::vector<std::string> faults_of(const std::string& text) {
+std::vector<std::string> errors_of(const std::string& text) {
   const TemporaryFolder folder;
   folder.write("rotor.json", text);
   const std::string path = (folder.path() / "rotor.json").string();
-  std::vector<std::string> faults;
+  std::vector<std::string> errors;
   try {
     static_cast<void>(read_rotor_matrices(path));
   } catch (const Error& error) {
-    for (const Fault& fault : error.faults()) {
-      EXPECT_EQ(fault.file, path);
-      faults.push_back(fault.key + ": " + fault.what);
+    for (const InputError& one : error.errors()) {
+      EXPECT_EQ(one.file, path);
+      errors.push_back(one.key + ": " + one.what);
     }
   }
-  return faults;
+  return errors;
 }
 
-using Faults = std::vector<std::string>;
+using InputErrors = std::vector<std::string>;
 
 TEST(ReadRotorMatrices, ReadsARotor) {
   const TemporaryFolder folder;
@@ -74,10 +74,10 @@ TEST(ReadRotorMatrices, ReadsARotor) {
 }
 
 TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
-  EXPECT_EQ(faults_of("[1, 2"), Faults{": is not JSON"});
-  EXPECT_EQ(faults_of("[1, 2]"), Faults{": is not a JSON object"});
-  EXPECT_EQ(faults_of("{}"),
-            (Faults{"M: is missing", "C: is missing", "G: is missing", "K: is missing", "bearing: is missing"}));
+  EXPECT_EQ(errors_of("[1, 2"), InputErrors{": is not JSON"});
+  EXPECT_EQ(errors_of("[1, 2]"), InputErrors{": is not a JSON object"});
+  EXPECT_EQ(errors_of("{}"),
+            (InputErrors{"M: is missing", "C: is missing", "G: is missing", "K: is missing", "bearing: is missing"}));
   Json file = rotor_file();
   file["Q"] = 1;
   file["M"][1].push_back(0.0);
@@ -86,10 +86,11 @@ TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
   file["bearing"][1]["x"] = 2.5;
   file["bearing"][1]["why"] = 3;
   file["station"][0]["y"] = -1;
-  EXPECT_EQ(faults_of(file.dump()),
-            (Faults{"Q: unknown key", "M[2]: has 5 numbers, but there are 4 rows", "K[3]: is not a list of numbers",
-                    "bearing[1].z: is missing", "bearing[2].why: unknown key",
-                    "bearing[2].x: is no number of a row, from 0", "station[1].y: is no number of a row, from 0"}));
+  EXPECT_EQ(
+      errors_of(file.dump()),
+      (InputErrors{"Q: unknown key", "M[2]: has 5 numbers, but there are 4 rows", "K[3]: is not a list of numbers",
+                   "bearing[1].z: is missing", "bearing[2].why: unknown key",
+                   "bearing[2].x: is no number of a row, from 0", "station[1].y: is no number of a row, from 0"}));
   // Lists that are none or too long.
   file = rotor_file();
   file["M"] = 3;
@@ -97,17 +98,17 @@ TEST(ReadRotorMatrices, NamesAllThatIsWrong) {
   file["K"] = Json{{1.0, "stiff"}, 7};
   file["bearing"] = "two";
   file["station"] = {1};
-  EXPECT_EQ(faults_of(file.dump()),
-            (Faults{"M: is not a list of rows", "C: has 301 rows", "K[1]: is not a list of numbers",
-                    "K[2]: is not a list of numbers", "bearing: is no list", "station[1]: is no object"}));
+  EXPECT_EQ(errors_of(file.dump()),
+            (InputErrors{"M: is not a list of rows", "C: has 301 rows", "K[1]: is not a list of numbers",
+                         "K[2]: is not a list of numbers", "bearing: is no list", "station[1]: is no object"}));
   file = rotor_file();
   file["station"] = std::vector<Json>(most_rotor_unknowns + 1);
-  EXPECT_EQ(faults_of(file.dump()), Faults{"station: has 301 entries"});
+  EXPECT_EQ(errors_of(file.dump()), InputErrors{"station: has 301 entries"});
   // Properties of complete matrices.
   file = rotor_file();
   file["M"][0][2] = 7.0;
   file["G"][0][0] = 1.0;
-  const Faults found = faults_of(file.dump());
+  const InputErrors found = errors_of(file.dump());
   ASSERT_EQ(found.size(), 2U);
   EXPECT_TRUE(found[0].starts_with("M[3][1]: is not that of the entry opposite")) << found[0];
   EXPECT_TRUE(found[1].starts_with("G[1][1]: is not 0 on the diagonal")) << found[1];

@@ -9,14 +9,14 @@
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "support/bearing_cases.hpp"
-#include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 const RotorSettings rigid{.mass = 2.0,
                           .transverse_inertia = 4e-3,
@@ -33,9 +33,9 @@ RotorSettings flexible() {
   return rotor;
 }
 
-Keys faults_of(RotorSettings rotor, const std::function<void(RotorSettings&)>& change) {
+Keys errors_of(RotorSettings rotor, const std::function<void(RotorSettings&)>& change) {
   change(rotor);
-  return faulty_keys([&](Case& input) { input.settings.set(rotor); });
+  return wrong_keys([&](Case& input) { input.settings.set(rotor); });
 }
 
 TEST(RotorOf, IsOfTheKindThatItsKeysSay) {
@@ -59,24 +59,24 @@ TEST(RotorOf, MakesAShaftOfItsPieces) {
   EXPECT_LT(bending.frequency_error, 1e-3);
 }
 
-TEST(FindFaults, ChecksRotors) {
+TEST(FindErrors, ChecksRotors) {
   const auto same = [](RotorSettings&) {};
-  EXPECT_EQ(faults_of(rigid, same), Keys{});
-  EXPECT_EQ(faults_of(flexible(), same), Keys{});
-  EXPECT_EQ(faults_of(rigid, [](RotorSettings& r) { r.mass = 0.0; }), Keys{"rotor.mass"});
-  EXPECT_EQ(faults_of(rigid, [](RotorSettings& r) { r.gravity = {0.0, 0.0}; }), Keys{"rotor.gravity"});
-  EXPECT_EQ(faults_of(rigid, [](RotorSettings& r) { r.polar_inertia = 9e-3; }), Keys{"rotor.polar_inertia"});
-  EXPECT_EQ(faults_of(rigid, [](RotorSettings& r) { r.bearings = {0.01, 0.01}; }), Keys{"rotor.bearings"});
-  EXPECT_EQ(faults_of(rigid, [](RotorSettings& r) { r.bearings = {0.0, 0.01}; }), Keys{"rotor.bearings[2]"});
-  EXPECT_EQ(faults_of(rigid, [](RotorSettings& r) { r.bearings.clear(); }), Keys{"rotor.transverse_inertia"});
-  EXPECT_EQ(faults_of(rigid, [](RotorSettings& r) { r.disks.emplace_back(); }), Keys{"rotor.disk"});
-  EXPECT_EQ(faults_of(flexible(), [](RotorSettings& r) { r.mass = 1.0; }), Keys{"rotor.mass"});
-  EXPECT_EQ(faults_of(flexible(), [](RotorSettings& r) { r.bearings[1] = 0.25; }), Keys{"rotor.bearings[2]"});
-  EXPECT_EQ(faults_of(flexible(), [](RotorSettings& r) { r.disks[0].z = -0.01; }), Keys{"rotor.disk[1].at"});
-  EXPECT_EQ(faults_of(flexible(), [](RotorSettings& r) { r.shaft[1].inner_diameter = 0.04; }),
+  EXPECT_EQ(errors_of(rigid, same), Keys{});
+  EXPECT_EQ(errors_of(flexible(), same), Keys{});
+  EXPECT_EQ(errors_of(rigid, [](RotorSettings& r) { r.mass = 0.0; }), Keys{"rotor.mass"});
+  EXPECT_EQ(errors_of(rigid, [](RotorSettings& r) { r.gravity = {0.0, 0.0}; }), Keys{"rotor.gravity"});
+  EXPECT_EQ(errors_of(rigid, [](RotorSettings& r) { r.polar_inertia = 9e-3; }), Keys{"rotor.polar_inertia"});
+  EXPECT_EQ(errors_of(rigid, [](RotorSettings& r) { r.bearings = {0.01, 0.01}; }), Keys{"rotor.bearings"});
+  EXPECT_EQ(errors_of(rigid, [](RotorSettings& r) { r.bearings = {0.0, 0.01}; }), Keys{"rotor.bearings[2]"});
+  EXPECT_EQ(errors_of(rigid, [](RotorSettings& r) { r.bearings.clear(); }), Keys{"rotor.transverse_inertia"});
+  EXPECT_EQ(errors_of(rigid, [](RotorSettings& r) { r.disks.emplace_back(); }), Keys{"rotor.disk"});
+  EXPECT_EQ(errors_of(flexible(), [](RotorSettings& r) { r.mass = 1.0; }), Keys{"rotor.mass"});
+  EXPECT_EQ(errors_of(flexible(), [](RotorSettings& r) { r.bearings[1] = 0.25; }), Keys{"rotor.bearings[2]"});
+  EXPECT_EQ(errors_of(flexible(), [](RotorSettings& r) { r.disks[0].z = -0.01; }), Keys{"rotor.disk[1].at"});
+  EXPECT_EQ(errors_of(flexible(), [](RotorSettings& r) { r.shaft[1].inner_diameter = 0.04; }),
             Keys{"rotor.shaft[2].inner_diameter"});
-  EXPECT_EQ(faults_of(flexible(), [](RotorSettings& r) { r.shaft[0].density = 7.8; }), Keys{});
-  EXPECT_EQ(faults_of(flexible(), [](RotorSettings& r) { r.shaft[0].density = 0.0; }), Keys{"rotor.shaft[1].density"});
+  EXPECT_EQ(errors_of(flexible(), [](RotorSettings& r) { r.shaft[0].density = 7.8; }), Keys{});
+  EXPECT_EQ(errors_of(flexible(), [](RotorSettings& r) { r.shaft[0].density = 0.0; }), Keys{"rotor.shaft[1].density"});
 }
 
 /// Written cases are read back.

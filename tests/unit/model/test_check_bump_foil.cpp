@@ -8,18 +8,18 @@
 #include <numbers>
 #include <vector>
 
-#include "support/faulty_keys.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-TEST(FindFaults, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
+TEST(FindErrors, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
   const auto change = [](BumpFoilModel model, std::vector<double> errors) {
     return [=](Case& input) {
       input.bump_foil.model = model;
@@ -31,58 +31,58 @@ TEST(FindFaults, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
       input.bump_foil.height = 2.3e-3;
     };
   };
-  EXPECT_EQ(faulty_keys(change(BumpFoilModel::frame, {0.0, 0.1e-3, -0.1e-3})), Keys{});
-  EXPECT_EQ(faulty_keys(change(BumpFoilModel::frame, {0.0, 0.9e-3, -0.1e-3})), Keys{"bump_foil.height_errors[2]"});
-  EXPECT_EQ(faulty_keys(change(BumpFoilModel::truss, {0.0, 0.1e-3, -0.1e-3})),
+  EXPECT_EQ(wrong_keys(change(BumpFoilModel::frame, {0.0, 0.1e-3, -0.1e-3})), Keys{});
+  EXPECT_EQ(wrong_keys(change(BumpFoilModel::frame, {0.0, 0.9e-3, -0.1e-3})), Keys{"bump_foil.height_errors[2]"});
+  EXPECT_EQ(wrong_keys(change(BumpFoilModel::truss, {0.0, 0.1e-3, -0.1e-3})),
             Keys{"bump_foil.stiffness_follows_height"});
 }
 
-TEST(FindFaults, KeepsBumpsApart) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.length = input.bump_foil.pitch; }), Keys{"bump_foil.length"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 27; }), Keys{"bump_foil.bumps"});
+TEST(FindErrors, KeepsBumpsApart) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.length = input.bump_foil.pitch; }), Keys{"bump_foil.length"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.bumps = 27; }), Keys{"bump_foil.bumps"});
   // A foil that covers the circumference exactly, except for round-off.
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bearing.radius =
                   26 * input.bump_foil.pitch.values.front() / (2.0 * std::numbers::pi) * (1.0 - 1e-15);
             }),
             Keys{});
   // Arcs of more than half a circle are wider than their chord.
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = 2.2e-3; }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = 4.5e-3; }), Keys{"bump_foil.height"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.height = 2.2e-3; }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.height = 4.5e-3; }), Keys{"bump_foil.height"});
 }
 
-TEST(FindFaults, ChecksEveryBumpOfAVariableFoil) {
+TEST(FindErrors, ChecksEveryBumpOfAVariableFoil) {
   using List = std::vector<double>;
   // One value per bump, each of them valid.
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(26, 4.5e-3)); }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(25, 4.5e-3)); }),
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(26, 4.5e-3)); }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(25, 4.5e-3)); }),
             Keys{"bump_foil.pitch"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.length = PerBump(List{}); }), Keys{"bump_foil.length"});
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.length = PerBump(List{}); }), Keys{"bump_foil.length"});
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.length = PerBump(List(26, 3.5e-3));
               input.bump_foil.length.values[4] = -1.0;
             }),
             Keys{"bump_foil.length[5]"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = PerBump(0.5e-3, 0.0, Grading::linear); }),
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.height = PerBump(0.5e-3, 0.0, Grading::linear); }),
             Keys{"bump_foil.height.end"});
   // Each bump separately, reported at its key.
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.length = PerBump(List(26, 3.5e-3));
               input.bump_foil.length.values[9] = 4.6e-3;
             }),
             Keys{"bump_foil.length[10]"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.sections = {{.from = 3, .to = 9, .height = 0.1e-3}}; }),
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.sections = {{.from = 3, .to = 9, .height = 0.1e-3}}; }),
             Keys{"bump_foil.section[1].height"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.sections = {{.from = 3, .to = 9, .thickness = 3e-3}}; }),
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.sections = {{.from = 3, .to = 9, .thickness = 3e-3}}; }),
             (Keys{"bump_foil.section[1].thickness", "bump_foil.height"}));
   // All bumps together around the circumference.
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(4.5e-3, 4.9e-3, Grading::linear); }),
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.pitch = PerBump(4.5e-3, 4.9e-3, Grading::linear); }),
             Keys{"bump_foil.bumps"});
 }
 
-TEST(FindFaults, WantsSectionsAndShimsApartAndOnTheFoil) {
+TEST(FindErrors, WantsSectionsAndShimsApartAndOnTheFoil) {
   const auto with_shims = [](std::vector<Shim> shims) {
-    return faulty_keys([&shims](Case& input) { input.bump_foil.shims = shims; });
+    return wrong_keys([&shims](Case& input) { input.bump_foil.shims = shims; });
   };
   EXPECT_EQ(with_shims({{1, 3, 20e-6}, {4, 26, 10e-6}}), Keys{});
   EXPECT_EQ(with_shims({{0, 3, 20e-6}}), Keys{"bump_foil.shim[1].from"});
@@ -91,15 +91,15 @@ TEST(FindFaults, WantsSectionsAndShimsApartAndOnTheFoil) {
   EXPECT_EQ(with_shims({{10, 12, 20e-6}, {3, 10, 20e-6}}), Keys{"bump_foil.shim[2].from"});
   EXPECT_EQ(with_shims({{3, 4, -20e-6}}), Keys{"bump_foil.shim[1].thickness"});
   EXPECT_EQ(with_shims({{3, 4, 1e-3}}), Keys{"bump_foil.shim[1].thickness"});
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.sections = {{.from = 1, .to = 5, .pitch = 4.5e-3}, {.from = 5, .to = 6, .pitch = 4.4e-3}};
             }),
             Keys{"bump_foil.section[2].from"});
 }
 
-TEST(FindFaults, WantsAStripWithinWhatIsGradedOrListed) {
+TEST(FindErrors, WantsAStripWithinWhatIsGradedOrListed) {
   const auto strip_of = [](int bumps, const PerBump& height) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.bump_foil.height = height;
       input.strip = {.bumps = bumps, .amplitude = {.value = 20e-6}};
     });
@@ -112,10 +112,10 @@ TEST(FindFaults, WantsAStripWithinWhatIsGradedOrListed) {
   EXPECT_EQ(strip_of(27, 0.5e-3), Keys{});
 }
 
-TEST(FindFaults, CountsBumps) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 1; }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 0; }), Keys{"bump_foil.bumps"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = -5; }), Keys{"bump_foil.bumps"});
+TEST(FindErrors, CountsBumps) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.bumps = 1; }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.bumps = 0; }), Keys{"bump_foil.bumps"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.bumps = -5; }), Keys{"bump_foil.bumps"});
   const auto scaled = [](int bumps) {
     return [bumps](Case& input) {
       input.bump_foil.bumps = bumps;
@@ -123,35 +123,35 @@ TEST(FindFaults, CountsBumps) {
       input.cycle.steps = 10;
     };
   };
-  EXPECT_EQ(faulty_keys(scaled(10'000)), Keys{});
-  EXPECT_EQ(faulty_keys(scaled(most_bumps)), Keys{});
-  EXPECT_EQ(faulty_keys(scaled(most_bumps + 1)), Keys{"bump_foil.bumps"});
+  EXPECT_EQ(wrong_keys(scaled(10'000)), Keys{});
+  EXPECT_EQ(wrong_keys(scaled(most_bumps)), Keys{});
+  EXPECT_EQ(wrong_keys(scaled(most_bumps + 1)), Keys{"bump_foil.bumps"});
 }
 
-TEST(FindFaults, WantsARise) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = input.bump_foil.thickness; }),
+TEST(FindErrors, WantsARise) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.height = input.bump_foil.thickness; }),
             Keys{"bump_foil.height"});
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.height_reference = HeightReference::midsurface;
               input.bump_foil.height = input.bump_foil.thickness;
             }),
             Keys{});
 }
 
-TEST(FindFaults, WantsThinFoils) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 2e-3; }), Keys{"top_foil.thickness"});
+TEST(FindErrors, WantsThinFoils) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.top_foil.thickness = 2e-3; }), Keys{"top_foil.thickness"});
   // Studies include top foils ten times thicker and thinner.
-  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 1.02e-3; }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 0.0102e-3; }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.top_foil.thickness = 1.02e-3; }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.top_foil.thickness = 0.0102e-3; }), Keys{});
 }
 
-TEST(FindFaults, ComparesListsWithTheBumps) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height_errors.assign(26, 60e-6); }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height_errors.assign(25, 0.0); }),
+TEST(FindErrors, ComparesListsWithTheBumps) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.height_errors.assign(26, 60e-6); }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.height_errors.assign(25, 0.0); }),
             Keys{"bump_foil.height_errors"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.sleeve_gaps.assign(27, 0.0); }),
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.sleeve_gaps.assign(27, 0.0); }),
             Keys{"bump_foil.sleeve_gaps"});
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.height_errors.assign(26, 0.0);
               input.bump_foil.height_errors[2] = not_a_number;
               input.bump_foil.height_errors[25] = -0.41e-3;  // the rise is 0.406 mm
@@ -159,23 +159,23 @@ TEST(FindFaults, ComparesListsWithTheBumps) {
             (Keys{"bump_foil.height_errors[3]", "bump_foil.height_errors[26]"}));
 }
 
-TEST(FindFaults, WantsPositiveSpringsAndSlantingRods) {
-  EXPECT_EQ(faulty_keys([](Case& input) {
+TEST(FindErrors, WantsPositiveSpringsAndSlantingRods) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.truss = {.k1 = 1e8, .k2 = 1e6, .k3 = 1e6, .k4 = 1e6, .theta_d = 0.2};
             }),
             Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.truss = {.k1 = 0.0, .k2 = -1.0, .k3 = not_a_number, .k4 = infinite, .theta_d = 0.0};
             }),
             (Keys{"bump_foil.truss.k1", "bump_foil.truss.k2", "bump_foil.truss.k3", "bump_foil.truss.k4",
                   "bump_foil.truss.theta_d"}));
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.truss.theta_d = 0.5 * std::numbers::pi; }),
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.truss.theta_d = 0.5 * std::numbers::pi; }),
             Keys{"bump_foil.truss.theta_d"});
 }
 
-TEST(FindFaults, WeldsTheArcOfTheFrameAlone) {
+TEST(FindErrors, WeldsTheArcOfTheFrameAlone) {
   const auto welded = [](BumpFoilModel model) {
-    return faulty_keys([model](Case& input) {
+    return wrong_keys([model](Case& input) {
       input.bump_foil.model = model;
       input.bump_foil.weld_at = WeldPosition::arc_start;
     });

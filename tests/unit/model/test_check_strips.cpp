@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "bumpfoil/model/validation.hpp"
-#include "support/faulty_keys.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 /// Three different strips, on a foil with space after its last bump.
 void split(Case& input) {
@@ -27,7 +27,7 @@ void split(Case& input) {
 }
 
 Keys with(const std::function<void(Case&)>& change) {
-  return faulty_keys([&](Case& input) {
+  return wrong_keys([&](Case& input) {
     split(input);
     change(input);
   });
@@ -36,7 +36,7 @@ Keys with(const std::function<void(Case&)>& change) {
 TEST(CheckStrips, LetsStripsBe) {
   EXPECT_EQ(with([](Case& input) { input.top_foil.formed_radius = {FormedTo::seated}; }), Keys{});
 
-  EXPECT_EQ(faulty_keys(split), Keys{});
+  EXPECT_EQ(wrong_keys(split), Keys{});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip.clear(); }), Keys{});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip[2].stagger = 0.33; }), Keys{});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip[2].height_errors = PerBump(std::vector<double>(25, 1e-6)); }),
@@ -55,12 +55,12 @@ TEST(CheckStrips, CountsThemAndLeavesThemWidth) {
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strips = 2; }), Keys{"bump_foil.strip"});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip_gap = -1e-3; }), Keys{"bump_foil.strip_gap"});
   EXPECT_EQ(with([](Case& input) { input.bump_foil.strip_gap = 19e-3; }), Keys{"bump_foil.strip_gap"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip_gap = 1e-3; }), Keys{"bump_foil.strip_gap"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip.resize(1); }), Keys{});  // a whole foil is unchanged
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.strip.resize(2); }), Keys{"bump_foil.strip"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.strip_gap = 1e-3; }), Keys{"bump_foil.strip_gap"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.strip.resize(1); }), Keys{});  // a whole foil is unchanged
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bump_foil.strip.resize(2); }), Keys{"bump_foil.strip"});
   Case whole = reference_case();
   whole.bump_foil.strip = {FoilStrip{.stagger = 0.0, .height_errors = -1e-6}};
-  EXPECT_NE(find_faults(whole, {"cycle"}).front().what.find("this one is not split"), std::string::npos);
+  EXPECT_NE(find_errors(whole, {"cycle"}).front().what.find("this one is not split"), std::string::npos);
 }
 
 TEST(CheckStrips, StaggersOnTheMesh) {
@@ -126,7 +126,7 @@ TEST(CheckStrips, FitsTheirSectionsToTheBumps) {
 }
 
 TEST(CheckStrips, SplitsTheTopFoilOverThem) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.split = true; }), Keys{"top_foil.split"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.top_foil.split = true; }), Keys{"top_foil.split"});
   Case input = reference_case();
   split(input);
   input.top_foil.split = true;
@@ -134,7 +134,7 @@ TEST(CheckStrips, SplitsTheTopFoilOverThem) {
   input.film.columns_per_pitch = 4;  // each strip has its own mesh
   input.bump_foil.strip[1].stagger = 0.33;
   for (const char* const command : {"cycle", "path", "vibration", "equilibrium"}) {
-    EXPECT_TRUE(find_faults(input, {command}).empty()) << command;
+    EXPECT_TRUE(find_errors(input, {command}).empty()) << command;
   }
 }
 
@@ -147,45 +147,45 @@ TEST(CheckStrips, RefusesWhatIsNotComputedWithThem) {
   Case input = reference_case();
   split(input);
   for (const char* const command : {"cycle", "path", "vibration"}) {
-    EXPECT_TRUE(find_faults(input, {command}).empty()) << command;
+    EXPECT_TRUE(find_errors(input, {command}).empty()) << command;
   }
   for (const int columns : {4, 6, 8, 12}) {
     for (const double stagger : {0.5, 0.33}) {
       Case running = input;
       running.film.columns_per_pitch = columns;
       running.bump_foil.strip[1].stagger = stagger;
-      const std::vector<Fault> faults = find_faults(running, {"equilibrium"});
+      const std::vector<InputError> errors = find_errors(running, {"equilibrium"});
       const bool all_crests = stagger == 0.5 || columns % 6 == 0;
-      ASSERT_EQ(faults.size(), all_crests ? 0U : 1U) << columns << ' ' << stagger;
+      ASSERT_EQ(errors.size(), all_crests ? 0U : 1U) << columns << ' ' << stagger;
       if (!all_crests) {
-        EXPECT_EQ(faults.front().key, "film.columns_per_pitch");
+        EXPECT_EQ(errors.front().key, "film.columns_per_pitch");
       }
     }
   }
   Case level = input;
   for (FoilStrip& strip : level.bump_foil.strip) strip = {.stagger = 0.0, .height_errors = -1e-6};
-  EXPECT_TRUE(find_faults(level, {"equilibrium"}).empty());
+  EXPECT_TRUE(find_errors(level, {"equilibrium"}).empty());
   level.top_foil.formed_radius = {FormedTo::seated};
-  EXPECT_TRUE(find_faults(level, {"equilibrium"}).empty());
+  EXPECT_TRUE(find_errors(level, {"equilibrium"}).empty());
   level.width.modes = 1;
-  ASSERT_EQ(find_faults(level, {"equilibrium"}).size(), 1U);
+  ASSERT_EQ(find_errors(level, {"equilibrium"}).size(), 1U);
   level.width.modes = 3;
   for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
     for (const Case* one : {&level, &input}) {  // also staggered
-      const std::vector<Fault> faults = find_faults(*one, {command});
-      EXPECT_FALSE(std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
-        return fault.key == "bump_foil.strip";
+      const std::vector<InputError> errors = find_errors(*one, {command});
+      EXPECT_FALSE(std::any_of(errors.begin(), errors.end(), [](const InputError& error) {
+        return error.key == "bump_foil.strip";
       })) << command;
     }
   }
   input.width.modes = 1;
   for (const char* const command : {"cycle", "path", "vibration"}) {
-    ASSERT_EQ(find_faults(input, {command}).size(), 1U) << command;
+    ASSERT_EQ(find_errors(input, {command}).size(), 1U) << command;
   }
   input.bump_foil.strip.clear();
-  EXPECT_TRUE(find_faults(input, {"equilibrium"}).empty());
+  EXPECT_TRUE(find_errors(input, {"equilibrium"}).empty());
   input.width.modes = 3;
-  EXPECT_TRUE(find_faults(input, {"equilibrium"}).empty());
+  EXPECT_TRUE(find_errors(input, {"equilibrium"}).empty());
 }
 
 TEST(CheckStrips, HaveOneStaggerOnAllPads) {

@@ -9,24 +9,24 @@
 #include <vector>
 
 #include "bumpfoil/experiments/path/path.hpp"
-#include "support/faulty_keys.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(FindFaults, FindsNoneInTheReferenceCase) {
-  EXPECT_TRUE(find_faults(reference_case()).empty());
+TEST(FindErrors, FindsNoneInTheReferenceCase) {
+  EXPECT_TRUE(find_errors(reference_case()).empty());
 }
 
-TEST(FindFaults, ChecksEnsembles) {
+TEST(FindErrors, ChecksEnsembles) {
   const auto ensemble = [](const std::function<void(MonteCarloSettings&)>& change) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.montecarlo = MonteCarloSettings{.bump_height = HeightScatter{Distribution{.sigma = 10e-6}}};
       change(*input.montecarlo);
     });
@@ -66,10 +66,10 @@ TEST(FindFaults, ChecksEnsembles) {
             Keys{"montecarlo.sleeve_waviness.amplitude"});
 }
 
-TEST(FindFaults, ChecksTheWavesOfASleeve) {
+TEST(FindErrors, ChecksTheWavesOfASleeve) {
   const auto waves = [](
                          Waviness given, const std::function<void(Case&)>& change = [](Case&) {}) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.bearing.sleeve.waves = {given};
       change(input);
     });
@@ -81,33 +81,33 @@ TEST(FindFaults, ChecksTheWavesOfASleeve) {
             Keys{"bump_foil.model"});
 }
 
-TEST(FindFaults, ChecksProfilesAndTapers) {
-  const auto faulty = [](const std::function<void(Bearing&)>& change) {
-    return faulty_keys([&](Case& input) { change(input.bearing); });
+TEST(FindErrors, ChecksProfilesAndTapers) {
+  const auto wrong = [](const std::function<void(Bearing&)>& change) {
+    return wrong_keys([&](Case& input) { change(input.bearing); });
   };
-  EXPECT_EQ(faulty([](Bearing& bearing) { bearing.journal.deviations = {1e-6, -2e-6}; }), Keys{});
-  EXPECT_EQ(faulty([](Bearing& bearing) {
+  EXPECT_EQ(wrong([](Bearing& bearing) { bearing.journal.deviations = {1e-6, -2e-6}; }), Keys{});
+  EXPECT_EQ(wrong([](Bearing& bearing) {
               bearing.journal.deviations = {1e-6, nan, -2e-3};
             }),
             (Keys{"bearing.journal_profile[2]", "bearing.journal_profile[3]"}));
-  EXPECT_EQ(faulty([](Bearing& bearing) {
+  EXPECT_EQ(wrong([](Bearing& bearing) {
               bearing.journal.waves = {{2, 1e-6, 0.0}, {2, -1e-6, 0.0}};
             }),
             Keys{"bearing.journal_waviness[2].amplitude"});
-  EXPECT_EQ(faulty([](Bearing& bearing) { bearing.taper = -3e-6; }), Keys{});
-  EXPECT_EQ(faulty([](Bearing& bearing) { bearing.taper = 3e-3; }), Keys{"bearing.taper"});
+  EXPECT_EQ(wrong([](Bearing& bearing) { bearing.taper = -3e-6; }), Keys{});
+  EXPECT_EQ(wrong([](Bearing& bearing) { bearing.taper = 3e-3; }), Keys{"bearing.taper"});
 }
 
-TEST(FindFaults, ChecksPads) {
+TEST(FindErrors, ChecksPads) {
   const auto pads = [](const std::function<void(Case&)>& change) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.bump_foil.bumps = 7;
       input.pads.resize(3);
       change(input);
     });
   };
   EXPECT_EQ(pads([](Case&) {}), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bearing.pad_gap = 0.1; }), Keys{"bearing.pad_gap"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bearing.pad_gap = 0.1; }), Keys{"bearing.pad_gap"});
   EXPECT_EQ(pads([](Case& input) { input.bearing.pad_gap = 2.1; }), Keys{"bearing.pad_gap"});
   EXPECT_EQ(pads([](Case& input) { input.bearing.pad_gap = -0.1; }), Keys{"bearing.pad_gap"});
   EXPECT_EQ(pads([](Case& input) { input.bearing.pad_gap = 0.1; }), Keys{});
@@ -142,9 +142,9 @@ TEST(FindFaults, ChecksPads) {
             Keys{"cycle.amplitude"});
 }
 
-TEST(FindFaults, KnowsPadsInFewCommands) {
+TEST(FindErrors, KnowsPadsInFewCommands) {
   const auto pads = [](const std::function<void(Case&)>& change) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.bump_foil.bumps = 7;
       input.pads.resize(2);
       change(input);
@@ -159,9 +159,9 @@ TEST(FindFaults, KnowsPadsInFewCommands) {
             Keys{});
 }
 
-TEST(FindFaults, ChecksTheFormingOfTopFoils) {
+TEST(FindErrors, ChecksTheFormingOfTopFoils) {
   const auto top = [](const std::function<void(TopFoil&)>& change) {
-    return faulty_keys([&](Case& input) { change(input.top_foil); });
+    return wrong_keys([&](Case& input) { change(input.top_foil); });
   };
   EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 19.2e-3}; }), Keys{});
   EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 18.9e-3}; }), Keys{});  // a warning only
@@ -172,7 +172,7 @@ TEST(FindFaults, ChecksTheFormingOfTopFoils) {
   EXPECT_EQ(top([](TopFoil& foil) { foil.overhang = 9e-3; }), Keys{"top_foil.overhang"});  // overlaps the weld
   EXPECT_EQ(top([](TopFoil& foil) { foil.overhang = 2.5e-3; }), Keys{});
   const auto seated = [](double clearance) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.top_foil.formed_radius = {FormedTo::seated};
       input.bearing.radial_clearance = clearance;
     });
@@ -182,8 +182,8 @@ TEST(FindFaults, ChecksTheFormingOfTopFoils) {
 }
 
 /// A pad that is preloaded by more than the clearance is seated by the clearance of the bearing.
-TEST(FindFaults, SeatsPreloadedPads) {
-  EXPECT_EQ(faulty_keys([](Case& input) {
+TEST(FindErrors, SeatsPreloadedPads) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.bumps = 7;
               input.top_foil.formed_radius = {FormedTo::seated};
               input.pads = {Pad{.lobe = 40e-6}, Pad{.lobe = 40e-6}, Pad{.lobe = 40e-6}};
@@ -191,9 +191,9 @@ TEST(FindFaults, SeatsPreloadedPads) {
             Keys{});
 }
 
-TEST(FindFaults, ChecksStrips) {
+TEST(FindErrors, ChecksStrips) {
   const auto strip = [](const std::function<void(StripSettings&)>& change) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.strip = StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}};
       input.bump_foil.height_errors.assign(26, 0.0);
       change(*input.strip);
@@ -230,7 +230,7 @@ TEST(FindFaults, ChecksStrips) {
   EXPECT_EQ(strip([](StripSettings& s) { s.steps = s.cycles = 2000; }), Keys{"strip.steps"});  // memory
 }
 
-TEST(FindFaults, WantsFinitePositiveSizes) {
+TEST(FindErrors, WantsFinitePositiveSizes) {
   const std::vector<std::pair<std::string, double& (*)(Case&)>> sizes{
       {"bearing.radius", [](Case& c) -> double& { return c.bearing.radius; }},
       {"bearing.axial_length", [](Case& c) -> double& { return c.bearing.axial_length; }},
@@ -250,57 +250,57 @@ TEST(FindFaults, WantsFinitePositiveSizes) {
   for (const auto& [key, size] : sizes) {
     for (const double value : {0.0, -1e-3, nan, infinity, -infinity, 1e300, 1e-300}) {
       // Reported once, without consequential errors.
-      EXPECT_EQ(faulty_keys([&, member = size](Case& input) { member(input) = value; }), Keys{key}) << value;
+      EXPECT_EQ(wrong_keys([&, member = size](Case& input) { member(input) = value; }), Keys{key}) << value;
     }
   }
 }
 
-TEST(FindFaults, TakesClearanceOfAnySign) {
+TEST(FindErrors, TakesClearanceOfAnySign) {
   for (const double clearance : {-50e-6, 0.0, 50e-6}) {
-    EXPECT_EQ(faulty_keys([&](Case& input) { input.bearing.radial_clearance = clearance; }), Keys{}) << clearance;
+    EXPECT_EQ(wrong_keys([&](Case& input) { input.bearing.radial_clearance = clearance; }), Keys{}) << clearance;
   }
   for (const double clearance : {-3e-3, 3e-3, nan}) {
-    EXPECT_EQ(faulty_keys([&](Case& input) { input.bearing.radial_clearance = clearance; }),
+    EXPECT_EQ(wrong_keys([&](Case& input) { input.bearing.radial_clearance = clearance; }),
               Keys{"bearing.radial_clearance"})
         << clearance;
   }
 }
 
-TEST(FindFaults, TakesDegreesForDegrees) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.bearing.weld_angle = 180.0; }), Keys{"bearing.weld_angle"});
-  EXPECT_EQ(faulty_keys([](Case& input) {
+TEST(FindErrors, TakesDegreesForDegrees) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.bearing.weld_angle = 180.0; }), Keys{"bearing.weld_angle"});
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.cycle.directions = {0.0, 90.0, nan};
             }),
             (Keys{"cycle.directions[2]", "cycle.directions[3]"}));
 }
 
-TEST(FindFaults, WantsFrictionBetweenNoneAndOne) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.friction = {.top_bump = 0.0, .bump_sleeve = 1.0}; }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.friction = {.top_bump = -0.1, .bump_sleeve = 1.1}; }),
+TEST(FindErrors, WantsFrictionBetweenNoneAndOne) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.friction = {.top_bump = 0.0, .bump_sleeve = 1.0}; }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.friction = {.top_bump = -0.1, .bump_sleeve = 1.1}; }),
             (Keys{"friction.top_bump", "friction.bump_sleeve"}));
-  EXPECT_EQ(faulty_keys([](Case& input) { input.friction.top_bump = nan; }), Keys{"friction.top_bump"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.friction.top_bump = nan; }), Keys{"friction.top_bump"});
 }
 
-TEST(FindFaults, ChecksTheCycleThatThereIs) {
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle = {}; }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.directions.clear(); }), Keys{"cycle.directions"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.steps = 0; }), Keys{"cycle.steps"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.steps = 1'000'001; }), Keys{"cycle.steps"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.steps = 1'000'000; }), Keys{"cycle.steps"}) << "memory";
-  EXPECT_EQ(faulty_keys([](Case& input) {
+TEST(FindErrors, ChecksTheCycleThatThereIs) {
+  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle = {}; }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.directions.clear(); }), Keys{"cycle.directions"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.steps = 0; }), Keys{"cycle.steps"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.steps = 1'000'001; }), Keys{"cycle.steps"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.steps = 1'000'000; }), Keys{"cycle.steps"}) << "memory";
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.cycle.steps = 1'000'000;
               input.cycle.directions = {0.0};
               input.bump_foil.bumps = 10;
             }),
             Keys{});
   // Clearance and rise together are 0.4378 mm.
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude.value = 0.437e-3; }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude.value = 0.438e-3; }), Keys{"cycle.amplitude"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.amplitude.value = 0.437e-3; }), Keys{});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.amplitude.value = 0.438e-3; }), Keys{"cycle.amplitude"});
 }
 
-TEST(FindFaults, ChecksVibrations) {
+TEST(FindErrors, ChecksVibrations) {
   const auto vibration = [](const auto& change) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.vibration = VibrationSettings{.loads = {{0.0, -50.0}},
                                           .directions = {0.0, 0.5 * std::numbers::pi},
                                           .amplitudes = {1e-6},
@@ -337,7 +337,7 @@ TEST(FindFaults, ChecksVibrations) {
             }),
             Keys{"vibration.steps"});
   EXPECT_EQ(vibration([](Settings& v) { v.frequencies.resize(1'000'001, 1.0); }), Keys{"vibration.frequencies"});
-  EXPECT_EQ(faulty_keys([](Case& input) {
+  EXPECT_EQ(wrong_keys([](Case& input) {
               input.bump_foil.model = BumpFoilModel::former;
               input.vibration = VibrationSettings{
                   .loads = {{0.0, -50.0}}, .directions = {0.0}, .amplitudes = {1e-6}, .frequencies = {1000.0}};
@@ -345,8 +345,8 @@ TEST(FindFaults, ChecksVibrations) {
             Keys{"bump_foil.model"});
 }
 
-TEST(FindFaults, ChecksWhatCyclesGoAbout) {
-  const auto course = [](const auto& change) { return faulty_keys([&](Case& input) { change(input.cycle); }); };
+TEST(FindErrors, ChecksWhatCyclesGoAbout) {
+  const auto course = [](const auto& change) { return wrong_keys([&](Case& input) { change(input.cycle); }); };
   EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::load, {0.0, -50.0}}; }), Keys{});
   EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::displacement, {0.0, 0.0}}; }), Keys{});
   EXPECT_EQ(course([](CycleSettings& c) {
@@ -377,9 +377,9 @@ TEST(FindFaults, ChecksWhatCyclesGoAbout) {
   EXPECT_EQ(course([](CycleSettings& c) { c.clearance_forces = {5.0, -1.0}; }), Keys{"cycle.clearance_forces[2]"});
 }
 
-TEST(FindFaults, KnowsPathsThroughPointsOrRoundAnEllipse) {
+TEST(FindErrors, KnowsPathsThroughPointsOrRoundAnEllipse) {
   const auto path = [](const PathSettings& settings) {
-    return faulty_keys([&](Case& input) { input.settings.set(settings); });
+    return wrong_keys([&](Case& input) { input.settings.set(settings); });
   };
   PathSettings orbit;
   orbit.centre.value = {0.0, -40e-6};
@@ -396,9 +396,9 @@ TEST(FindFaults, KnowsPathsThroughPointsOrRoundAnEllipse) {
   EXPECT_EQ(path(orbit), Keys{"path.semi_axes"});
 }
 
-TEST(FindFaults, PushesTheFormerModelFromTheCentreAlone) {
+TEST(FindErrors, PushesTheFormerModelFromTheCentreAlone) {
   const auto former = [](const auto& change) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.bump_foil.model = BumpFoilModel::former;
       change(input.cycle);
     });
@@ -409,9 +409,9 @@ TEST(FindFaults, PushesTheFormerModelFromTheCentreAlone) {
   EXPECT_EQ(former([](CycleSettings& c) { c.amplitude = {Control::load, 10.0}; }), Keys{"bump_foil.model"});
 }
 
-TEST(FindFaults, WantsEveryDirectionOnce) {
+TEST(FindErrors, WantsEveryDirectionOnce) {
   const auto directions = [](std::vector<double> list) {
-    return faulty_keys([&](Case& input) { input.cycle.directions = list; });
+    return wrong_keys([&](Case& input) { input.cycle.directions = list; });
   };
   using std::numbers::pi;
   const double degree = pi / 180.0;
@@ -427,17 +427,17 @@ TEST(FindFaults, WantsEveryDirectionOnce) {
   EXPECT_EQ(directions({nan, nan}), (Keys{"cycle.directions[1]", "cycle.directions[2]"}));  // already reported
 }
 
-TEST(FindFaults, KnowsNoStripOfTheFormerModel) {
+TEST(FindErrors, KnowsNoStripOfTheFormerModel) {
   const auto former = [](Case& input) {
     input.bump_foil.model = BumpFoilModel::former;
     input.strip = StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}};
   };
-  EXPECT_EQ(faulty_keys(former), Keys{"bump_foil.model"});
+  EXPECT_EQ(wrong_keys(former), Keys{"bump_foil.model"});
 }
 
-TEST(FindFaults, FollowsLargeDisplacementsOfTheFrameWithNewtonAlone) {
+TEST(FindErrors, FollowsLargeDisplacementsOfTheFrameWithNewtonAlone) {
   const auto nonlinear = [](BumpFoilModel model, SolverName solver) {
-    return faulty_keys([=](Case& input) {
+    return wrong_keys([=](Case& input) {
       input.bump_foil.model = model;
       input.bump_foil.geometry = Geometry::nonlinear;
       input.solver.name = solver;
@@ -450,9 +450,9 @@ TEST(FindFaults, FollowsLargeDisplacementsOfTheFrameWithNewtonAlone) {
   EXPECT_EQ(nonlinear(BumpFoilModel::truss, SolverName::events), (Keys{"bump_foil.geometry", "solver.name"}));
 }
 
-TEST(FindFaults, ListsEverything) {
+TEST(FindErrors, ListsEverything) {
   EXPECT_EQ(
-      faulty_keys([](Case& input) {
+      wrong_keys([](Case& input) {
         input.bearing.radius = -1.0;
         input.bump_foil.poisson_ratio = 0.7;
         input.top_foil.thickness = nan;
@@ -472,7 +472,7 @@ TEST(RequireValid, ThrowsWhatWasFound) {
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
-    EXPECT_EQ(error.faults().size(), 2U);
+    EXPECT_EQ(error.errors().size(), 2U);
   }
 }
 

@@ -198,7 +198,7 @@ TEST(FormerModel, SolvesRandomBearingsOfAnyStiffnessAndStrongFriction) {
   int bearings = 0;
   for (std::uint64_t number = 0; number < 1500; ++number) {
     const Case input = random_former_case(number);
-    if (!find_faults(input).empty() || !find_truss_faults(make_bearing_design(input)).empty()) continue;
+    if (!find_errors(input).empty() || !find_truss_errors(make_bearing_design(input)).empty()) continue;
     ++bearings;
     FormerSolver solver(make_former_model(input));
     for (int k = 0; k <= 10; ++k) {

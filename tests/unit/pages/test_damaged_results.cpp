@@ -119,13 +119,13 @@ class SmallResult {
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
   /// The reported error; empty if there is none.
-  [[nodiscard]] std::string fault(bool checked = true) const {
+  [[nodiscard]] std::string error(bool checked = true) const {
     try {
       report_json({folder_.path()}, {.checked = checked});
       return "";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::file);
-      EXPECT_EQ(error.faults().size(), 1U);
+      EXPECT_EQ(error.errors().size(), 1U);
       std::string text = error.what();
       EXPECT_EQ(text.find(folder_.path().string()), 0U) << text;
       return text.substr(folder_.path().string().size());
@@ -137,18 +137,18 @@ class SmallResult {
 };
 
 /// The error of a file, the same with and without the comparison of checksums.
-std::string fault_of(const std::function<void(SmallFile&)>& spoil) {
+std::string error_of(const std::function<void(SmallFile&)>& spoil) {
   SmallFile file;
   spoil(file);
   SmallResult result;
   result.write(file);
   result.write(small_summary());
-  std::string fault = result.fault();
-  EXPECT_EQ(result.fault(false), fault);
-  return fault;
+  std::string error = result.error();
+  EXPECT_EQ(result.error(false), error);
+  return error;
 }
 
-std::string fault_of_summary(const json& summary) {
+std::string error_of_summary(const json& summary) {
   SmallResult result;
   result.write(SmallFile());
   if (summary.is_object()) {
@@ -156,62 +156,62 @@ std::string fault_of_summary(const json& summary) {
   } else {
     result.folder().write("summary.json", summary.dump());
   }
-  std::string fault = result.fault();
-  EXPECT_EQ(result.fault(false), fault);
-  return fault;
+  std::string error = result.error();
+  EXPECT_EQ(result.error(false), error);
+  return error;
 }
 
 TEST(DamagedResult, TheSmallFileItselfIsRead) {
-  EXPECT_EQ(fault_of([](SmallFile&) {}), "");
-  EXPECT_EQ(fault_of_summary(small_summary()), "");
+  EXPECT_EQ(error_of([](SmallFile&) {}), "");
+  EXPECT_EQ(error_of_summary(small_summary()), "");
 }
 
 TEST(DamagedResult, StepsThatDoNotFitTheLoops) {
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.dims["few"] = 1;
               file.variables["steps"] = {.type = NC_INT, .dims = {"few"}, .values = {2}};
             }),
             "/result.nc: steps: has the dimensions (few), expected (direction)");
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.dims["none"] = NC_UNLIMITED;
               file.variables["steps"] = {.type = NC_INT, .dims = {"none"}};
             }),
             "/result.nc: steps: has the dimensions (none), expected (direction)");
   for (const double steps : {1e300, -2.0, 0.0, 0.5, 2.5, 3.0}) {
-    EXPECT_NE(fault_of([&](SmallFile& file) {
+    EXPECT_NE(error_of([&](SmallFile& file) {
                 file.variables["steps"] = {.dims = {"direction"}, .values = {2, steps}};
               }).find("/result.nc: steps: is "),
               std::string::npos);
   }
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.variables["steps"].values = {2, NC_FILL_INT};
             }).find("/result.nc: steps: is "),
             0U);
-  EXPECT_EQ(fault_of([](SmallFile& file) { file.variables.erase("steps"); }), "/result.nc: steps: is missing");
+  EXPECT_EQ(error_of([](SmallFile& file) { file.variables.erase("steps"); }), "/result.nc: steps: is missing");
 }
 
 TEST(DamagedResult, DimensionsThatAreNotDue) {
   EXPECT_EQ(
-      fault_of([](SmallFile& file) {
+      error_of([](SmallFile& file) {
         file.variables["force_direct"] = {.dims = {"direction", "increment", "bump"},
                                           .values = std::vector<double>(30)};
       }),
       "/result.nc: force_direct: has the dimensions (direction, increment, bump), expected (direction, increment)");
   for (const std::string name : {"displacement", "force_direct"}) {
-    EXPECT_EQ(fault_of([&](SmallFile& file) { file.variables[name] = {.dims = {}, .values = {1.0}}; }),
+    EXPECT_EQ(error_of([&](SmallFile& file) { file.variables[name] = {.dims = {}, .values = {1.0}}; }),
               "/result.nc: " + name + ": has the dimensions (), expected (direction, increment)");
   }
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.variables["direction"] = {.dims = {"bump"}, .values = {1, 2, 3}};
             }),
             "/result.nc: direction: has the dimensions (bump), expected (direction)");
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.variables["direction"].values = {0.0, std::numeric_limits<double>::infinity()};
             }),
             "/result.nc: direction: has a value that is not numeric");
-  EXPECT_EQ(fault_of([](SmallFile& file) { file.variables["crest_v"] = {.type = NC_CHAR, .dims = {"bump"}}; }),
+  EXPECT_EQ(error_of([](SmallFile& file) { file.variables["crest_v"] = {.type = NC_CHAR, .dims = {"bump"}}; }),
             "/result.nc: crest_v: does not contain numbers of a type used in results");
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.dims.erase("foot");
               file.variables.erase("foot");
             }),
@@ -223,14 +223,14 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
   getrusage(RUSAGE_SELF, &before);
   for (const char* dim : {"direction", "increment", "bump", "foot"}) {
     EXPECT_EQ(
-        fault_of([&](SmallFile& file) {
+        error_of([&](SmallFile& file) {
           file.dims[dim] = 2'000'000'000;
           file.variables.clear();
           file.variables["crest_v"] = {.dims = {"direction", "increment", "bump"}, .values = {}, .chunk = {1, 1, 1}};
         }).find(std::string("/result.nc: ") + dim + ": is declared with 2000000000 values"),
         0U);
   }
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.dims["increment"] = 2'001;
               file.dims["bump"] = 2'000;
               file.dims["foot"] = 2'000;
@@ -242,7 +242,7 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
                   {"crest_v", {.dims = {"direction", "increment", "bump"}, .values = {}, .chunk = {1, 2'001, 2'000}}}};
             }).find("/result.nc: crest_v: is declared "),
             std::string::npos);  // 32 MB in a file of 40 kB: possible with deflate
-  EXPECT_EQ(fault_of([](SmallFile& file) {
+  EXPECT_EQ(error_of([](SmallFile& file) {
               file.dims["increment"] = 2'001;
               file.dims["bump"] = 9'000;
               file.variables["increment"] = {.type = NC_INT, .dims = {"bump"}};
@@ -261,10 +261,10 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
 
 TEST(DamagedResult, FillValuesThatAreNotOne) {
   for (const char* name : {"displacement", "force_direct", "crest_v", "bump_rise"}) {
-    EXPECT_EQ(fault_of([&](SmallFile& file) { file.variables[name].fill.assign(1000, 1.0); }),
+    EXPECT_EQ(error_of([&](SmallFile& file) { file.variables[name].fill.assign(1000, 1.0); }),
               std::string("/result.nc: ") + name +
                   ": has 1000 values of its type in _FillValue, expected one of its own type");
-    EXPECT_EQ(fault_of([&](SmallFile& file) {
+    EXPECT_EQ(error_of([&](SmallFile& file) {
                 file.variables[name].fill = {1.0};
                 file.variables[name].fill_type = NC_BYTE;
               }),
@@ -274,30 +274,30 @@ TEST(DamagedResult, FillValuesThatAreNotOne) {
 }
 
 TEST(DamagedResult, FilesThatAreNoResult) {
-  EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["schema"] = "other/1"; }),
+  EXPECT_EQ(error_of([](SmallFile& file) { file.texts["schema"] = "other/1"; }),
             "/result.nc: is not a result of this program");
-  EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["schema"] = "bumpfoil-result/9"; }),
+  EXPECT_EQ(error_of([](SmallFile& file) { file.texts["schema"] = "bumpfoil-result/9"; }),
             "/result.nc: schema: is \"bumpfoil-result/9\", which this version cannot read: use the one that wrote it");
-  EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["bumpfoil_command"] = "orbit\x1b[2J"; }),
+  EXPECT_EQ(error_of([](SmallFile& file) { file.texts["bumpfoil_command"] = "orbit\x1b[2J"; }),
             "/result.nc: is a result of `bumpfoil orbit\\x1b[2J`, which reports cannot show");
   SmallResult result;
   for (const std::string bytes : {"", "CDF\001", "no netCDF at all", "\x89HDF\r\n\x1a\n"}) {
     result.folder().write("result.nc", bytes);
     result.write(small_summary());
-    EXPECT_EQ(result.fault().find("/result.nc: "), 0U);
-    EXPECT_EQ(result.fault(false), result.fault());
+    EXPECT_EQ(result.error().find("/result.nc: "), 0U);
+    EXPECT_EQ(result.error(false), result.error());
   }
 }
 
 TEST(DamagedSummary, TextsThatAreNone) {
-  EXPECT_EQ(fault_of_summary(nullptr), "/summary.json: is not a summary of this program");
-  EXPECT_EQ(fault_of_summary(json::array()), "/summary.json: is not a summary of this program");
-  EXPECT_EQ(fault_of_summary(1.0), "/summary.json: is not a summary of this program");
-  EXPECT_EQ(fault_of_summary(json::object()), "/summary.json: is not a summary of this program");
+  EXPECT_EQ(error_of_summary(nullptr), "/summary.json: is not a summary of this program");
+  EXPECT_EQ(error_of_summary(json::array()), "/summary.json: is not a summary of this program");
+  EXPECT_EQ(error_of_summary(1.0), "/summary.json: is not a summary of this program");
+  EXPECT_EQ(error_of_summary(json::object()), "/summary.json: is not a summary of this program");
   SmallResult result;
   result.write(SmallFile());
   result.folder().write("summary.json", "{\"schema\": ");
-  EXPECT_EQ(result.fault(), "/summary.json: cannot be read: it is not JSON");
+  EXPECT_EQ(result.error(), "/summary.json: cannot be read: it is not JSON");
   for (const char bracket : {'[', '{'}) {
     std::string deep(200'000, bracket);
     if (bracket == '{') {
@@ -305,7 +305,7 @@ TEST(DamagedSummary, TextsThatAreNone) {
       for (int i = 0; i < 200'000; ++i) deep += "{\"a\":";
     }
     result.folder().write("summary.json", deep);
-    EXPECT_EQ(result.fault(), "/summary.json: is nested more than 16 levels deep");
+    EXPECT_EQ(result.error(), "/summary.json: is nested more than 16 levels deep");
   }
 }
 
@@ -313,54 +313,54 @@ TEST(DamagedSummary, KeysThatAreMissingOrOfAnotherType) {
   for (const char* key : {"command", "case", "version", "commit", "solver", "status", "run_id", "cycles"}) {
     json summary = small_summary();
     summary.erase(key);
-    EXPECT_EQ(fault_of_summary(summary), std::string("/summary.json: ") + key + ": is missing");
+    EXPECT_EQ(error_of_summary(summary), std::string("/summary.json: ") + key + ": is missing");
     for (const json& other : {json(1.0), json(nullptr), json{1}}) {
       if (other.is_array() && summary[key].is_array()) continue;
       summary[key] = other;
-      EXPECT_EQ(fault_of_summary(summary).find(std::string("/summary.json: ")), 0U) << key << other;
+      EXPECT_EQ(error_of_summary(summary).find(std::string("/summary.json: ")), 0U) << key << other;
     }
   }
   for (const char* key : {"direction_deg", "amplitude_m", "steps", "converged", "max_force_N"}) {
     json summary = small_summary();
     summary["cycles"][1].erase(key);
-    EXPECT_EQ(fault_of_summary(summary), std::string("/summary.json: ") + key + ": is missing");
+    EXPECT_EQ(error_of_summary(summary), std::string("/summary.json: ") + key + ": is missing");
     summary["cycles"][1][key] = "text";
-    EXPECT_EQ(fault_of_summary(summary).find(std::string("/summary.json: ") + key + ": is n"), 0U) << key;
+    EXPECT_EQ(error_of_summary(summary).find(std::string("/summary.json: ") + key + ": is n"), 0U) << key;
   }
   json summary = small_summary();
   summary["cycles"][1]["status"] = "tired";
-  EXPECT_EQ(fault_of_summary(summary).find("/summary.json: status: is not one of converged, no_modes, "), 0U);
+  EXPECT_EQ(error_of_summary(summary).find("/summary.json: status: is not one of converged, no_modes, "), 0U);
   summary = small_summary();
   summary["cycles"][1]["amplitude_m"] = nullptr;  // under load control, before it is known
-  EXPECT_EQ(fault_of_summary(summary), "");
+  EXPECT_EQ(error_of_summary(summary), "");
   summary = small_summary();
   summary["schema"] = "bumpfoil-summary/9";
   EXPECT_EQ(
-      fault_of_summary(summary),
+      error_of_summary(summary),
       "/summary.json: schema: is \"bumpfoil-summary/9\", which this version cannot read: use the one that wrote it");
   summary["schema"] = 1;
-  EXPECT_EQ(fault_of_summary(summary), "/summary.json: schema: is not a string");
+  EXPECT_EQ(error_of_summary(summary), "/summary.json: schema: is not a string");
   summary = small_summary();
   summary["cycles"][0] = nullptr;
-  EXPECT_EQ(fault_of_summary(summary), "/summary.json: direction_deg: is missing");
+  EXPECT_EQ(error_of_summary(summary), "/summary.json: direction_deg: is missing");
 }
 
 TEST(DamagedSummary, OfAnotherRun) {
   const std::string told = ": differs from that of result.nc in the same folder: they are of two runs, or damaged";
-  const auto fault = [](const std::function<void(json&)>& change) {
+  const auto error = [](const std::function<void(json&)>& change) {
     json summary = small_summary();
     change(summary);
-    return fault_of_summary(summary);
+    return error_of_summary(summary);
   };
-  EXPECT_EQ(fault([](json& summary) { summary["run_id"] = "of another"; }), "/summary.json: run_id" + told);
-  EXPECT_EQ(fault([](json& summary) { summary["run_id"] = ""; }), "/summary.json: run_id: is empty");
-  EXPECT_EQ(fault([](json& summary) { summary["cycles"][1]["direction_deg"] = 180.0; }),
+  EXPECT_EQ(error([](json& summary) { summary["run_id"] = "of another"; }), "/summary.json: run_id" + told);
+  EXPECT_EQ(error([](json& summary) { summary["run_id"] = ""; }), "/summary.json: run_id: is empty");
+  EXPECT_EQ(error([](json& summary) { summary["cycles"][1]["direction_deg"] = 180.0; }),
             "/summary.json: direction_deg" + told);
-  EXPECT_EQ(fault([](json& summary) { summary["cycles"][1]["steps"] = 3; }), "/summary.json: steps" + told);
-  EXPECT_EQ(fault([](json& summary) { summary["cycles"].erase(1); }), "/summary.json: cycles" + told);
-  EXPECT_EQ(fault([](json& summary) { summary["cycles"].push_back(summary["cycles"][0]); }),
+  EXPECT_EQ(error([](json& summary) { summary["cycles"][1]["steps"] = 3; }), "/summary.json: steps" + told);
+  EXPECT_EQ(error([](json& summary) { summary["cycles"].erase(1); }), "/summary.json: cycles" + told);
+  EXPECT_EQ(error([](json& summary) { summary["cycles"].push_back(summary["cycles"][0]); }),
             "/summary.json: cycles" + told);
-  EXPECT_EQ(fault([](json& summary) {
+  EXPECT_EQ(error([](json& summary) {
               summary["command"] = "strip";
               summary["case"]["strip"] = json::object();
               for (json& cycle : summary["cycles"]) cycle["cycle"] = 1;
@@ -374,21 +374,21 @@ TEST(DamagedResult, ChecksumsTellUnlessTheyAreLeftOut) {
   json summary = small_summary();
   summary["files"] = {{"result.nc", {{"bytes", 7}, {"xxh3_128", "0"}}}};
   result.write_as_it_is(summary);
-  EXPECT_EQ(result.fault().find("/result.nc: is damaged: it has "), 0U);
-  EXPECT_EQ(result.fault(false), "");
+  EXPECT_EQ(result.error().find("/result.nc: is damaged: it has "), 0U);
+  EXPECT_EQ(result.error(false), "");
   summary["files"]["result.nc"]["bytes"] = result.folder().read("result.nc").size();
   result.write_as_it_is(summary);
-  EXPECT_EQ(result.fault().find("/result.nc: is damaged: its checksum "), 0U);
-  EXPECT_EQ(result.fault(false), "");
+  EXPECT_EQ(result.error().find("/result.nc: is damaged: its checksum "), 0U);
+  EXPECT_EQ(result.error(false), "");
   summary["files"] = json::object();
   result.write_as_it_is(summary);
-  EXPECT_EQ(result.fault().find("/result.nc: is damaged: summary.json does not list it"), 0U);
-  EXPECT_EQ(result.fault(false), "");
+  EXPECT_EQ(result.error().find("/result.nc: is damaged: summary.json does not list it"), 0U);
+  EXPECT_EQ(result.error(false), "");
   for (const json& files : {json(nullptr), json{1}, json{{"result.nc", nullptr}}, json{{"result.nc", {{"bytes", -1}}}},
                             json{{"result.nc", {{"bytes", 1}, {"xxh3_128", 2}}}}}) {
     summary["files"] = files;
     result.write_as_it_is(summary);
-    EXPECT_EQ(result.fault().find("/summary.json: "), 0U) << files;
+    EXPECT_EQ(result.error().find("/summary.json: "), 0U) << files;
   }
 }
 
@@ -398,16 +398,16 @@ TEST(DamagedResult, OtherSchemasAndSummariesWithoutChecksumsAreRefused) {
   json summary = small_summary();
   summary["schema"] = "bumpfoil-summary/1";
   result.write(summary);
-  EXPECT_EQ(result.fault().find("/summary.json: schema: is \"bumpfoil-summary/1\""), 0U) << result.fault();
+  EXPECT_EQ(result.error().find("/summary.json: schema: is \"bumpfoil-summary/1\""), 0U) << result.error();
   summary = small_summary();
   summary.erase("run_id");
   result.folder().write("summary.json", summary.dump());
-  EXPECT_EQ(result.fault().find("/summary.json: xxh3_128: "), 0U) << result.fault();
+  EXPECT_EQ(result.error().find("/summary.json: xxh3_128: "), 0U) << result.error();
   SmallFile file;
   file.texts["schema"] = "bumpfoil-result/1";
   result.write(file);
   result.write(small_summary());
-  EXPECT_EQ(result.fault().find("/result.nc: "), 0U) << result.fault();
+  EXPECT_EQ(result.error().find("/result.nc: "), 0U) << result.error();
 }
 
 TEST(DamagedResult, HundredsOfDamagedFilesAreTold) {

@@ -272,7 +272,7 @@ TEST(DesignerAnswer, RunsBearingsOfAnEnsemble) {
   EXPECT_EQ(states_of(request), states_of(second));
   json without = request;
   without["text"] = running_text();
-  EXPECT_EQ(ask(without)["faults"][0]["key"], "montecarlo");
+  EXPECT_EQ(ask(without)["errors"][0]["key"], "montecarlo");
 }
 
 TEST(DesignerAnswer, RunsWhatSaysNothingOfRunning) {
@@ -293,14 +293,14 @@ TEST(DesignerAnswer, KnowsPads) {
 }
 
 TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
-  const auto fault = [](const std::string& text, double speed) {
-    return ask({{"what", "equilibrium"}, {"text", text}, {"speeds", {speed}}, {"loads", {{50.0, 0.0}}}})["faults"][0];
+  const auto error = [](const std::string& text, double speed) {
+    return ask({{"what", "equilibrium"}, {"text", text}, {"speeds", {speed}}, {"loads", {{50.0, 0.0}}}})["errors"][0];
   };
-  EXPECT_EQ(fault(running_text(), 0.0)["what"], "a journal at rest has no film");
-  EXPECT_EQ(fault(running_text(), 0.0)["key"], "equilibrium.speeds[1]");
+  EXPECT_EQ(error(running_text(), 0.0)["what"], "a journal at rest has no film");
+  EXPECT_EQ(error(running_text(), 0.0)["key"], "equilibrium.speeds[1]");
   Case events = parse_case(running_text(), "case");
   events.solver.name = SolverName::events;
-  EXPECT_EQ(fault(case_to_toml(events), 3000.0)["key"], "solver.name");
+  EXPECT_EQ(error(case_to_toml(events), 3000.0)["key"], "solver.name");
 }
 
 /// A rotor of 2 kg whose whirl starts between these speeds, rad/s.
@@ -355,7 +355,7 @@ TEST(DesignerAnswer, FollowsTheRotorOverSpeedsOnAMeshThatIsCoarseEnough) {
   input.film.rows = 2;
   EXPECT_EQ(onset_of({6, 2}), expected());
   EXPECT_NE(onset_of({6, 2}), own);
-  EXPECT_EQ(ask({{"what", "stability"}, {"text", running_text()}, {"speeds", rotor_speeds}})["faults"][0]["key"],
+  EXPECT_EQ(ask({{"what", "stability"}, {"text", running_text()}, {"speeds", rotor_speeds}})["errors"][0]["key"],
             "rotor");
 }
 
@@ -398,33 +398,33 @@ TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
   };
   EXPECT_EQ(of_last("mean"), answer["statistics"][3]["max_force_N"]["mean"]);
   EXPECT_EQ(of_last("undefined"), 1);
-  EXPECT_EQ(ask({{"what", "samples"}, {"text", case_text()}, {"first", 0}, {"count", 1}})["faults"][0]["key"],
+  EXPECT_EQ(ask({{"what", "samples"}, {"text", case_text()}, {"first", 0}, {"count", 1}})["errors"][0]["key"],
             "montecarlo");
 }
 
 TEST(DesignerAnswer, SaysWhichTableIsMissingForLoops) {
   const std::string text = case_text();
   const json answer = ask({{"what", "cycles"}, {"text", text.substr(0, text.find("[cycle]"))}});
-  ASSERT_EQ(answer["faults"].size(), 1U);
-  EXPECT_EQ(answer["faults"][0]["key"], "cycle");
+  ASSERT_EQ(answer["errors"].size(), 1U);
+  EXPECT_EQ(answer["errors"][0]["key"], "cycle");
 }
 
-TEST(DesignerAnswer, TellsEveryFaultWithItsKey) {
+TEST(DesignerAnswer, TellsEveryErrorWithItsKey) {
   const json answer = ask({{"what", "cycles"}, {"text", "[bearing]\nradius = \"-1 mm\"\nraduis = 1\n"}});
   EXPECT_FALSE(answer.contains("run"));
-  const auto fault = [&answer](const std::string& key) {
-    for (const json& one : answer["faults"]) {
+  const auto error = [&answer](const std::string& key) {
+    for (const json& one : answer["errors"]) {
       if (one["key"] == key) return one;
     }
     return json{};
   };
-  EXPECT_EQ(fault("bearing.radius")["line"], 2);
-  EXPECT_EQ(fault("bearing.raduis")["advice"], "did you mean \"radius\"?");
-  EXPECT_EQ(fault("bump_foil")["what"], "this table is missing");
-  EXPECT_EQ(fault("bearing.raduis")["message"].get<std::string>().find("bearing.raduis = 1: unknown key"), 0U);
-  EXPECT_EQ(ask({{"what", "parsnips"}})["faults"][0]["what"], "is not a request");
+  EXPECT_EQ(error("bearing.radius")["line"], 2);
+  EXPECT_EQ(error("bearing.raduis")["advice"], "did you mean \"radius\"?");
+  EXPECT_EQ(error("bump_foil")["what"], "this table is missing");
+  EXPECT_EQ(error("bearing.raduis")["message"].get<std::string>().find("bearing.raduis = 1: unknown key"), 0U);
+  EXPECT_EQ(ask({{"what", "parsnips"}})["errors"][0]["what"], "is not a request");
   // Files cannot be read in a browser; invalid UTF-8 is repaired.
-  EXPECT_EQ(ask({{"what", "cycles"}, {"text", "x = ["}})["faults"][0]["line"], 1);
+  EXPECT_EQ(ask({{"what", "cycles"}, {"text", "x = ["}})["errors"][0]["line"], 1);
 }
 
 }  // namespace

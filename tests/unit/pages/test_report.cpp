@@ -80,12 +80,12 @@ std::vector<float> numbers_of(const json& text) {
   return numbers;
 }
 
-std::vector<Fault> faults_of(const std::vector<std::filesystem::path>& folders, bool checked = true) {
+std::vector<InputError> errors_of(const std::vector<std::filesystem::path>& folders, bool checked = true) {
   try {
     report_json(folders, {.checked = checked});
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::file);
-    return error.faults();
+    return error.errors();
   }
   return {};
 }
@@ -379,17 +379,18 @@ TEST(Report, NamesEveryFolderThatHoldsNoResult) {
   drawn.write("ensemble.nc", "");
   const Results cut(run_cycles(short_case()));
   cut.folder().write("summary.json", "{\"schema\": ");
-  const std::vector<Fault> faults = faults_of({empty.path() / "nowhere", good.path(), empty.path(),
-                                               good.path() / "summary.json", broken.path(), cut.path(), drawn.path()});
-  ASSERT_EQ(faults.size(), 6U);
-  EXPECT_EQ(faults[0].file, (empty.path() / "nowhere").string());
-  EXPECT_EQ(faults[0].what, "does not exist");
-  EXPECT_EQ(faults[1].what, "contains no results: result.nc is missing");
-  EXPECT_EQ(faults[2].what, "is not a folder");
-  EXPECT_EQ(faults[3].file, (broken.path() / "result.nc").string());
-  EXPECT_NE(faults[3].what.find("is damaged: it has 16 bytes"), std::string::npos);
-  EXPECT_EQ(faults[4].what, "cannot be read: it is not JSON");
-  EXPECT_EQ(faults[5].what, "contains no results: summary.json is missing");
+  const std::vector<InputError> errors =
+      errors_of({empty.path() / "nowhere", good.path(), empty.path(), good.path() / "summary.json", broken.path(),
+                 cut.path(), drawn.path()});
+  ASSERT_EQ(errors.size(), 6U);
+  EXPECT_EQ(errors[0].file, (empty.path() / "nowhere").string());
+  EXPECT_EQ(errors[0].what, "does not exist");
+  EXPECT_EQ(errors[1].what, "contains no results: result.nc is missing");
+  EXPECT_EQ(errors[2].what, "is not a folder");
+  EXPECT_EQ(errors[3].file, (broken.path() / "result.nc").string());
+  EXPECT_NE(errors[3].what.find("is damaged: it has 16 bytes"), std::string::npos);
+  EXPECT_EQ(errors[4].what, "cannot be read: it is not JSON");
+  EXPECT_EQ(errors[5].what, "contains no results: summary.json is missing");
 }
 
 TEST(Report, ReadsTheNewSetWhereItsPublicationWasCutShort) {
@@ -424,17 +425,17 @@ TEST(Report, ReadsTheNewSetWhereItsPublicationWasCutShort) {
 TEST(Report, TakesNoOtherNetcdfForAResult) {
   const Results results(run_cycles(short_case()));
   netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::replace).putAtt("schema", "other/1");
-  const std::vector<Fault> faults = faults_of({results.path()}, false);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].what, "is not a result of this program");
+  const std::vector<InputError> errors = errors_of({results.path()}, false);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].what, "is not a result of this program");
 }
 
 TEST(Report, SaysWhichResultsItCannotShow) {
   const Results results(run_cycles(short_case()));
   netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::write).putAtt("bumpfoil_command", "orbit");
-  const std::vector<Fault> faults = faults_of({results.path()}, false);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].what, "is a result of `bumpfoil orbit`, which reports cannot show");
+  const std::vector<InputError> errors = errors_of({results.path()}, false);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].what, "is a result of `bumpfoil orbit`, which reports cannot show");
 }
 
 TEST(Report, KeepsHostileTextsInsideTheirScriptElement) {

@@ -62,7 +62,7 @@ TEST_F(ReportOfEnsembles, AReportShowsDistributionsAndTheFirstBearings) {
 }
 
 TEST_F(ReportOfEnsembles, AReportSaysWhatIsDamaged) {
-  const auto fault = [this](const auto& spoil) {
+  const auto error = [this](const auto& spoil) {
     json summary = json::parse(folder_.read("results/summary.json"));
     spoil(summary);
     folder_.write("results/summary.json", summary.dump());
@@ -73,12 +73,12 @@ TEST_F(ReportOfEnsembles, AReportSaysWhatIsDamaged) {
     }
     return std::string();
   };
-  EXPECT_NE(fault([](json& summary) { summary["samples"] = 5; }).find("samples: differs from that of ensemble.nc"),
+  EXPECT_NE(error([](json& summary) { summary["samples"] = 5; }).find("samples: differs from that of ensemble.nc"),
             std::string::npos);
-  EXPECT_NE(fault([](json& summary) { summary["limits"][0].erase("passed"); }).find("passed: is missing"),
+  EXPECT_NE(error([](json& summary) { summary["limits"][0].erase("passed"); }).find("passed: is missing"),
             std::string::npos);
   EXPECT_NE(
-      fault([](json& summary) { summary["statistics"] = 1; }).find("statistics: is not a table by direction or state"),
+      error([](json& summary) { summary["statistics"] = 1; }).find("statistics: is not a table by direction or state"),
       std::string::npos);
 }
 

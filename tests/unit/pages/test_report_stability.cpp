@@ -51,9 +51,9 @@ TEST_F(ReportOfRotors, HasMotionsOnsetsAndTheWordsForThem) {
 
 TEST_F(ReportOfRotors, RefusesOnsetsThatAreNone) {
   const json onset = shown().at("summary").at("onsets").at(0);
-  EXPECT_EQ(fault_of("onsets", json::array({onset})), "");
-  EXPECT_EQ(fault_of("onsets", nullptr), "/summary.json: onsets: is missing");
-  EXPECT_EQ(fault_of("onsets", "none"), "/summary.json: onsets: is not a list");
+  EXPECT_EQ(error_of("onsets", json::array({onset})), "");
+  EXPECT_EQ(error_of("onsets", nullptr), "/summary.json: onsets: is missing");
+  EXPECT_EQ(error_of("onsets", "none"), "/summary.json: onsets: is not a list");
   expect_refused_without("onsets", onset, json::array(), "is n");
 }
 

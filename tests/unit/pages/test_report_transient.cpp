@@ -91,21 +91,21 @@ TEST_F(ReportOfRunsInTime, HasAPartOfALongRun) {
 
 TEST_F(ReportOfRunsInTime, RefusesListsThatAreNone) {
   const json rub{{"bearing", 1}, {"begin_s", 0.01}, {"end_s", 0.02}, {"asperity_load_N", 3.0}};
-  EXPECT_EQ(fault_of("rubs", json::array({rub})), "");
+  EXPECT_EQ(error_of("rubs", json::array({rub})), "");
   EXPECT_EQ(shown().at("summary").at("rubs"), json::array({rub}));
-  EXPECT_EQ(fault_of("rubs", json(std::vector<json>(1200, rub))), "");
+  EXPECT_EQ(error_of("rubs", json(std::vector<json>(1200, rub))), "");
   EXPECT_EQ(shown().at("summary").at("rubs").size(), 1000U);
   EXPECT_EQ(shown().at("summary").at("rub_count"), 1200);
   expect_refused_without("rubs", rub, "none", "is not a");
-  EXPECT_EQ(fault_of("rubs", nullptr), "/summary.json: rubs: is missing");
-  EXPECT_EQ(fault_of("rubs", "none"), "/summary.json: rubs: is not a list");
-  EXPECT_EQ(fault_of("rubs", json::array()), "");
-  EXPECT_EQ(fault_of("energy", {{"forces_J", "much"}}), "/summary.json: forces_J: is not a number");
-  EXPECT_EQ(fault_of("energy", 1), "/summary.json: energy: is not a table");
-  EXPECT_EQ(fault_of("energy", json::object()), "");
-  EXPECT_EQ(fault_of("revolutions", -1), "/summary.json: revolutions: is not an integer");
-  EXPECT_EQ(fault_of("revolutions", 12), "");
-  EXPECT_EQ(fault_of("stations", nullptr), "/summary.json: stations: is missing");
+  EXPECT_EQ(error_of("rubs", nullptr), "/summary.json: rubs: is missing");
+  EXPECT_EQ(error_of("rubs", "none"), "/summary.json: rubs: is not a list");
+  EXPECT_EQ(error_of("rubs", json::array()), "");
+  EXPECT_EQ(error_of("energy", {{"forces_J", "much"}}), "/summary.json: forces_J: is not a number");
+  EXPECT_EQ(error_of("energy", 1), "/summary.json: energy: is not a table");
+  EXPECT_EQ(error_of("energy", json::object()), "");
+  EXPECT_EQ(error_of("revolutions", -1), "/summary.json: revolutions: is not an integer");
+  EXPECT_EQ(error_of("revolutions", 12), "");
+  EXPECT_EQ(error_of("stations", nullptr), "/summary.json: stations: is missing");
 }
 
 }  // namespace

@@ -47,13 +47,13 @@ TEST_F(ReportOfUnbalance, HasResponsesPeaksAndTheWordsForThem) {
 
 TEST_F(ReportOfUnbalance, RefusesPeaksThatAreNone) {
   const json peak = shown().at("summary").at("peaks").at(0);
-  EXPECT_EQ(fault_of("peaks", json::array({peak})), "");
-  EXPECT_EQ(fault_of("peaks", nullptr), "/summary.json: peaks: is missing");
-  EXPECT_EQ(fault_of("peaks", "none"), "/summary.json: peaks: is not a list");
+  EXPECT_EQ(error_of("peaks", json::array({peak})), "");
+  EXPECT_EQ(error_of("peaks", nullptr), "/summary.json: peaks: is missing");
+  EXPECT_EQ(error_of("peaks", "none"), "/summary.json: peaks: is not a list");
   expect_refused_without("peaks", peak, json::array(), "is not a ");
-  EXPECT_EQ(fault_of("peaks", json::array()), "");
-  EXPECT_EQ(fault_of("stations", json::array({1})), "/summary.json: stations: is not a list of names");
-  EXPECT_EQ(fault_of("stations", nullptr), "/summary.json: stations: is missing");
+  EXPECT_EQ(error_of("peaks", json::array()), "");
+  EXPECT_EQ(error_of("stations", json::array({1})), "/summary.json: stations: is not a list of names");
+  EXPECT_EQ(error_of("stations", nullptr), "/summary.json: stations: is missing");
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ TEST(EnsembleIdentity, EveryDifferenceIsNamed) {
   other.montecarlo->seed = 2;
   other.bump_foil.height = 0.6e-3;
   other.montecarlo->friction_top_bump.reset();
-  const std::string faults = refusal(run_identity(input), other);
+  const std::string errors = refusal(run_identity(input), other);
   for (const char* one : {"ensemble.checkpoint: bump_foil.height = 0.000508: is 0.0006 now",
                           "montecarlo.seed = 1: is 2 now", "montecarlo.friction_top_bump.std = 0.01: is none now"}) {
-    EXPECT_NE(faults.find(one), std::string::npos) << faults;
+    EXPECT_NE(errors.find(one), std::string::npos) << errors;
   }
   std::string elsewhere = run_identity(input);
   const std::size_t end = elsewhere.find('\n');

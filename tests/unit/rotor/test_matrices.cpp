@@ -49,12 +49,12 @@ RotorMatrices matrices_of(const Rotor& rotor) {
   return matrices;
 }
 
-std::vector<std::string> faulty_after(const std::function<void(RotorMatrices&, std::size_t n)>& change) {
+std::vector<std::string> wrong_after(const std::function<void(RotorMatrices&, std::size_t n)>& change) {
   const Rotor rotor = make_flexible_rotor(shaft);
   RotorMatrices matrices = matrices_of(rotor);
   change(matrices, static_cast<std::size_t>(rotor.size()));
   std::vector<std::string> keys;
-  for (const Fault& fault : find_matrix_faults(matrices)) keys.push_back(fault.key);
+  for (const InputError& error : find_matrix_errors(matrices)) keys.push_back(error.key);
   return keys;
 }
 
@@ -64,7 +64,7 @@ using Keys = std::vector<std::string>;
 TEST(MakeRotor, OfTheMatricesOfAShaftIsThatShaft) {
   const Rotor expected = make_flexible_rotor(shaft);
   const RotorMatrices matrices = matrices_of(expected);
-  ASSERT_TRUE(find_matrix_faults(matrices).empty());
+  ASSERT_TRUE(find_matrix_errors(matrices).empty());
   const Rotor rotor = make_rotor(matrices);
   // Displacements under tilt come from a system with a condition number of 1e6.
   EXPECT_LT((rotor.rigid - expected.rigid).cwiseAbs().maxCoeff(), 1e-9);
@@ -92,61 +92,61 @@ TEST(MakeRotor, TakesARigidRotor) {
                          .gyroscopic = rows_of(T.transpose() * rigid.gyroscopic * T),
                          .stiffness = std::vector<double>(16, 0.0),
                          .bearings = {{"a", -0.06, 0, 1}, {"b", 0.07, 2, 3}}};
-  for (const Fault& fault : find_matrix_faults(matrices)) ADD_FAILURE() << format_fault(fault);
+  for (const InputError& error : find_matrix_errors(matrices)) ADD_FAILURE() << format_error(error);
   const Rotor rotor = make_rotor(matrices);
   EXPECT_LT((rotor.rigid - B).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_NEAR(rotor.total_mass(), 2.0, 1e-12);
   EXPECT_EQ(reduce_rotor(rotor, 1000.0).rotor.size(), 4);
 }
 
-TEST(FindMatrixFaults, NamesWhatIsWrong) {
-  EXPECT_EQ(faulty_after([](RotorMatrices&, std::size_t) {}), Keys{});
+TEST(FindMatrixErrors, NamesWhatIsWrong) {
+  EXPECT_EQ(wrong_after([](RotorMatrices&, std::size_t) {}), Keys{});
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.mass.pop_back(); }), Keys{"M"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stiffness.pop_back(); }), Keys{"K"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) {
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.mass.pop_back(); }), Keys{"M"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.stiffness.pop_back(); }), Keys{"K"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) {
               m.damping.clear();
               m.gyroscopic.clear();
             }),
             (Keys{"C", "G"}));
-  EXPECT_EQ(faulty_after([nan](RotorMatrices& m, std::size_t n) { m.stiffness[2 * n + 3] = nan; }), Keys{"K[3][4]"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t n) { m.mass[n] += 1.0; }), Keys{"M[2][1]"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t n) {
+  EXPECT_EQ(wrong_after([nan](RotorMatrices& m, std::size_t n) { m.stiffness[2 * n + 3] = nan; }), Keys{"K[3][4]"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t n) { m.mass[n] += 1.0; }), Keys{"M[2][1]"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t n) {
               m.stiffness[4 * n] *= 1.001;
               m.gyroscopic[n + 1] = 1e-3;
             }),
             (Keys{"G[2][2]", "K[5][1]"}));
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.mass[0] = 0.0; }), Keys{"M"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stiffness[0] *= 0.5; }), Keys{"K"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.mass[0] = 0.0; }), Keys{"M"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.stiffness[0] *= 0.5; }), Keys{"K"});
   // Springs to ground as stiff as a soft bearing.
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t n) {
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t n) {
               for (std::size_t i = 0; i < n; ++i) m.stiffness[i * n + i] += 1e5;
             }),
             Keys{"K"});
   // That of a rotor turning from Y to X.
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) {
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) {
               for (double& one : m.gyroscopic) one = -one;
             }),
             Keys{"G"});
 }
 
-TEST(FindMatrixFaults, ChecksPlaces) {
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.bearings.pop_back(); }), Keys{"bearing"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t n) { m.bearings[1].x = static_cast<int>(n); }),
+TEST(FindMatrixErrors, ChecksPlaces) {
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.bearings.pop_back(); }), Keys{"bearing"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t n) { m.bearings[1].x = static_cast<int>(n); }),
             Keys{"bearing[2].x"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.bearings[1].x = m.bearings[0].x; }),
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.bearings[1].x = m.bearings[0].x; }),
             Keys{"bearing[2].x"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stations[0].y = m.stations[0].x; }),
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.stations[0].y = m.stations[0].x; }),
             Keys{"station[1].y"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stations[1].name = "begin"; }), Keys{"station[2].name"});
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.bearings[1].z = m.bearings[0].z; }),
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.stations[1].name = "begin"; }), Keys{"station[2].name"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.bearings[1].z = m.bearings[0].z; }),
             Keys{"bearing[2].z"});
   // Positions that do not match their unknowns.
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stations[1].z += 1e-3; }),
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.stations[1].z += 1e-3; }),
             (Keys{"station[2].x", "station[2].y"}));
-  EXPECT_EQ(faulty_after([](RotorMatrices& m, std::size_t) { m.stations[1].x += 4; }), Keys{"station[2].x"});
+  EXPECT_EQ(wrong_after([](RotorMatrices& m, std::size_t) { m.stations[1].x += 4; }), Keys{"station[2].x"});
   // Restraining a rotation instead of a displacement is not a bearing.
-  EXPECT_FALSE(faulty_after([](RotorMatrices& m, std::size_t) { m.bearings[1].x += 2; }).empty());
+  EXPECT_FALSE(wrong_after([](RotorMatrices& m, std::size_t) { m.bearings[1].x += 2; }).empty());
 }
 
 }  // namespace

@@ -201,13 +201,13 @@ TEST(TrussConstants, FeetCarryWhatCrestsDoNot) {
   }
 }
 
-TEST(TrussConstants, FaultsNameTheBump) {
+TEST(TrussConstants, ErrorsNameTheBump) {
   FoilDesign foils = two_groups();
   foils.bumps[7].pitch = 2.0 * foils.bumps[7].half_length + 4e-3;  // k2 < 0; k4 is not checked without a weld
-  const std::vector<Fault> faults = find_truss_faults(foils);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].key, "bump_foil.truss.k2");
-  EXPECT_NE(faults[0].what.find("for bump 8 among its neighbours"), std::string::npos) << faults[0].what;
+  const std::vector<InputError> errors = find_truss_errors(foils);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].key, "bump_foil.truss.k2");
+  EXPECT_NE(errors[0].what.find("for bump 8 among its neighbours"), std::string::npos) << errors[0].what;
 }
 
 TEST(Identification, FirstBumpOfTrussAndFrameAreEquallyStiff) {
@@ -256,20 +256,20 @@ TEST(TrussConstants, ShapesThatATrussCannotFollowAreRefusedWithAdvice) {
     make_truss_constants(make_bearing_design(input));
     FAIL() << "accepted";
   } catch (const Error& error) {
-    ASSERT_EQ(error.faults().size(), 1U);
+    ASSERT_EQ(error.errors().size(), 1U);
     EXPECT_EQ(error.kind(), ErrorKind::input);
-    EXPECT_EQ(error.faults()[0].key, "bump_foil.truss.k2");
-    EXPECT_NE(error.faults()[0].advice.find("frame"), std::string::npos);
+    EXPECT_EQ(error.errors()[0].key, "bump_foil.truss.k2");
+    EXPECT_NE(error.errors()[0].advice.find("frame"), std::string::npos);
   }
-  const std::vector<Fault> faults = find_truss_faults(make_bearing_design(input));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_TRUE(find_truss_faults(make_bearing_design(reference_case())).empty());
+  const std::vector<InputError> errors = find_truss_errors(make_bearing_design(input));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_TRUE(find_truss_errors(make_bearing_design(reference_case())).empty());
   input.bump_foil.truss.k2 = 1e6;
   const TrussConstants given = make_truss_constants(make_bearing_design(input)).front();
   EXPECT_EQ(given.k2, 1e6);
   // The reported k2 and the k2 + k3 of the advice, to the digits of messages.
-  const std::string& advice = faults[0].advice;
-  const double k2 = std::stod(faults[0].what.substr(faults[0].what.find("as ") + 3));
+  const std::string& advice = errors[0].advice;
+  const double k2 = std::stod(errors[0].what.substr(errors[0].what.find("as ") + 3));
   const double sum = std::stod(advice.substr(advice.rfind("= ") + 2));
   EXPECT_LT(k2, 0.0);
   EXPECT_NEAR(sum, k2 + given.k3, 1e-3 * sum);

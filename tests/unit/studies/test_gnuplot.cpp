@@ -22,9 +22,9 @@ TEST(Gnuplot, DrawsWithTheVariablesItIsGiven) {
   EXPECT_NE(svg.find("s drawn"), std::string::npos) << svg;
 }
 
-TEST(Gnuplot, TellsAFaultyScript) {
+TEST(Gnuplot, TellsAWrongScript) {
   const TemporaryFolder folder;
-  EXPECT_EQ(run_gnuplot(folder.write("faulty.gp", "plot nothing of this name\n"), {}), PlotStatus::failed);
+  EXPECT_EQ(run_gnuplot(folder.write("wrong.gp", "plot nothing of this name\n"), {}), PlotStatus::failed);
   EXPECT_EQ(run_gnuplot(folder.path() / "missing.gp", {}), PlotStatus::failed);
 }
 

@@ -137,25 +137,25 @@ TEST(Study, DataFromElsewhereHasTheColumnsOfTheLoops) {
 
 TEST(Study, WrongDescriptionsAreToldByKey) {
   const std::string text(smallest);
-  const auto key_of_fault = [](const std::string& description) {
+  const auto key_of_error = [](const std::string& description) {
     try {
       (void)parse_study(description, "wrong");
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::input);
-      EXPECT_EQ(error.faults().front().file, "wrong");
-      return error.faults().front().key;
+      EXPECT_EQ(error.errors().front().file, "wrong");
+      return error.errors().front().key;
     }
     return std::string("none");
   };
-  EXPECT_EQ(key_of_fault(text), "none");
-  EXPECT_EQ(key_of_fault("tables = [\"loops\"]"), "title");
-  EXPECT_EQ(key_of_fault("colour = 1\n" + text), "colour");
-  EXPECT_EQ(key_of_fault(text + "colour = 1\n"), "colour");
-  EXPECT_EQ(key_of_fault("title = \"\"\ntables = [\"loops\"]"), "run");
-  EXPECT_EQ(key_of_fault("tables = [\"loop\"]\ntitle = \"\""), "tables");
-  EXPECT_EQ(key_of_fault("data = [\"nowhere\"]\n" + text), "data");
-  EXPECT_EQ(key_of_fault("runs_of = 3\n" + text), "runs_of");
-  EXPECT_EQ(key_of_fault("increments = [\"a\"]\n" + text), "increments");
+  EXPECT_EQ(key_of_error(text), "none");
+  EXPECT_EQ(key_of_error("tables = [\"loops\"]"), "title");
+  EXPECT_EQ(key_of_error("colour = 1\n" + text), "colour");
+  EXPECT_EQ(key_of_error(text + "colour = 1\n"), "colour");
+  EXPECT_EQ(key_of_error("title = \"\"\ntables = [\"loops\"]"), "run");
+  EXPECT_EQ(key_of_error("tables = [\"loop\"]\ntitle = \"\""), "tables");
+  EXPECT_EQ(key_of_error("data = [\"nowhere\"]\n" + text), "data");
+  EXPECT_EQ(key_of_error("runs_of = 3\n" + text), "runs_of");
+  EXPECT_EQ(key_of_error("increments = [\"a\"]\n" + text), "increments");
 }
 
 TEST(Study, BrokenDescriptionsAreToldByLine) {
@@ -163,8 +163,8 @@ TEST(Study, BrokenDescriptionsAreToldByLine) {
     (void)parse_study("title = \"a\"\nruns =", "broken");
     FAIL() << "was read";
   } catch (const Error& error) {
-    EXPECT_EQ(error.faults().front().file, "broken");
-    EXPECT_EQ(error.faults().front().line, 2U);
+    EXPECT_EQ(error.errors().front().file, "broken");
+    EXPECT_EQ(error.errors().front().line, 2U);
   }
 }
 

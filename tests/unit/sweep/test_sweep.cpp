@@ -21,11 +21,12 @@ Sweep sweep_over(const Words& over, const Words& overrides = {}, const std::stri
   return parse_sweep(case_template("gen1"), "case.toml", {.command = command, .over = over, .overrides = overrides});
 }
 
-std::vector<Fault> faults_of(const Words& over, const Words& overrides = {}, const std::string& command = "cycle") {
+std::vector<InputError> errors_of(const Words& over, const Words& overrides = {},
+                                  const std::string& command = "cycle") {
   try {
     static_cast<void>(sweep_over(over, overrides, command));
   } catch (const Error& error) {
-    return error.faults();
+    return error.errors();
   }
   return {};
 }
@@ -83,9 +84,9 @@ TEST(Sweep, PointsAreTheSameAsBytes) {
 }
 
 TEST(Sweep, SpectraHaveOneAxis) {
-  const std::vector<Fault> faults = faults_of({"transient.revolutions_per_spectrum=[8, 16]"}, {}, "transient");
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].what, "is the same at all points");
+  const std::vector<InputError> errors = errors_of({"transient.revolutions_per_spectrum=[8, 16]"}, {}, "transient");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].what, "is the same at all points");
 }
 
 TEST(Sweep, TablesOfAListAreCounted) {
@@ -110,7 +111,7 @@ TEST(Sweep, GoesOverKeysOfPadsAndOfBearingsOfARotor) {
   EXPECT_EQ(bearing_at(sweep.cases[0], 1).bearing.radial_clearance, 28e-6);
   const Sweep pads = sweep_over({"pad[2].bump_foil.height=[0.5 mm, 0.51 mm]"}, {"bump_foil.bumps=7", "pad=[{}, {}]"});
   EXPECT_EQ(pads.cases[1].pads[1].bump_foil->height.at(0, 7), 0.51e-3);
-  EXPECT_EQ(faults_of({"rotor.bearing[2].bearing.clearance=[28 um, 30 um]"}, rotor, "stability").at(0).what,
+  EXPECT_EQ(errors_of({"rotor.bearing[2].bearing.clearance=[28 um, 30 um]"}, rotor, "stability").at(0).what,
             "unknown key");
 }
 
@@ -135,58 +136,58 @@ TEST(Sweep, KeysOfTwoKindsNeedTheirUnits) {
   const Sweep lifted = sweep_over({"strip.preload=[10 um, 20 um]"}, {"strip.displacement=5 um"}, "strip");
   EXPECT_EQ(lifted.axes[0].unit, "m");
   EXPECT_EQ(lifted.axes[0].values, (std::vector<double>{10e-6, 20e-6}));
-  ASSERT_EQ(faults_of({"strip.preload=[30, 50]"}, load, "strip").size(), 1U);
-  ASSERT_EQ(faults_of({"strip.preload=[30 N, 50 um]"}, load, "strip").size(), 1U);
+  ASSERT_EQ(errors_of({"strip.preload=[30, 50]"}, load, "strip").size(), 1U);
+  ASSERT_EQ(errors_of({"strip.preload=[30 N, 50 um]"}, load, "strip").size(), 1U);
 }
 
 TEST(Sweep, EveryWrongOptionIsTold) {
-  const std::vector<Fault> faults =
-      faults_of({"friction.coeficient=0:1:1", "bump_foil.model=[1, 2]", "cycle.steps=0:1", "bearing=[1, 2]",
+  const std::vector<InputError> errors =
+      errors_of({"friction.coeficient=0:1:1", "bump_foil.model=[1, 2]", "cycle.steps=0:1", "bearing=[1, 2]",
                  "bump_foil.height_errors=[1, 2]", "friction.coefficient=[0.1]", "friction.coefficient=[0.2]"},
                 {"friction.coefficient=0"});
-  ASSERT_EQ(faults.size(), 7U);
-  EXPECT_EQ(faults[0].advice, "did you mean \"friction.coefficient\"?");
-  EXPECT_EQ(faults[1].what, "is not numeric");
-  EXPECT_EQ(faults[2].what, "is neither a range nor a list");
-  EXPECT_EQ(faults[3].what, "unknown key");
-  EXPECT_EQ(faults[4].what, "is not numeric");
-  EXPECT_EQ(faults[5].what, "is swept, and set by --set");
-  EXPECT_EQ(faults[6].what, "is swept twice");
+  ASSERT_EQ(errors.size(), 7U);
+  EXPECT_EQ(errors[0].advice, "did you mean \"friction.coefficient\"?");
+  EXPECT_EQ(errors[1].what, "is not numeric");
+  EXPECT_EQ(errors[2].what, "is neither a range nor a list");
+  EXPECT_EQ(errors[3].what, "unknown key");
+  EXPECT_EQ(errors[4].what, "is not numeric");
+  EXPECT_EQ(errors[5].what, "is swept, and set by --set");
+  EXPECT_EQ(errors[6].what, "is swept twice");
 }
 
 TEST(Sweep, SuggestsTheWholeKey) {
-  const std::vector<Fault> faults = faults_of({"coefficient=0:1:1", "thickness=[0.1 mm]", "frobnication=0:1:1"});
-  ASSERT_EQ(faults.size(), 3U);
-  EXPECT_EQ(faults[0].advice, "did you mean \"friction.coefficient\"?");
-  EXPECT_EQ(faults[1].advice, "did you mean \"bump_foil.thickness\" or \"top_foil.thickness\"?");
-  EXPECT_EQ(faults[2].advice, "`bumpfoil init --keys` lists them");
+  const std::vector<InputError> errors = errors_of({"coefficient=0:1:1", "thickness=[0.1 mm]", "frobnication=0:1:1"});
+  ASSERT_EQ(errors.size(), 3U);
+  EXPECT_EQ(errors[0].advice, "did you mean \"friction.coefficient\"?");
+  EXPECT_EQ(errors[1].advice, "did you mean \"bump_foil.thickness\" or \"top_foil.thickness\"?");
+  EXPECT_EQ(errors[2].advice, "`bumpfoil init --keys` lists them");
 }
 
 TEST(Sweep, SizeOfTheGridIsToldBeforeItIsMade) {
-  const std::vector<Fault> faults = faults_of({"friction.coefficient=0:1:0.001", "cycle.steps=1:1000:1"});
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].what, "make a grid of 1001000 points");
-  EXPECT_EQ(faults[0].advice, "a sweep takes at most 10000");
+  const std::vector<InputError> errors = errors_of({"friction.coefficient=0:1:0.001", "cycle.steps=1:1000:1"});
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].what, "make a grid of 1001000 points");
+  EXPECT_EQ(errors[0].advice, "a sweep takes at most 10000");
 }
 
-TEST(Sweep, FaultsOfPointsNameTheFirstAndCountTheOthers) {
-  const std::vector<Fault> faults =
-      faults_of({"friction.coefficient=-0.1:0.1:0.1", "cycle.amplitude=[60 um, 70 um, 50 N]"}, {"cycle.stepz=3"});
-  ASSERT_EQ(faults.size(), 3U);
+TEST(Sweep, ErrorsOfPointsNameTheFirstAndCountTheOthers) {
+  const std::vector<InputError> errors =
+      errors_of({"friction.coefficient=-0.1:0.1:0.1", "cycle.amplitude=[60 um, 70 um, 50 N]"}, {"cycle.stepz=3"});
+  ASSERT_EQ(errors.size(), 3U);
   // It applies to every point, independent of the sweep.
-  EXPECT_EQ(faults[0].key, "cycle.stepz");
-  EXPECT_EQ(faults[0].file, "--set");
-  EXPECT_EQ(faults[0].what, "unknown key");
-  EXPECT_EQ(faults[1].key.substr(0, 9), "friction.");
-  EXPECT_EQ(faults[1].value, "-0.1");
-  EXPECT_NE(faults[1].what.find(" (at friction.coefficient=-0.1, cycle.amplitude=60 um and 2 more points)"),
+  EXPECT_EQ(errors[0].key, "cycle.stepz");
+  EXPECT_EQ(errors[0].file, "--set");
+  EXPECT_EQ(errors[0].what, "unknown key");
+  EXPECT_EQ(errors[1].key.substr(0, 9), "friction.");
+  EXPECT_EQ(errors[1].value, "-0.1");
+  EXPECT_NE(errors[1].what.find(" (at friction.coefficient=-0.1, cycle.amplitude=60 um and 2 more points)"),
             std::string::npos)
-      << faults[1].what;
-  EXPECT_EQ(faults[2].file, "--over");
-  EXPECT_EQ(faults[2].key, "cycle.amplitude");
-  EXPECT_NE(faults[2].what.find("(at friction.coefficient=-0.1, cycle.amplitude=50 N and 2 more points)"),
+      << errors[1].what;
+  EXPECT_EQ(errors[2].file, "--over");
+  EXPECT_EQ(errors[2].key, "cycle.amplitude");
+  EXPECT_NE(errors[2].what.find("(at friction.coefficient=-0.1, cycle.amplitude=50 N and 2 more points)"),
             std::string::npos)
-      << faults[2].what;
+      << errors[2].what;
 }
 
 TEST(Sweep, GoesOverDiameters) {
@@ -196,10 +197,10 @@ TEST(Sweep, GoesOverDiameters) {
 }
 
 TEST(Sweep, ValuesThatAreTheSameAreRefused) {
-  const std::vector<Fault> faults = faults_of({"bump_foil.height=[0.5 mm, 0.51 mm, 500 um]"});
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].value, "500 um");
-  EXPECT_EQ(faults[0].what, "is the same value as 0.5 mm");
+  const std::vector<InputError> errors = errors_of({"bump_foil.height=[0.5 mm, 0.51 mm, 500 um]"});
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].value, "500 um");
+  EXPECT_EQ(errors[0].what, "is the same value as 0.5 mm");
 }
 
 /// The values of a variable stored with a point.

@@ -210,7 +210,7 @@ TEST_F(SweepFiles, LoseTheirLoopsInReportsThatWouldBeTooLarge) {
 }
 
 TEST_F(SweepFiles, AreRefusedByReportsWhereTheyAreDamagedOrMixed) {
-  const auto fault = [this](bool checked) {
+  const auto error = [this](bool checked) {
     try {
       static_cast<void>(report_json({folder_.path()}, {.checked = checked}));
       return std::string();
@@ -221,12 +221,12 @@ TEST_F(SweepFiles, AreRefusedByReportsWhereTheyAreDamagedOrMixed) {
   };
   const std::string whole = folder_.read("sweep.nc");
   folder_.write("sweep.nc", whole.substr(0, whole.size() / 2));
-  EXPECT_EQ(fault(true).find("/sweep.nc: is damaged: it has "), 0U);
-  EXPECT_EQ(fault(false).find("/sweep.nc: "), 0U);
+  EXPECT_EQ(error(true).find("/sweep.nc: is damaged: it has "), 0U);
+  EXPECT_EQ(error(false).find("/sweep.nc: "), 0U);
   for (const ResultFile& file : sweep_files(sweep_, points_, {})) {
     if (file.name == "sweep.nc") folder_.write(file.name, file.contents);
   }
-  EXPECT_EQ(fault(false).find("/summary.json: run_id: differs from that of sweep.nc in the same folder"), 0U);
+  EXPECT_EQ(error(false).find("/summary.json: run_id: differs from that of sweep.nc in the same folder"), 0U);
 }
 
 /// Points of a strip differ in their numbers of cycles and increments.

@@ -73,16 +73,16 @@ class NodeContact:
         self.solves += 1
         return State(mode, force[:n], force[n:], gap0 + moved[:n], moved[n:])
 
-    def faults(self, state, place0):
+    def errors(self, state, place0):
         """By how much each contact contradicts its mode, as forces, and the mode that it should have instead."""
         mode, f = state.mode, self.friction
         scale = max(1.0, state.normal.max())
         stiffness = 1.0 / self.W.diagonal()[: self.count]
         slip = state.place - place0
-        fault, better = np.zeros(self.count), mode.copy()
+        error, better = np.zeros(self.count), mode.copy()
 
         def mark(where, size, new):
-            fault[where], better[where] = size[where], new[where] if np.ndim(new) else new
+            error[where], better[where] = size[where], new[where] if np.ndim(new) else new
 
         tension = (mode != OPEN) & (state.normal < -1e-7 * scale)
         mark(tension, -state.normal, OPEN)
@@ -93,7 +93,7 @@ class NodeContact:
         mark(excess, np.abs(state.friction) - bound, np.where(state.friction < 0, FORWARD, BACKWARD))
         wrong = ~tension & (((mode == FORWARD) & (slip < -1e-11)) | ((mode == BACKWARD) & (slip > 1e-11)))
         mark(wrong, np.abs(slip) * stiffness, STICK)
-        return fault, better
+        return error, better
 
     def increment(self, gap0, before, rounds=300):
         """State under new gaps of the unloaded bodies; slips count from the state before."""
@@ -104,12 +104,12 @@ class NodeContact:
         # out of them.
         for _ in range(rounds):
             state = self.solve_modes(gap0, before.place, mode)
-            fault, better = self.faults(state, before.place)
-            if not fault.any():
+            error, better = self.errors(state, before.place)
+            if not error.any():
                 return state
-            chosen = np.argmax(fault)
+            chosen = np.argmax(error)
             if mode.tobytes() in seen:
-                chosen = chance.choice(np.flatnonzero(fault))
+                chosen = chance.choice(np.flatnonzero(error))
             seen.add(mode.tobytes())
             mode = mode.copy()
             mode[chosen] = better[chosen]

@@ -1,7 +1,7 @@
 /** Bearings within the tolerances of the case: how the numbers of their cycles spread, while they are being computed. */
 import { el } from '../ui/dom';
 import type { CyclesAnswer, SamplesAnswer } from './format';
-import { isFaulty, type Solver } from './solver';
+import { isRefused, type Solver } from './solver';
 import { SpreadCharts } from './spread';
 import { isSeen } from './tabs';
 
@@ -55,8 +55,8 @@ export class EnsembleView {
       if (this.begun !== text) return;
       // Overtaken by what asked for bearings elsewhere: it is asked again.
       if (!part) continue;
-      if (isFaulty(part)) {
-        this.caption.textContent = part.faults.map(({ message }) => message).join(' · ');
+      if (isRefused(part)) {
+        this.caption.textContent = part.errors.map(({ message }) => message).join(' · ');
         return;
       }
       samples = part.samples;

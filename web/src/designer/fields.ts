@@ -3,7 +3,7 @@ import type { CaseValue } from '../data/format';
 import { el } from '../ui/dom';
 import { bumpTable } from './bump_table';
 import type { Design } from './design';
-import type { CaseKey, Fault, Units } from './format';
+import type { CaseKey, InputError, Units } from './format';
 import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
 import { groups, pairs, ranges, without, type Group } from './ranges';
 import { inList, withCount, withValue } from './toml';
@@ -22,7 +22,7 @@ interface Field {
   root: HTMLElement;
   /** By which it is found: key, title, unit. */
   words: string;
-  refresh: (faults: Fault[]) => void;
+  refresh: (errors: InputError[]) => void;
 }
 
 /** Steps of a slider between its ends. */
@@ -33,8 +33,8 @@ function ofFirst(path: string): string {
   return path.replace(/\[\d+\]/g, '[1]');
 }
 
-/** Whether a fault is of a key, or of what it holds. */
-export function concerns({ key }: Fault, path: string): boolean {
+/** Whether an error is of a key, or of what it holds. */
+export function concerns({ key }: InputError, path: string): boolean {
   return key === path || key.startsWith(`${path}[`) || key.startsWith(`${path}.`);
 }
 
@@ -47,18 +47,18 @@ function wordsOf({ path, title, unit = '', example = '' }: CaseKey): string {
 }
 
 /** Label, controls, and the solver's messages under them. */
-function frame(key: CaseKey, controls: HTMLElement[], labelled: HTMLElement): { root: HTMLElement; tell: (faults: Fault[], given: boolean) => void } {
+function frame(key: CaseKey, controls: HTMLElement[], labelled: HTMLElement): { root: HTMLElement; tell: (errors: InputError[], given: boolean) => void } {
   const id = idOf(key.path);
-  const message = el('p', { class: 'fault', id: `${id}-fault`, role: 'status' });
+  const message = el('p', { class: 'error', id: `${id}-error`, role: 'status' });
   labelled.id = id;
-  labelled.setAttribute('aria-describedby', `${id}-fault`);
+  labelled.setAttribute('aria-describedby', `${id}-error`);
   if (key.text !== '') labelled.title = key.text;
   const label = el('label', { for: id, title: key.text }, key.title);
   const root = el('div', { class: 'field', 'data-key': key.path }, label, el('div', { class: 'controls' }, ...controls), message);
-  const tell = (faults: Fault[], given: boolean): void => {
-    const own = faults.filter((fault) => concerns(fault, key.path));
+  const tell = (errors: InputError[], given: boolean): void => {
+    const own = errors.filter((error) => concerns(error, key.path));
     message.textContent = own.map(({ what, advice }) => (advice === '' ? what : `${what}; ${advice}`)).join(' · ');
-    root.classList.toggle('faulty', own.length > 0);
+    root.classList.toggle('wrong', own.length > 0);
     root.classList.toggle('default', !given);
     labelled.setAttribute('aria-invalid', String(own.length > 0));
   };
@@ -131,7 +131,7 @@ function numberField(
   const controls = [...(range ? [slider] : []), text, ...(si === '' ? [] : [list])];
   const { root, tell } = frame(key, controls, text);
   root.classList.toggle('wide', !range);
-  const refresh = (faults: Fault[]): void => {
+  const refresh = (errors: InputError[]): void => {
     const now = current();
     const written = design.written(path);
     if (now) {
@@ -155,7 +155,7 @@ function numberField(
       if (now) slider.value = String(now.number);
       slider.setAttribute('aria-valuetext', now ? `${now.number} ${unit}` : 'not given');
     }
-    tell(faults, written !== undefined);
+    tell(errors, written !== undefined);
   };
   return { path, root, words: wordsOf(key), refresh };
 }
@@ -191,11 +191,11 @@ function choiceField(key: CaseKey, words: string[], { design, understood }: Plac
   list.addEventListener('change', () => design.set(path, truth ? list.value : `"${list.value}"`));
   const { root, tell } = frame(key, [list], list);
   root.classList.add('wide');
-  const refresh = (faults: Fault[]): void => {
+  const refresh = (errors: InputError[]): void => {
     const written = design.written(path);
     const value = written?.replace(/^["']|["']$/g, '') ?? String(understood(path) ?? key.value ?? '');
     if (list.value !== value) list.value = value;
-    tell(faults, written !== undefined);
+    tell(errors, written !== undefined);
   };
   return { path, root, words: wordsOf(key), refresh };
 }
@@ -212,10 +212,10 @@ function textField(key: CaseKey, { design }: Place): Field {
   });
   const { root, tell } = frame(key, [input], input);
   root.classList.add('wide');
-  const refresh = (faults: Fault[]): void => {
+  const refresh = (errors: InputError[]): void => {
     const written = design.written(path);
     if (input !== document.activeElement) input.value = (isText ? written?.replace(/^["']|["']$/g, '') : written) ?? '';
-    tell(faults, written !== undefined);
+    tell(errors, written !== undefined);
   };
   return { path, root, words: wordsOf(key), refresh };
 }
@@ -233,9 +233,9 @@ export interface Section {
   /** Of the table itself. */
   words: string;
   fields: () => Field[];
-  /** Whether a fault is told beside one of its fields. */
-  tells: (fault: Fault) => boolean;
-  refresh: (faults: Fault[]) => void;
+  /** Whether an error is told beside one of its fields. */
+  tells: (error: InputError) => boolean;
+  refresh: (errors: InputError[]) => void;
 }
 
 /** A table of the case: its fields, and of an optional one what adds it and takes it out. */
@@ -256,17 +256,17 @@ function section(group: Group, keys: CaseKey[], place: Place): Section {
     root.append(el('div', { class: 'group-tools' }, el('p', { class: 'note' }, head?.text ?? ''), toggle));
   }
   root.append(body);
-  const refresh = (faults: Fault[]): void => {
+  const refresh = (errors: InputError[]): void => {
     const there = !group.optional || design.hasTable(group.path);
     body.hidden = !there;
     toggle.textContent = there ? 'Remove' : 'Add';
     toggle.setAttribute('aria-label', `${there ? 'Remove' : 'Add'}: ${head?.title ?? group.path}`);
-    if (there) for (const field of fields) field.refresh(faults);
-    const faulty = faults.some(({ key }) => inner.some(({ path }) => key === path));
-    root.classList.toggle('faulty', faulty);
-    if (faulty) root.open = true;
+    if (there) for (const field of fields) field.refresh(errors);
+    const wrong = errors.some(({ key }) => inner.some(({ path }) => key === path));
+    root.classList.toggle('wrong', wrong);
+    if (wrong) root.open = true;
   };
-  return { root, words: `${group.path} ${head?.title ?? ''}`.toLowerCase(), fields: () => (body.hidden ? [] : fields), tells: (fault) => fields.some(({ path }) => concerns(fault, path)), refresh };
+  return { root, words: `${group.path} ${head?.title ?? ''}`.toLowerCase(), fields: () => (body.hidden ? [] : fields), tells: (error) => fields.some(({ path }) => concerns(error, path)), refresh };
 }
 
 /** Keys of [bump_foil] and [top_foil] that a pad may have of its own. */
@@ -305,7 +305,7 @@ function listSection({ path, open, countedBy }: Group, keys: CaseKey[], place: P
       root: el('div', { role: 'group', 'aria-label': `${title} ${number}`, 'data-table': table }, el('div', { class: 'group-tools' }, el('p', { class: 'note' }, `No. ${number}`), takeOut), el('div', { class: 'fields' }, ...fields.map((field) => field.root), ...inner)),
     };
   };
-  const refresh = (faults: Fault[]): void => {
+  const refresh = (errors: InputError[]): void => {
     const count = design.count(path);
     if (count !== entries.length) {
       entries = Array.from({ length: count }, (_, i) => entries[i] ?? entry(i + 1));
@@ -319,16 +319,16 @@ function listSection({ path, open, countedBy }: Group, keys: CaseKey[], place: P
       add.textContent = count > 0 ? 'Remove' : 'Add';
       add.setAttribute('aria-label', `${add.textContent}: ${title}`);
     }
-    for (const { fields } of entries) for (const field of fields) field.refresh(faults);
-    const faulty = faults.some((fault) => fault.key.startsWith(`${path}[`));
-    root.classList.toggle('faulty', faulty);
-    if (faulty) root.open = true;
+    for (const { fields } of entries) for (const field of fields) field.refresh(errors);
+    const wrong = errors.some((error) => error.key.startsWith(`${path}[`));
+    root.classList.toggle('wrong', wrong);
+    if (wrong) root.open = true;
   };
   return {
     root,
     words: [path, title, ...own.map(wordsOf)].join(' ').toLowerCase(),
     fields: () => entries.flatMap(({ fields }) => fields),
-    tells: (fault) => entries.some(({ fields }) => fields.some((field) => concerns(fault, field.path))),
+    tells: (error) => entries.some(({ fields }) => fields.some((field) => concerns(error, field.path))),
     refresh,
   };
 }
@@ -347,10 +347,10 @@ export function withTable(text: string, path: string, keys: CaseKey[]): string {
 
 export interface Form {
   root: HTMLElement;
-  /** @param faults  of the case, for the fields that they are about */
-  refresh: (faults: Fault[]) => void;
-  /** Whether a fault is told beside a field. */
-  tells: (fault: Fault) => boolean;
+  /** @param errors  of the case, for the fields that they are about */
+  refresh: (errors: InputError[]) => void;
+  /** Whether an error is told beside a field. */
+  tells: (error: InputError) => boolean;
   /** Shows those alone that have all of the words. @return how many */
   search: (typed: string) => number;
   /** Opens all groups, or folds them. */
@@ -381,8 +381,8 @@ export function form(keys: CaseKey[], place: Place): Form {
   };
   return {
     root: el('form', { class: 'form', 'aria-label': 'The case', autocomplete: 'off' }, ...sections.map(({ root }) => root)),
-    refresh: (faults) => sections.forEach(({ refresh }) => refresh(faults)),
-    tells: (fault) => sections.some(({ tells }) => tells(fault)),
+    refresh: (errors) => sections.forEach(({ refresh }) => refresh(errors)),
+    tells: (error) => sections.some(({ tells }) => tells(error)),
     search,
     fold: (all) => sections.forEach(({ root }) => (root.open = all)),
   };

@@ -3,7 +3,7 @@ import type { StatisticsData } from '../data/format';
 import { el } from '../ui/dom';
 import type { CyclesAnswer, EquilibriumAnswer } from './format';
 import { textOf, type Point } from './point';
-import { isFaulty, quickMesh, type Solver } from './solver';
+import { isRefused, quickMesh, type Solver } from './solver';
 import { SpreadCharts } from './spread';
 
 const bearings = 40;
@@ -48,20 +48,20 @@ export class FilmSpread {
       if (!going()) return;
       // Overtaken by what asked for running bearings elsewhere: it is asked again.
       if (!answer) continue;
-      if (isFaulty(answer) && samples.length === 0) {
-        this.caption.textContent = answer.faults.map(({ message }) => message).join(' · ');
+      if (isRefused(answer) && samples.length === 0) {
+        this.caption.textContent = answer.errors.map(({ message }) => message).join(' · ');
         return;
       }
       // What was drawn may be no bearing.
-      const [state] = isFaulty(answer) ? [] : answer.states;
-      const quantities = isFaulty(answer) ? [] : answer.run.quantities.filter(({ name }) => shown.includes(name));
+      const [state] = isRefused(answer) ? [] : answer.states;
+      const quantities = isRefused(answer) ? [] : answer.run.quantities.filter(({ name }) => shown.includes(name));
       samples.push([quantities.map(({ key }) => (typeof state?.[key] === 'number' ? state[key] : null))]);
       stable += Number(state?.['stable'] === true);
       if (samples.length % atATime > 0) continue;
       const statistics: Record<string, StatisticsData> = {};
       for (const [i, { key }] of quantities.entries()) {
         const found = await this.solver.ask<StatisticsData>({ what: 'statistics', values: samples.map(([of]) => of?.[i] ?? null) });
-        if (!found || isFaulty(found)) return;
+        if (!found || isRefused(found)) return;
         statistics[key] = found;
       }
       this.caption.textContent = `${samples.length} of ${bearings} bearings${samples.length < bearings ? ' …' : ''} within the tolerances, on the coarse mesh: ${stable} stable with the journal held.`;

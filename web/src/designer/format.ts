@@ -31,7 +31,7 @@ export interface KeysAnswer {
   presets: Record<string, string>;
 }
 
-export interface Fault {
+export interface InputError {
   /** 0 where it is not known. */
   line: number;
   key: string;
@@ -41,8 +41,8 @@ export interface Fault {
   message: string;
 }
 
-export interface Faults {
-  faults: Fault[];
+export interface InputErrors {
+  errors: InputError[];
 }
 
 export interface CyclesAnswer {

@@ -1,7 +1,7 @@
 /** The loops of a case, half of the directions in each of two workers. */
 import { at } from '../data/run';
-import type { CaseKey, CyclesAnswer, Faults } from './format';
-import { isFaulty, type Solver } from './solver';
+import type { CaseKey, CyclesAnswer, InputErrors } from './format';
+import { isRefused, type Solver } from './solver';
 import { outlineOf } from './toml';
 
 const parts = 2;
@@ -14,11 +14,11 @@ export function withCycle(text: string, keys: CaseKey[]): string {
 }
 
 /** The answer; nothing where a later case came first. */
-export async function askLoops(solver: Solver, text: string): Promise<CyclesAnswer | Faults | undefined> {
+export async function askLoops(solver: Solver, text: string): Promise<CyclesAnswer | InputErrors | undefined> {
   const requests = Array.from({ length: parts }, (_, number) => ({ what: 'cycles', text, part: [number, parts] }));
   const answers = await solver.askTogether<CyclesAnswer>(requests);
   if (!answers) return undefined;
-  return answers.find(isFaulty) ?? joined(answers.filter((answer): answer is CyclesAnswer => !isFaulty(answer)));
+  return answers.find(isRefused) ?? joined(answers.filter((answer): answer is CyclesAnswer => !isRefused(answer)));
 }
 
 /** What is not of single directions all of them have alike, but for how they ended. */

@@ -8,7 +8,7 @@ import { isDark, onLookChange, startTheme, toggleTheme } from '../ui/theme';
 import { Design } from './design';
 import { EnsembleView } from './ensemble';
 import { form, withTable } from './fields';
-import type { CyclesAnswer, Fault, KeysAnswer } from './format';
+import type { CyclesAnswer, InputError, KeysAnswer } from './format';
 import { askLoops, withCycle } from './loops';
 import { reportOf } from './report';
 import { layoutOf, results, type Results } from './results';
@@ -16,7 +16,7 @@ import { RotorView } from './rotor';
 import { RunningView } from './running';
 import { Side } from './side';
 import { caseIn, fragmentOf } from './share';
-import { isFaulty, makeSolvers, type Request } from './solver';
+import { isRefused, makeSolvers, type Request } from './solver';
 import { tabs } from './tabs';
 import { without } from './toml';
 import { VibrationView } from './vibration';
@@ -45,7 +45,7 @@ function runOf(answer: CyclesAnswer, name: string): Run {
 class Page {
   private readonly design: Design;
   private understood = new Map<string, CaseValue>();
-  private faults: Fault[] = [];
+  private errors: InputError[] = [];
   /** The design as it stands, and the one it is compared with. */
   private now: { answer: CyclesAnswer; text: string } | undefined;
   private before: { answer: CyclesAnswer; text: string } | undefined;
@@ -53,7 +53,7 @@ class Page {
   private layout = '';
   private readonly views = el('div', { class: 'results' });
   private readonly state = el('p', { class: 'state', role: 'status' });
-  private readonly general = el('ul', { class: 'general-faults' });
+  private readonly general = el('ul', { class: 'general-errors' });
   private readonly fields;
   private readonly side;
   private readonly vibration;
@@ -191,7 +191,7 @@ class Page {
     // The solvers begin while the page writes what was typed.
     void this.compute();
     if (this.editor.value !== this.design.text) this.editor.value = this.design.text;
-    this.fields.refresh(this.faults);
+    this.fields.refresh(this.errors);
   }
 
   private async compute(): Promise<void> {
@@ -200,14 +200,14 @@ class Page {
     const whole = withCycle(text, this.keys.keys);
     const first = await askLoops(this.solvers.loops, whole);
     // A tilted journal runs, but has no loops: they are those of an aligned one.
-    const tilted = first && isFaulty(first) && first.faults.every(({ key }) => key.startsWith('width.'));
+    const tilted = first && isRefused(first) && first.errors.every(({ key }) => key.startsWith('width.'));
     const answer = tilted ? await askLoops(this.solvers.loops, without(whole, 'width')) : first;
     if (!answer) return;
     let drawRest = (): void => {};
-    if (isFaulty(answer)) {
-      this.faults = answer.faults;
+    if (isRefused(answer)) {
+      this.errors = answer.errors;
     } else {
-      this.faults = [];
+      this.errors = [];
       this.understood = flatten(answer.run.summary.case);
       const radius = this.understood.get('bearing.radius');
       if (typeof radius === 'number') this.understood.set('bearing.diameter', 2 * radius);
@@ -215,12 +215,12 @@ class Page {
       this.before ??= this.now;
       drawRest = this.show();
     }
-    this.fields.refresh(this.faults);
-    const elsewhere = this.faults.filter((fault) => !this.fields.tells(fault));
+    this.fields.refresh(this.errors);
+    const elsewhere = this.errors.filter((error) => !this.fields.tells(error));
     this.general.replaceChildren(...elsewhere.map(({ line, message }) => el('li', {}, line > 0 ? `Line ${line}: ${message}` : message)));
-    this.views.classList.toggle('stale', this.faults.length > 0);
+    this.views.classList.toggle('stale', this.errors.length > 0);
     this.state.textContent =
-      this.faults.length > 0 ? `${this.faults.length === 1 ? '1 error' : `${this.faults.length} errors`} in the case; showing the last valid results.` : '';
+      this.errors.length > 0 ? `${this.errors.length === 1 ? '1 error' : `${this.errors.length} errors`} in the case; showing the last valid results.` : '';
     // Once the browser has painted it.
     requestAnimationFrame(() =>
       setTimeout(() => {
@@ -288,7 +288,7 @@ async function start(): Promise<void> {
   // For those who want numbers without clicking: include/bumpfoil/pages/designer.hpp says what may be asked.
   Object.assign(window, { bumpfoilAsk: (request: Request) => solvers.slow.ask(request) });
   const keys = await solvers.quick.ask<KeysAnswer>({ what: 'keys' });
-  if (!keys || isFaulty(keys)) throw new Error(keys?.faults[0]?.message ?? 'the solver does not respond');
+  if (!keys || isRefused(keys)) throw new Error(keys?.errors[0]?.message ?? 'the solver does not respond');
   const shared = await caseIn(location.hash);
   new Page(keys, solvers, shared ?? Object.values(keys.presets)[0] ?? '');
 }

@@ -7,10 +7,10 @@ import { formatNumber, formatQuantity } from '../data/units';
 import { Whirls } from '../data/whirls';
 import { choice, el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
-import type { CyclesAnswer, Faults, StabilityAnswer } from './format';
+import type { CyclesAnswer, InputErrors, StabilityAnswer } from './format';
 import { NumberControl } from './number_control';
 import { notesOf, remarks } from './remarks';
-import { isFaulty, quickMesh, settled, type Request, type Solver } from './solver';
+import { isRefused, quickMesh, settled, type Request, type Solver } from './solver';
 import { isSeen } from './tabs';
 import { compared, tile } from './tiles';
 
@@ -25,7 +25,7 @@ interface Design {
   answer: CyclesAnswer;
 }
 
-type Answer = StabilityAnswer | Faults;
+type Answer = StabilityAnswer | InputErrors;
 
 /** What tiles tell of a run. */
 interface Facts {
@@ -261,7 +261,7 @@ export class RotorView {
           if (answer) this.known.set(key, answer);
         }
         const [now, before] = keys.map((pairs) => this.known.get(at(pairs, quick ? 0 : 1)));
-        if (now) this.draw(now, before && !isFaulty(before) ? before : undefined, speed, at(designs, 0), quick);
+        if (now) this.draw(now, before && !isRefused(before) ? before : undefined, speed, at(designs, 0), quick);
         if (this.begun !== wanted) return;
       }
       this.root.dataset[quick ? 'quick' : 'answered'] = String(Number(this.root.dataset[quick ? 'quick' : 'answered'] ?? 0) + 1);
@@ -271,10 +271,10 @@ export class RotorView {
   }
 
   private draw(now: Answer, before: StabilityAnswer | undefined, speed: number, design: Design, quick: boolean): void {
-    this.place.classList.toggle('stale', isFaulty(now));
-    if (isFaulty(now)) {
+    this.place.classList.toggle('stale', isRefused(now));
+    if (isRefused(now)) {
       this.caption.textContent = `This rotor cannot be computed${this.views ? '; showing the last valid results' : ''}.`;
-      this.notes.replaceChildren(...remarks(now.faults.map(({ message }) => message)));
+      this.notes.replaceChildren(...remarks(now.errors.map(({ message }) => message)));
       return;
     }
     const { mass } = now.run.summary.case['rotor'] as { mass?: number };

@@ -12,11 +12,11 @@ import { GridSelection } from '../ui/grid_selection';
 import { Selection } from '../ui/selection';
 import { CurvePanel, linesAbout, verdictOf } from './curves';
 import { FilmSpread } from './film_spread';
-import type { CyclesAnswer, EquilibriumAnswer, Faults, StateOfSummary } from './format';
+import type { CyclesAnswer, EquilibriumAnswer, InputErrors, StateOfSummary } from './format';
 import { NumberControl } from './number_control';
 import { isSame, pointOf, settingsOf, textOf, type Point, type RunningSettings } from './point';
 import { notesOf, remarks } from './remarks';
-import { isFaulty, quickMesh, settled, type Request, type Solver } from './solver';
+import { isRefused, quickMesh, settled, type Request, type Solver } from './solver';
 import { isSeen } from './tabs';
 import { compared, tile } from './tiles';
 
@@ -151,7 +151,7 @@ export class RunningView {
   /** What the answers are to, or will be. */
   private begun = '';
   /** Answers by their requests. */
-  private known = new Map<string, EquilibriumAnswer | Faults>();
+  private known = new Map<string, EquilibriumAnswer | InputErrors>();
 
   /**
    * @param quick  for the answer on a coarse mesh, which comes first
@@ -216,14 +216,14 @@ export class RunningView {
     const { speed, held, journal } = point;
     for (const quick of [true, false]) {
       if (!quick) await new Promise((resolve) => setTimeout(resolve, Math.max(0, began + settled - performance.now())));
-      const answers: (EquilibriumAnswer | Faults)[] = [];
+      const answers: (EquilibriumAnswer | InputErrors)[] = [];
       for (const text of texts) {
         const answer = await this.answer(quick ? this.quick : this.slow, { what: 'equilibrium', text, speeds: [speed], [held]: [journal], ...(quick ? { mesh: quickMesh } : {}) }, wanted);
         if (!answer) return;
         answers.push(answer);
         // Drawn at once, and again beside the one before.
         const [now, before] = answers;
-        if (now) this.draw(now, before && !isFaulty(before) ? before : undefined, point, quick);
+        if (now) this.draw(now, before && !isRefused(before) ? before : undefined, point, quick);
       }
       this.count(quick ? 'quick' : 'answered');
       if (quick) this.root.dataset['took'] = (performance.now() - began).toFixed(0);
@@ -242,17 +242,17 @@ export class RunningView {
     const stable = new Set<unknown>();
     for (const line of this.lines) {
       const { over, points } = line;
-      const answers: (EquilibriumAnswer | Faults)[] = [];
+      const answers: (EquilibriumAnswer | InputErrors)[] = [];
       for (const text of texts) {
         const answer = await this.answer(this.slow, { what: 'equilibrium', text, ...points, mesh: quickMesh }, wanted);
         if (!answer) return;
         answers.push(answer);
       }
       const [now, before] = answers;
-      if (!now || isFaulty(now)) continue;
+      if (!now || isRefused(now)) continue;
       const index = over === 'speed' ? points.speeds.indexOf(point.speed) : (points[point.held] ?? []).findIndex((one) => isSame(one, point.journal));
       const what = over === 'speed' ? 'speed' : point.held === 'loads' ? 'load' : 'position';
-      this.curves[over].show(`Over ${what}`, now, before && !isFaulty(before) ? before : undefined, Math.max(0, index));
+      this.curves[over].show(`Over ${what}`, now, before && !isRefused(before) ? before : undefined, Math.max(0, index));
       stable.add(now.states[Math.max(0, index)]?.['stable']);
       const words = verdictOf(line, now);
       verdicts.push(`over ${what} ${words.length > 0 ? words.join(', ') : 'all states are stable'}`);
@@ -263,7 +263,7 @@ export class RunningView {
   }
 
   /** Kept; nothing where something else is wanted by now. */
-  private async answer(solver: Solver, request: Request, wanted: string): Promise<EquilibriumAnswer | Faults | undefined> {
+  private async answer(solver: Solver, request: Request, wanted: string): Promise<EquilibriumAnswer | InputErrors | undefined> {
     const key = JSON.stringify(request);
     while (!this.known.has(key)) {
       // What is no longer in sight begins anew when it is looked at again.
@@ -281,10 +281,10 @@ export class RunningView {
     this.root.dataset[name] = String(Number(this.root.dataset[name] ?? 0) + 1);
   }
 
-  private draw(now: EquilibriumAnswer | Faults, before: EquilibriumAnswer | undefined, point: Point, quick: boolean): void {
-    this.place.classList.toggle('stale', isFaulty(now));
-    if (isFaulty(now)) {
-      this.tell(`This bearing cannot run${this.views ? '; showing the last valid results' : ''}.`, now.faults.map(({ message }) => message));
+  private draw(now: EquilibriumAnswer | InputErrors, before: EquilibriumAnswer | undefined, point: Point, quick: boolean): void {
+    this.place.classList.toggle('stale', isRefused(now));
+    if (isRefused(now)) {
+      this.tell(`This bearing cannot run${this.views ? '; showing the last valid results' : ''}.`, now.errors.map(({ message }) => message));
       return;
     }
     const state = stateOf(now);

@@ -5,7 +5,7 @@ import type { Form } from './fields';
 export class Side {
   readonly root: HTMLElement;
 
-  constructor(fields: Form, faults: HTMLElement) {
+  constructor(fields: Form, errors: HTMLElement) {
     const search = el('input', { type: 'search', placeholder: 'Search fields', 'aria-label': 'Search fields: key, title or unit' });
     const found = el('span', { class: 'unseen', role: 'status' });
     search.addEventListener('input', () => {
@@ -19,7 +19,7 @@ export class Side {
       fold.textContent = open ? 'Fold all' : 'Unfold all';
     });
     const draw = el('button', { type: 'button', class: 'draw-up', 'aria-expanded': 'false', 'aria-controls': 'case-fields' }, 'The case');
-    this.root = el('aside', { class: 'side', 'aria-label': 'The case' }, el('div', { class: 'side-head' }, draw, search, fold, found), el('div', { class: 'side-body', id: 'case-fields' }, faults, fields.root));
+    this.root = el('aside', { class: 'side', 'aria-label': 'The case' }, el('div', { class: 'side-head' }, draw, search, fold, found), el('div', { class: 'side-body', id: 'case-fields' }, errors, fields.root));
     const drawUp = (up: boolean): void => {
       this.root.classList.toggle('up', up);
       draw.setAttribute('aria-expanded', String(up));

@@ -1,5 +1,5 @@
 /** The solver in workers of its own: the page stays at hand while it computes. */
-import type { Faults } from './format';
+import type { InputErrors } from './format';
 
 export interface Request {
   what: string;
@@ -43,12 +43,12 @@ export class Solver {
   ) {}
 
   /** The answer; nothing where a later request for the same came first. */
-  async ask<Answer>(request: Request): Promise<Answer | Faults | undefined> {
+  async ask<Answer>(request: Request): Promise<Answer | InputErrors | undefined> {
     return (await this.askTogether<Answer>([request]))?.[0];
   }
 
   /** The answers to the parts of a request, each computed in a worker of its own; nothing where a later one came first. */
-  askTogether<Answer>(requests: Request[]): Promise<(Answer | Faults)[] | undefined> {
+  askTogether<Answer>(requests: Request[]): Promise<(Answer | InputErrors)[] | undefined> {
     return new Promise((resolve) => {
       const job: Job = { requests, answers: new Map(), resolve: resolve as Job['resolve'] };
       const overtaken = (one: Job): boolean => subject(one) === subject(job);
@@ -80,7 +80,7 @@ export class Solver {
   private answered(place: number, text: string): void {
     const job = this.running;
     if (!job) return;
-    job.answers.set(place, text.startsWith('!') ? { faults: [{ line: 0, key: '', value: '', what: text.slice(1), advice: '', message: text.slice(1) }] } : JSON.parse(text));
+    job.answers.set(place, text.startsWith('!') ? { errors: [{ line: 0, key: '', value: '', what: text.slice(1), advice: '', message: text.slice(1) }] } : JSON.parse(text));
     if (job.answers.size < job.requests.length) return;
     window.clearTimeout(this.overdue);
     this.overdue = 0;
@@ -118,6 +118,6 @@ export async function makeSolvers(): Promise<{ loops: Solver; quick: Solver; slo
 /** Most columns per pitch and rows of the film for answers that come first. */
 export const quickMesh = [4, 5];
 
-export function isFaulty(answer: object): answer is Faults {
-  return 'faults' in answer;
+export function isRefused(answer: object): answer is InputErrors {
+  return 'errors' in answer;
 }

@@ -10,7 +10,7 @@ import type { LegendEntry } from '../ui/legend';
 import { fileName } from '../ui/save';
 import type { Look } from '../ui/theme';
 import type { VibrationAnswer } from './format';
-import { isFaulty, type Solver } from './solver';
+import { isRefused, type Solver } from './solver';
 import { isSeen } from './tabs';
 import { withPoint } from './typed';
 
@@ -95,8 +95,8 @@ export class VibrationView {
       if (this.begun !== wanted) return;
       // Overtaken by what asked for vibrations elsewhere.
       if (!answer) return this.compute(wanted, about, { now, before });
-      if (isFaulty(answer)) {
-        this.caption.textContent = answer.faults.map(({ message }) => message).join(' · ');
+      if (isRefused(answer)) {
+        this.caption.textContent = answer.errors.map(({ message }) => message).join(' · ');
         return;
       }
       answers.push(answer);

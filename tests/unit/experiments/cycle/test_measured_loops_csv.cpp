@@ -106,13 +106,13 @@ TEST_F(MeasuredLoopsCsv, AreOfTheDirectionThatIsGivenWithTheFile) {
   EXPECT_NE(refusal("direction," + text, "", "-X").find("has a column direction"), std::string::npos);
 }
 
-TEST_F(MeasuredLoopsCsv, TellEveryFaultWithItsLine) {
-  const std::string faults = refusal("direction;displacement_um;force_N\n+X;0\n+X;a;1\nup;0;1\n");
-  for (const char* fault :
+TEST_F(MeasuredLoopsCsv, TellEveryErrorWithItsLine) {
+  const std::string errors = refusal("direction;displacement_um;force_N\n+X;0\n+X;a;1\nup;0;1\n");
+  for (const char* error :
        {"loop.csv:2: line = +X;0: has 2 columns, separated by semicolons, and the header 3",
         "loop.csv:3: line = +X;a;1: has no finite number for the displacement",
         "loop.csv:4: line = up;0;1: has no direction", "write +X, -X, +Y, -Y or an angle in degrees"}) {
-    EXPECT_NE(faults.find(fault), std::string::npos) << faults;
+    EXPECT_NE(errors.find(error), std::string::npos) << errors;
   }
   const std::string unknown = refusal("x,force_N\n0,1\n");
   for (const char* part : {"has no displacement_um among its 2 columns, separated by commas: \"x\", \"force_N\"",

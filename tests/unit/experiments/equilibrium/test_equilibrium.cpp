@@ -345,14 +345,14 @@ TEST(Equilibrium, NeedsItsTable) {
 
 TEST(Equilibrium, KeepsNoMoreStatesThanTheMemoryHolds) {
   Case input = film_reference_case({.columns_per_pitch = 6, .rows = 16});
-  const auto faults_of = [&](std::size_t states) {
+  const auto errors_of = [&](std::size_t states) {
     input.equilibrium = EquilibriumSettings{.speeds = std::vector<double>(states, 1.0), .loads = {{1.0, 0.0}}};
-    return find_faults(input, {"equilibrium"});
+    return find_errors(input, {"equilibrium"});
   };
-  EXPECT_TRUE(faults_of(10'000).empty());
-  const std::vector<Fault> faults = faults_of(100'000);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].key, "equilibrium.speeds");
+  EXPECT_TRUE(errors_of(10'000).empty());
+  const std::vector<InputError> errors = errors_of(100'000);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].key, "equilibrium.speeds");
 }
 
 TEST(Equilibrium, KnowsNoWavesOfTheJournal) {

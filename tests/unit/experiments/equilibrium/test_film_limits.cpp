@@ -128,7 +128,7 @@ TEST(FilmLimits, NeedAThresholdAndALoad) {
     ADD_FAILURE();
   } catch (const Error& error) {
     // The ramp that a limit begins with has no load either.
-    EXPECT_EQ(error.faults().size(), 3U);
+    EXPECT_EQ(error.errors().size(), 3U);
   }
 }
 

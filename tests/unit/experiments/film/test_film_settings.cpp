@@ -10,27 +10,27 @@
 #include <optional>
 #include <vector>
 
-#include "support/faulty_keys.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(FindFaults, ChecksTheFeed) {
+TEST(FindErrors, ChecksTheFeed) {
   const auto feed = [](double pressure) {
-    return faulty_keys([&](Case& input) { input.film.inlet_pressure = pressure; });
+    return wrong_keys([&](Case& input) { input.film.inlet_pressure = pressure; });
   };
   EXPECT_EQ(feed(1.02e5), Keys{});
   EXPECT_EQ(feed(-1.0), Keys{"film.inlet_pressure"});
 }
 
-TEST(FindFaults, ChecksRoughSurfaces) {
+TEST(FindErrors, ChecksRoughSurfaces) {
   const auto rough = [](const AsperitySettings& settings) {
-    return faulty_keys([&](Case& input) { input.asperity = settings; });
+    return wrong_keys([&](Case& input) { input.asperity = settings; });
   };
   const AsperitySettings by_factor{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
   const AsperitySettings by_peaks{.sigma = 0.3e-6, .density = 1.7e10, .radius = 10e-6, .friction = 0.2};
@@ -46,7 +46,7 @@ TEST(FindFaults, ChecksRoughSurfaces) {
   EXPECT_EQ(rough(wrong), (Keys{"asperity.sigma", "asperity.friction", "asperity.radius"}));
   // At zero speed the journal is carried by asperities only.
   const auto resting = [&](const std::optional<AsperitySettings>& settings) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.asperity = settings;
       input.equilibrium = EquilibriumSettings{.speeds = {0.0}, .loads = {{50.0, 0.0}}};
     });
@@ -56,10 +56,10 @@ TEST(FindFaults, ChecksRoughSurfaces) {
 }
 
 /// Foils that vary over the width are available under films.
-TEST(FindFaults, ChecksTheModesOverTheWidth) {
+TEST(FindErrors, ChecksTheModesOverTheWidth) {
   const auto with_modes = [](
                               int modes, const std::function<void(Case&)>& change = [](Case&) {}) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.width.modes = modes;
       input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
       change(input);
@@ -94,23 +94,23 @@ TEST(FindFaults, ChecksTheModesOverTheWidth) {
   Case input = reference_case();
   input.width.modes = 2;
   const auto blames_modes = [&](const char* command) {
-    const std::vector<Fault> faults = find_faults(input, {command});
-    return std::any_of(faults.begin(), faults.end(), [](const Fault& one) { return one.key == "width.modes"; });
+    const std::vector<InputError> errors = find_errors(input, {command});
+    return std::any_of(errors.begin(), errors.end(), [](const InputError& one) { return one.key == "width.modes"; });
   };
   EXPECT_TRUE(blames_modes("film"));
   for (const char* const command : {"stability", "unbalance", "transient"}) EXPECT_FALSE(blames_modes(command));
-  EXPECT_TRUE(find_faults(input, {"cycle"}).empty());
+  EXPECT_TRUE(find_errors(input, {"cycle"}).empty());
 }
 
 /// A tilted journal is computed by `equilibrium` and `film`, one that is free to tilt only by `equilibrium`.
-TEST(FindFaults, ChecksTheTilt) {
+TEST(FindErrors, ChecksTheTilt) {
   const auto width = [](const std::function<void(WidthSettings&)>& change, const std::string& command) {
     Case input = reference_case();
     input.equilibrium =
         EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray};
     change(input.width);
     Keys keys;
-    for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
+    for (const InputError& error : find_errors(input, {command})) keys.push_back(error.key);
     return keys;
   };
   const auto tilt = [](WidthSettings& settings) { settings.tilt = {1e-4, 0.0}; };
@@ -136,7 +136,7 @@ TEST(FindFaults, ChecksTheTilt) {
       input.width = {.modes = 2, .tilt = {1e-4, 0.0}};
       change(input);
       Keys keys;
-      for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
+      for (const InputError& error : find_errors(input, {command})) keys.push_back(error.key);
       return keys;
     };
     EXPECT_EQ(dry([](Case&) {}), Keys{}) << command;
@@ -155,7 +155,7 @@ TEST(FindFaults, ChecksTheTilt) {
         EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray};
     input.film.side_pressure = pressures;
     Keys keys;
-    for (const Fault& fault : find_faults(input, {command})) keys.push_back(fault.key);
+    for (const InputError& error : find_errors(input, {command})) keys.push_back(error.key);
     return keys;
   };
   EXPECT_EQ(between({1.1e5, 1.1e5}, "stability"), Keys{});
@@ -183,9 +183,9 @@ TEST(FindFaults, ChecksTheTilt) {
             Keys{"width.moment[1]"});
 }
 
-TEST(FindFaults, ChecksTheGas) {
+TEST(FindErrors, ChecksTheGas) {
   const auto gas = [](const std::function<void(GasSettings&)>& change) {
-    return faulty_keys([&](Case& input) { change(input.gas); });
+    return wrong_keys([&](Case& input) { change(input.gas); });
   };
   EXPECT_EQ(gas([](GasSettings& g) { g.temperature = 20.0; }), Keys{"gas.temperature"});
   EXPECT_EQ(gas([](GasSettings& g) { g.temperature = nan; }), Keys{"gas.temperature"});
@@ -196,24 +196,24 @@ TEST(FindFaults, ChecksTheGas) {
   EXPECT_EQ(gas([](GasSettings& g) { g.mean_free_path = -1e-9; }), Keys{"gas.mean_free_path"});
 }
 
-TEST(FindFaults, ChecksTheMeshOfTheFilm) {
+TEST(FindErrors, ChecksTheMeshOfTheFilm) {
   const auto film = [](const std::function<void(FilmSettings&)>& change) {
-    return faulty_keys([&](Case& input) { change(input.film); });
+    return wrong_keys([&](Case& input) { change(input.film); });
   };
   for (const int columns : {2, 5, 102}) {
     EXPECT_EQ(film([&](FilmSettings& f) { f.columns_per_pitch = columns; }), Keys{"film.columns_per_pitch"});
   }
   EXPECT_EQ(film([](FilmSettings& f) { f.rows = 1; }), Keys{"film.rows"});
   const auto finest = [](Case& input) { input.film = {.columns_per_pitch = 100, .rows = 200}; };
-  EXPECT_EQ(faulty_keys(finest), Keys{});  // no command to run
-  EXPECT_EQ(faulty_keys([&](Case& input) {
+  EXPECT_EQ(wrong_keys(finest), Keys{});  // no command to run
+  EXPECT_EQ(wrong_keys([&](Case& input) {
               finest(input);
               input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
             }),
             Keys{"film.columns_per_pitch"});
   // Near the memory limit: 26 bumps on 46 x 200 need 2 GB.
   for (const int columns : {42, 46}) {
-    const Keys keys = faulty_keys([&](Case& input) {
+    const Keys keys = wrong_keys([&](Case& input) {
       input.film = {.columns_per_pitch = columns, .rows = 200};
       input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
     });
@@ -225,9 +225,9 @@ TEST(FindFaults, ChecksTheMeshOfTheFilm) {
   EXPECT_EQ(film([](FilmSettings& f) { f.h_lift_off = 0.05e-6; }), Keys{"film.h_lift_off"});  // below h_floor
 }
 
-TEST(FindFaults, ChecksStatesOfARunningBearing) {
+TEST(FindErrors, ChecksStatesOfARunningBearing) {
   const auto equilibrium = [](const std::function<void(Case&, EquilibriumSettings&)>& change) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
       change(input, *input.equilibrium);
     });

@@ -147,15 +147,15 @@ TEST(WallFilm, HasSmoothWalls) {
 
 /// Reported before a run, as `bumpfoil check` promises.
 TEST(WallFilm, HasNeitherPadsNorEdgesThatAreNotThere) {
-  const auto faults = [](const auto& change) {
+  const auto errors = [](const auto& change) {
     Case input = wall_case();
     change(input);
-    return find_faults(input, {"film"}).size();
+    return find_errors(input, {"film"}).size();
   };
-  EXPECT_EQ(faults([](Case&) {}), 0U);
-  EXPECT_EQ(faults([](Case& input) { input.pads.resize(1); }), 1U);
-  EXPECT_EQ(faults([](Case& input) { input.equilibrium->positions.clear(); }), 1U);
-  EXPECT_EQ(faults([](Case& input) {
+  EXPECT_EQ(errors([](Case&) {}), 0U);
+  EXPECT_EQ(errors([](Case& input) { input.pads.resize(1); }), 1U);
+  EXPECT_EQ(errors([](Case& input) { input.equilibrium->positions.clear(); }), 1U);
+  EXPECT_EQ(errors([](Case& input) {
               input.film.closed = true;
               input.bearing.taper = 1e-6;
               input.film.inlet_pressure = 110e3;

@@ -383,7 +383,7 @@ TEST(Fit, IsReadFromCaseFiles) {
             std::string::npos);
 }
 
-/// All faults of a loop and its parameters come at once.
+/// All errors of a loop and its parameters come at once.
 TEST(Fit, RefusesNumbersThatSayNothing) {
   const std::string flat =
       case_template("gen1") +

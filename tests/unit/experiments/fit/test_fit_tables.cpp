@@ -298,9 +298,9 @@ TEST(FitTables, AreReadByNamesAndUnits) {
   FitData vibrations;
   vibrations.experiment = FittedExperiment::vibration;
   vibrations.column(FitColumn::stiffness).std = 1e5;
-  const auto fault = refused_table(folder, "amplitude_um,stiffness_um\n1,2\n", vibrations);
-  EXPECT_NE(fault.find("table.csv:1"), std::string::npos) << fault;
-  EXPECT_NE(fault.find("\"um\" is not a unit for a stiffness"), std::string::npos) << fault;
+  const auto error = refused_table(folder, "amplitude_um,stiffness_um\n1,2\n", vibrations);
+  EXPECT_NE(error.find("table.csv:1"), std::string::npos) << error;
+  EXPECT_NE(error.find("\"um\" is not a unit for a stiffness"), std::string::npos) << error;
   EXPECT_NE(refused_table(folder, "amplitude_um,load_x,stiffness_N/m\n1,2,3\n", vibrations).find("say its unit"),
             std::string::npos);
   EXPECT_NE(refused_table(folder, "amplitude_um,stiffness_N/m\n", vibrations).find("contains no row"),

@@ -19,24 +19,24 @@ constexpr const char* clearance =
 
 Case read_optimisation(const std::string& text) {
   return parse_case(case_template("gen1") + text, "case.toml",
-                    {.overrides = {}, .commands = {"optimise"}, .check = faults_of_run});
+                    {.overrides = {}, .commands = {"optimise"}, .check = errors_of_run});
 }
 
 /// The errors, one per line; each has its position in the file, except for missing tables.
-std::string faults_in(const std::string& text) {
+std::string errors_in(const std::string& text) {
   try {
     read_optimisation(text);
   } catch (const Error& error) {
-    for (const Fault& fault : error.faults()) {
-      EXPECT_TRUE(fault.line > 0 || fault.what == "this table is missing") << format_fault(fault);
+    for (const InputError& one : error.errors()) {
+      EXPECT_TRUE(one.line > 0 || one.what == "this table is missing") << format_error(one);
     }
     return error.what();
   }
   return "";
 }
 
-void expect_fault(const std::string& text, const std::string& key, const std::string& words) {
-  const std::string found = faults_in(text);
+void expect_error(const std::string& text, const std::string& key, const std::string& words) {
+  const std::string found = errors_in(text);
   EXPECT_NE(found.find(key), std::string::npos) << found;
   EXPECT_NE(found.find(words), std::string::npos) << found;
 }
@@ -57,56 +57,56 @@ TEST(OptimiseSettings, AreReadFromCaseFilesAndWritten) {
 
 TEST(OptimiseSettings, TellWhatIsWrongAndWhere) {
   const std::string good = std::string(table) + clearance;
-  EXPECT_EQ(faults_in(good), "");
-  expect_fault(good + "start = \"50 um\"\n", "optimise.key[1].start", "outside the bounds");
-  expect_fault(good + "lowr = 1\n", "optimise.key[1].lowr", "did you mean \"lower\"?");
-  expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"friction.coefficient\"\nlower = 0.3\nupper = 0.1\n",
+  EXPECT_EQ(errors_in(good), "");
+  expect_error(good + "start = \"50 um\"\n", "optimise.key[1].start", "outside the bounds");
+  expect_error(good + "lowr = 1\n", "optimise.key[1].lowr", "did you mean \"lower\"?");
+  expect_error(std::string(table) + "[[optimise.key]]\nkey = \"friction.coefficient\"\nlower = 0.3\nupper = 0.1\n",
                "optimise.key[1].upper", "is not above lower");
-  expect_fault(
+  expect_error(
       std::string(table) + "[[optimise.key]]\nkey = \"friction.coefficient\"\nlower = 0\nupper = 0.1\nlog = true\n",
       "optimise.key[1].lower", "is not positive");
-  expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"friction.coeficient\"\nlower = 0\nupper = 0.1\n",
+  expect_error(std::string(table) + "[[optimise.key]]\nkey = \"friction.coeficient\"\nlower = 0\nupper = 0.1\n",
                "optimise.key[1].key", "did you mean \"friction.coefficient\"?");
-  expect_fault(std::string(table) + "[[optimise.key]]\nkey = \"bump_foil.bumps\"\nlower = 10\nupper = 20\n",
+  expect_error(std::string(table) + "[[optimise.key]]\nkey = \"bump_foil.bumps\"\nlower = 10\nupper = 20\n",
                "optimise.key[1].key", "real-valued key");
-  expect_fault(good + clearance, "optimise.key[2].key", "chosen twice");
+  expect_error(good + clearance, "optimise.key[2].key", "chosen twice");
   std::string six = table;
   for (const char* key : {"bearing.radial_clearance", "bump_foil.height", "bump_foil.length", "bump_foil.thickness",
                           "top_foil.thickness", "bearing.axial_length"}) {
     six += "[[optimise.key]]\nkey = \"" + std::string(key) + "\"\nlower = 1e-5\nupper = 1e-2\n";
   }
-  expect_fault(six, "optimise.key", "at most 5");
+  expect_error(six, "optimise.key", "at most 5");
   const auto with = [&](const std::string& lines) { return "\n[optimise]\ncommand = \"cycle\"\n" + lines + clearance; };
-  expect_fault(with("maximise = \"los_factor\"\n"), "optimise.maximise[1]", "did you mean \"loss_factor\"?");
-  expect_fault(with("minimise = [\"max_force\", \"loss_factor\", \"loop_energy\"]\n"), "optimise.minimise", "3 aims");
-  expect_fault(with("limits = [\"max_force > 1 N\"]\n"), "optimise.maximise", "is missing");
-  expect_fault(with("maximise = \"loss_factor\"\nlimits = [\"max_force > 1 N\", \"max_force > 5 um\"]\n"),
+  expect_error(with("maximise = \"los_factor\"\n"), "optimise.maximise[1]", "did you mean \"loss_factor\"?");
+  expect_error(with("minimise = [\"max_force\", \"loss_factor\", \"loop_energy\"]\n"), "optimise.minimise", "3 aims");
+  expect_error(with("limits = [\"max_force > 1 N\"]\n"), "optimise.maximise", "is missing");
+  expect_error(with("maximise = \"loss_factor\"\nlimits = [\"max_force > 1 N\", \"max_force > 5 um\"]\n"),
                "optimise.limits[2]", "expected a force");
-  expect_fault(with("maximise = \"loss_factor\"\nbearing_limits = [\"max_force > 1 N\"]\n"), "optimise.bearing_limits",
+  expect_error(with("maximise = \"loss_factor\"\nbearing_limits = [\"max_force > 1 N\"]\n"), "optimise.bearing_limits",
                "ensemble");
-  expect_fault(with("maximise = \"loss_factor\"\nevaluations = 0\n"), "optimise.evaluations", "number of points");
+  expect_error(with("maximise = \"loss_factor\"\nevaluations = 0\n"), "optimise.evaluations", "number of points");
   // The bounds of an unknown or missing key cause no further errors, as their unit is unknown.
-  const auto faults = [&](const std::string& key) {
-    return faults_in(std::string(table) + "[[optimise.key]]\n" + key + "lower = \"25 um\"\nupper = \"45 um\"\n");
+  const auto errors = [&](const std::string& key) {
+    return errors_in(std::string(table) + "[[optimise.key]]\n" + key + "lower = \"25 um\"\nupper = \"45 um\"\n");
   };
-  const std::string misspelt = faults("key = \"bearing.radial_clearence\"\n");
+  const std::string misspelt = errors("key = \"bearing.radial_clearence\"\n");
   EXPECT_NE(misspelt.find("did you mean \"bearing.radial_clearance\"?"), std::string::npos) << misspelt;
   EXPECT_EQ(misspelt.find("lower"), std::string::npos) << misspelt;
   EXPECT_EQ(misspelt.find("upper"), std::string::npos) << misspelt;
-  EXPECT_EQ(faults("").find("lower"), std::string::npos);
-  EXPECT_NE(faults("key = \"friction.coefficient\"\n").find("optimise.key[1].lower"), std::string::npos);
+  EXPECT_EQ(errors("").find("lower"), std::string::npos);
+  EXPECT_NE(errors("key = \"friction.coefficient\"\n").find("optimise.key[1].lower"), std::string::npos);
   // Errors of quantities are reported with other errors of the table, except its command.
   const std::string other = "[[optimise.key]]\nkey = \"friction.coeficient\"\nlower = 0\nupper = 1\n";
   const std::string all =
-      faults_in("\n[optimise]\ncommand = \"cycle\"\nmaximise = \"los_factor\"\nstarts = 0\n" + other);
+      errors_in("\n[optimise]\ncommand = \"cycle\"\nmaximise = \"los_factor\"\nstarts = 0\n" + other);
   for (const char* words : {"\"loss_factor\"?", "optimise.starts", "\"friction.coefficient\"?"}) {
     EXPECT_NE(all.find(words), std::string::npos) << all;
   }
-  const std::string unknown = faults_in("\n[optimise]\ncommand = \"cicle\"\nmaximise = \"los_factor\"\n" + other);
+  const std::string unknown = errors_in("\n[optimise]\ncommand = \"cicle\"\nmaximise = \"los_factor\"\n" + other);
   EXPECT_NE(unknown.find("\"cycle\"?"), std::string::npos) << unknown;
   EXPECT_EQ(unknown.find("loss_factor"), std::string::npos) << unknown;
   // All at once, each with its own place.
-  const std::string both = faults_in(with("maximise = \"los_factor\"\nlimits = [\"max_forc > 5\"]\n"));
+  const std::string both = errors_in(with("maximise = \"los_factor\"\nlimits = [\"max_forc > 5\"]\n"));
   EXPECT_NE(both.find("loss_factor"), std::string::npos);
   EXPECT_NE(both.find("\"max_force\"?"), std::string::npos);
 }
@@ -119,33 +119,33 @@ TEST(OptimiseSettings, TellUnknownQuantitiesBesideErrorsElsewhere) {
   };
   const std::string wrong = "maximise = \"los_factor\"\nlimits = [\"loop_energy < 1\", \"max_forc > 1 N\"]\n";
   const std::string text = elsewhere + "\n[optimise]\ncommand = \"cycle\"\nstarts = 0\n" + wrong + clearance;
-  const std::string all = faults_in(text);
+  const std::string all = errors_in(text);
   expect_all(all, {"nonsense", "optimise.starts", "\"loss_factor\"?", "\"max_force\"?"});
   EXPECT_EQ(all.find("loop_energy"), std::string::npos) << all;
   // `check`, which runs no command, says the same.
   try {
-    check_case(case_template("gen1") + text, "case.toml", {}, faults_of_run);
+    check_case(case_template("gen1") + text, "case.toml", {}, errors_of_run);
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.what(), all);
   }
   // Names that only some results have, such as those of limits; of ensembles those of limits of bearings, too.
-  EXPECT_EQ(faults_in(elsewhere + "[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[50, 0]]\n" +
+  EXPECT_EQ(errors_in(elsewhere + "[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[50, 0]]\n" +
                       "\n[optimise]\ncommand = \"equilibrium\"\nmaximise = \"pad_force_x\"\n" + clearance)
                 .find("pad_force_x"),
             std::string::npos);
   expect_all(
-      faults_in(elsewhere + "[montecarlo]\nsamples = 2\nbump_height.std = \"1 um\"\n\n[optimise]\n" +
+      errors_in(elsewhere + "[montecarlo]\nsamples = 2\nbump_height.std = \"1 um\"\n\n[optimise]\n" +
                 "command = \"montecarlo\"\nmaximise = \"yeld\"\nbearing_limits = [\"max_forc > 1 N\"]\n" + clearance),
       {"nonsense", "\"yield\"", "\"max_force\"?"});
   // An unknown command has no known quantities.
-  EXPECT_EQ(faults_in(elsewhere + "\n[optimise]\ncommand = \"cicle\"\n" + wrong + clearance).find("loss_factor"),
+  EXPECT_EQ(errors_in(elsewhere + "\n[optimise]\ncommand = \"cicle\"\n" + wrong + clearance).find("loss_factor"),
             std::string::npos);
 }
 
 TEST(OptimiseSettings, NeedTheTablesOfTheirCommand) {
   const std::string lines = "\n[optimise]\ncommand = \"vibration\"\nmaximise = \"loss_factor\"\n";
-  expect_fault(lines + clearance, "vibration", "this table is missing");
+  expect_error(lines + clearance, "vibration", "this table is missing");
 }
 
 }  // namespace

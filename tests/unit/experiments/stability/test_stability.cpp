@@ -14,14 +14,14 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "experiments/stability/stability_quantities.hpp"
-#include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 /// 1 kg on each bearing, f = 0, gas entering at the weld: the onset of the prototype is 13,072.43 rpm.
 Case rotor_case(const std::vector<double>& rpm, FilmResolution mesh = {6, 8}) {
@@ -220,9 +220,9 @@ TEST(Stability, WarnsOfFoilsThatFlutter) {
   EXPECT_EQ(value_of(run.dataset(), "fastest_of_foils"), 1.0);
 }
 
-TEST(FindFaults, ChecksSpeedsOfARotor) {
+TEST(FindErrors, ChecksSpeedsOfARotor) {
   const auto speeds = [](std::vector<double> all) {
-    return faulty_keys([&](Case& input) {
+    return wrong_keys([&](Case& input) {
       RotorSettings rotor;
       rotor.mass = 2.0;
       input.settings.set(rotor);
@@ -233,7 +233,7 @@ TEST(FindFaults, ChecksSpeedsOfARotor) {
   EXPECT_EQ(speeds({}), Keys{"stability.speeds"});
   EXPECT_EQ(speeds({0.0}), Keys{"stability.speeds[1]"});
   EXPECT_EQ(speeds({1000.0, -2000.0}), Keys{"stability.speeds[2]"});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.settings.set(StabilitySettings{.speeds = {1000.0}}); }), Keys{"rotor"});
+  EXPECT_EQ(wrong_keys([](Case& input) { input.settings.set(StabilitySettings{.speeds = {1000.0}}); }), Keys{"rotor"});
 }
 
 TEST(Stability, WantsItsTables) {

@@ -17,15 +17,15 @@
 #include "experiments/transient/machine_state_file.hpp"
 #include "experiments/transient/step_row.hpp"
 #include "experiments/transient/transient_quantities.hpp"
-#include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 /// 1 kg on each bearing, its centre of mass 1 um from the axis along +X, with friction.
 Case marched_case(std::vector<SpeedPhase> speed) {
@@ -305,31 +305,31 @@ TEST(Transient, WarnsOfEachBearing) {
 }
 
 TEST(Transient, SaysWhatIsWrongWithItsTable) {
-  const auto faults = [](const std::vector<SpeedPhase>& speed) {
-    return faulty_keys([&](Case& input) { input = marched_case(speed); });
+  const auto errors = [](const std::vector<SpeedPhase>& speed) {
+    return wrong_keys([&](Case& input) { input = marched_case(speed); });
   };
-  EXPECT_EQ(faults({turning(12000.0, 1.0)}), Keys{});
-  EXPECT_EQ(faults({}), Keys{"transient.speed"});
-  EXPECT_EQ(faults({{.to = 0.0, .time = 1.0}}), (Keys{"transient.speed", "asperity"}));
-  EXPECT_EQ(faults({{.to = 100.0, .time = 0.0}}), Keys{"transient.speed[1].time"});
-  EXPECT_EQ(faults({{.from = 100.0, .to = -100.0, .time = 1.0}}), Keys{"transient.speed[1].to"});
-  EXPECT_EQ(faults({{.to = 100.0, .time = 1.0}, {.from = 99.0, .to = 200.0, .time = 1.0}}),
+  EXPECT_EQ(errors({turning(12000.0, 1.0)}), Keys{});
+  EXPECT_EQ(errors({}), Keys{"transient.speed"});
+  EXPECT_EQ(errors({{.to = 0.0, .time = 1.0}}), (Keys{"transient.speed", "asperity"}));
+  EXPECT_EQ(errors({{.to = 100.0, .time = 0.0}}), Keys{"transient.speed[1].time"});
+  EXPECT_EQ(errors({{.from = 100.0, .to = -100.0, .time = 1.0}}), Keys{"transient.speed[1].to"});
+  EXPECT_EQ(errors({{.to = 100.0, .time = 1.0}, {.from = 99.0, .to = 200.0, .time = 1.0}}),
             Keys{"transient.speed[2].from"});
   EXPECT_THROW(transient_not_begun(marched_case({{.from = 0.0, .to = 200.0, .time = 1.0}})), Error);
   Case input = marched_case({turning(12000.0, 1.0)});
   settings_of(input).pulses.push_back({.force = {1.0}, .begin = -1.0, .duration = 1.0});
-  EXPECT_EQ(faulty_keys([&](Case& wrong) { wrong = input; }),
+  EXPECT_EQ(wrong_keys([&](Case& wrong) { wrong = input; }),
             (Keys{"transient.pulse[1].force", "transient.pulse[1].begin"}));
   settings_of(input).pulses = {{.force = {1.0, 0.0}, .begin = 0.0, .duration = 1.0, .at = "moon"}};
   EXPECT_THROW(transient_not_begun(input), Error);
   // Places of the rotor require a case without other errors.
   settings_of(input).pulses.push_back(settings_of(input).pulses.front());
   settings_of(input).pulses.front().at = "bearing 1";
-  const std::vector<Fault> found = faults_of_run("transient", input);
+  const std::vector<InputError> found = errors_of_run("transient", input);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].key, "transient.pulse[2].at");
   input.bearing.axial_length = 0.0;
-  EXPECT_TRUE(faults_of_run("transient", input).empty());
+  EXPECT_TRUE(errors_of_run("transient", input).empty());
 }
 
 }  // namespace

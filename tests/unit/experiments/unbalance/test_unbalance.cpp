@@ -18,14 +18,14 @@
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
-#include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using test_support::faulty_keys;
 using test_support::Keys;
+using test_support::wrong_keys;
 
 /// 1 kg on each bearing, its centre of mass 1 um from the axis along +X.
 Case unbalanced_case(const std::vector<double>& rpm, FilmResolution mesh = {4, 4}) {
@@ -351,9 +351,9 @@ TEST(Unbalance, EndsWhereItIsStopped) {
   EXPECT_EQ(stopped.status, RunStatus::interrupted);
 }
 
-TEST(FindFaults, ChecksUnbalances) {
-  const auto faults = [](const auto& change) {
-    return faulty_keys([&](Case& input) {
+TEST(FindErrors, ChecksUnbalances) {
+  const auto errors = [](const auto& change) {
+    return wrong_keys([&](Case& input) {
       input.settings.set(UnbalanceSettings{.speeds = {1000.0}});
       RotorSettings rotor;
       rotor.mass = 2.0;
@@ -362,12 +362,12 @@ TEST(FindFaults, ChecksUnbalances) {
       input.settings.set(rotor);
     });
   };
-  EXPECT_EQ(faults([](RotorSettings&) {}), Keys{});
-  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances.clear(); }), Keys{"rotor.unbalance"});
-  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances[0].amount.reset(); }), Keys{"rotor.unbalance[1].amount"});
-  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances[0].grade = 1e-3; }),
+  EXPECT_EQ(errors([](RotorSettings&) {}), Keys{});
+  EXPECT_EQ(errors([](RotorSettings& r) { r.unbalances.clear(); }), Keys{"rotor.unbalance"});
+  EXPECT_EQ(errors([](RotorSettings& r) { r.unbalances[0].amount.reset(); }), Keys{"rotor.unbalance[1].amount"});
+  EXPECT_EQ(errors([](RotorSettings& r) { r.unbalances[0].grade = 1e-3; }),
             (Keys{"rotor.unbalance[1].amount", "rotor.unbalance[1].grade_speed"}));
-  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances[0].at = 0.01; }), Keys{"rotor.unbalance[1].at"});
+  EXPECT_EQ(errors([](RotorSettings& r) { r.unbalances[0].at = 0.01; }), Keys{"rotor.unbalance[1].at"});
 }
 
 TEST(Unbalance, WantsItsTables) {

@@ -11,6 +11,6 @@ namespace bumpfoil::test_support {
 using Keys = std::vector<std::string>;
 
 /// Keys of errors after a change of the reference case.
-Keys faulty_keys(const std::function<void(Case&)>& change);
+Keys wrong_keys(const std::function<void(Case&)>& change);
 
 }  // namespace bumpfoil::test_support

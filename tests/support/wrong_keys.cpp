@@ -1,4 +1,4 @@
-#include "support/faulty_keys.hpp"
+#include "support/wrong_keys.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 
 namespace bumpfoil::test_support {
 
-Keys faulty_keys(const std::function<void(Case&)>& change) {
+Keys wrong_keys(const std::function<void(Case&)>& change) {
   Case input = reference_case();
   change(input);
   Keys keys;
-  for (const auto& [command, fault] : check_case(input)) {
+  for (const auto& [command, error] : check_case(input)) {
     // Skips commands without a table.
     if (command == "film" || command == "limits" || (command == "equilibrium" && !input.equilibrium) ||
         (command == "stability" && input.settings.find<StabilitySettings>() == nullptr) ||
@@ -22,10 +22,10 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
         (command == "montecarlo" && !input.montecarlo)) {
       continue;
     }
-    EXPECT_TRUE(fault.file.empty());
-    EXPECT_FALSE(fault.what.empty());
-    EXPECT_FALSE(fault.advice.empty());
-    keys.push_back(fault.key);
+    EXPECT_TRUE(error.file.empty());
+    EXPECT_FALSE(error.what.empty());
+    EXPECT_FALSE(error.advice.empty());
+    keys.push_back(error.key);
   }
   return keys;
 }
