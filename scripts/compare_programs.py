@@ -31,6 +31,8 @@ SHORT = {
     "cycle": ["cycle.steps=20"],
     "strip": ["strip.steps=20"],
     "equilibrium": ["film.columns_per_pitch=4", "film.rows=6", "equilibrium.paths=one"],
+    "stability": ["film.columns_per_pitch=4", "film.rows=4"],
+    "unbalance": ["film.columns_per_pitch=4", "film.rows=4"],
     "montecarlo": ["montecarlo.samples=4", "film.columns_per_pitch=4", "film.rows=4"],
     "path": ['path.centre=["0 um", "-45 um"]', 'path.semi_axes=["10 um", "5 um"]', "path.steps=20", "path.orbits=1"],
     "film": [
@@ -40,7 +42,8 @@ SHORT = {
         'equilibrium.positions=[["15 um", "-4 um"]]',
     ],
 }
-SWEPT = ("cycle", "strip", "vibration", "equilibrium")
+SWEPT = ("cycle", "strip", "vibration", "equilibrium", "stability", "unbalance")
+SAMPLED = ("cycle", "equilibrium", "stability", "unbalance")
 
 
 def commands_of(program, case):
@@ -50,6 +53,8 @@ def commands_of(program, case):
     able = re.findall(r"^# (\w+): ok", done.stdout, re.MULTILINE)
     commands = [[name] for name in able]
     commands += [["sweep", "--command", name, "--over", "friction.coefficient=[0.05, 0.3]"] for name in able if name in SWEPT]
+    if "montecarlo" in able:
+        commands += [["montecarlo", "--set", f"montecarlo.command={name}"] for name in SAMPLED if name in able]
     if "cycle" in able:
         commands.append(["path"])
         if "equilibrium" not in able and "[[pad]]" not in case.read_text():
@@ -142,12 +147,13 @@ def number_or_text(text):
         return text
 
 
-def difference(old, new, zero):
-    """The largest difference over the largest of its quantity, and the quantity; infinite where texts differ. Keys of the
-    case that the new program alone knows are left out."""
+def difference(old, new, zero, added):
+    """The largest difference over the largest of its quantity, and the quantity; infinite where texts differ. Names that
+    the new program alone knows go to `added`."""
     worst, where = 0.0, ""
     for name in sorted(set(old) | set(new)):
-        if name.startswith("summary.case.") and name not in old:
+        if name not in old:
+            added.add(name)
             continue
         a, b = old.get(name), new.get(name)
         if a == b or (zero > 0.0 and "residual" in name):
@@ -186,11 +192,12 @@ def main():
         case, command = rng.choice(known)
         runs.append((case, command, SHORT.get(run_by(command), []) + drawn_keys(rng, run_by(command))))
     same = within = beyond = 0
+    added = set()
     for number, (case, command, keys) in enumerate(runs):
         with tempfile.TemporaryDirectory() as folder:
             folders = [Path(folder) / name for name in ("old", "new")]
             ends = [run(program, command, case, keys, where) for program, where in zip((options.old, options.new), folders)]
-            worst, where = difference(*map(quantities_of, folders), options.zero)
+            worst, where = difference(*map(quantities_of, folders), options.zero, added)
         if ends[0] != ends[1]:
             worst, where = float("inf"), f"exit code or errors: {ends}"
         same += worst == 0.0
@@ -199,6 +206,8 @@ def main():
         verdict = "same" if worst == 0.0 else f"{worst:.2g} in {where}"
         name = " ".join(command[:3:2])
         print(f"{number:4} {case.stem:18} {name:18} exit {ends[0][0]}  {verdict}", flush=True)
+    if added:
+        print("in the results of the new program alone:", ", ".join(sorted(added)))
     print(f"{len(runs)} runs: {same} the same, {within} within {options.tolerance:g}, {beyond} beyond")
     return 1 if beyond > 0 else 0
 

@@ -372,7 +372,7 @@ std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
   const ShiftedRates shifted(rates, T0);
   FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
   if (!linearise_at(found.shift, state, stuck)) return std::nullopt;
-  const auto told = [&](const FoilFilmState& change) {
+  const auto answer_of = [&](const FoilFilmState& change) {
     return FilmAnswer{content_of(change, state.film), force_of(change)};
   };
   std::vector<Step> changes(rates_.size());
@@ -382,13 +382,13 @@ std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
     answer(of_each);
     std::vector<FilmAnswer> answers;
     answers.reserve(of_each.size());
-    for (const Step& change : of_each) answers.push_back(told(change.film));
+    for (const Step& change : of_each) answers.push_back(answer_of(change.film));
     return answers;
   };
   find_rates();
   std::vector<FilmAnswer> moved;
   moved.reserve(rates_.size());
-  for (const Step& rate : rates_) moved.push_back(told(rate.film));
+  for (const Step& rate : rates_) moved.push_back(answer_of(rate.film));
   auto reduced = reduce_forces(moved, stored, shifted.excess);
   if (!reduced) return std::nullopt;
   found.along = std::move(*reduced);

@@ -178,9 +178,9 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     const CaseTable* const own = case_table_of(command);
     const std::string table(own == nullptr ? command : own->needs);
     // A table missing for an ensemble is reported for the command of the ensemble.
-    const bool told =
+    const bool reported =
         command == "limits" || (runs_ensemble && input.montecarlo && command == input.montecarlo->command);
-    if (told || document.contains(table)) continue;
+    if (reported || document.contains(table)) continue;
     // Adding a table that pads exclude would not help.
     if (input.pads.empty() || own == nullptr || !own->flat) {
       log.error(table, "this table is missing",
@@ -221,10 +221,10 @@ CheckedCase check_case(std::string_view text, const std::string& name, const std
     } catch (const Error& error) {
       one.errors = error.errors();
       for (const InputError& found : one.errors) {
-        const bool told = std::any_of(errors.begin(), errors.end(), [&found](const InputError& before) {
+        const bool reported = std::any_of(errors.begin(), errors.end(), [&found](const InputError& before) {
           return format_error(before) == format_error(found);
         });
-        if (!told) errors.push_back(found);
+        if (!reported) errors.push_back(found);
       }
     }
   }

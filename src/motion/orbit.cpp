@@ -303,13 +303,13 @@ Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const Machi
   const double change = orbit.change;
   add_motion(stepper, disturbing_motion(stepper), orbit.state);
   forget_steps(orbit.state);
-  Eigen::Index told = -forgetting_turns;
-  for (; told < count; ++told) {
+  Eigen::Index seen = -forgetting_turns;
+  for (; seen < count; ++seen) {
     const auto difference = take_turn(nullptr);
     if (!difference) break;
-    if (told >= 0) differences.col(told) = *difference;
+    if (seen >= 0) differences.col(seen) = *difference;
   }
-  if (told == count) orbit.multipliers = multipliers_of(differences, options.tolerance);
+  if (seen == count) orbit.multipliers = multipliers_of(differences, options.tolerance);
   // The end of the disturbed march does not affect the orbit.
   if (orbit.status != Status::interrupted) orbit.status = Status::converged;
   orbit.state = found;

@@ -118,14 +118,14 @@ class GridErrors {
 
   void throw_if_any() const {
     if (errors_.empty()) return;
-    std::vector<InputError> told;
+    std::vector<InputError> listed;
     for (const Found& found : errors_) {
-      if (told.size() == most_sweep_errors) {
-        told.push_back({"", 0, "", "", fmt::format("and {} more errors", errors_.size() - most_sweep_errors),
-                        "fix the first ones"});
+      if (listed.size() == most_sweep_errors) {
+        listed.push_back({"", 0, "", "", fmt::format("and {} more errors", errors_.size() - most_sweep_errors),
+                          "fix the first ones"});
         break;
       }
-      InputError& error = told.emplace_back(found.error);
+      InputError& error = listed.emplace_back(found.error);
       const auto swept = [&error](const SweepAxis& axis) {
         return error.key == axis.swept.key + (axis.is_list ? "[1]" : "");
       };
@@ -135,7 +135,7 @@ class GridErrors {
       error.what += fmt::format(" (at {}{})", point_name(sweep_, found.first),
                                 found.count > 1 ? fmt::format(" and {} more points", found.count - 1) : "");
     }
-    throw Error(input_ ? ErrorKind::input : ErrorKind::file, std::move(told));
+    throw Error(input_ ? ErrorKind::input : ErrorKind::file, std::move(listed));
   }
 
  private:

@@ -40,7 +40,7 @@ struct EnsembleLayout {
   std::vector<EnsemblePlace> places;
   std::vector<PlaceCoordinate> coordinates{};
   std::vector<EnsembleColumn> columns;  ///< the first is the status, zero where the place was reached
-  std::string_view leading;             ///< name of the column whose mean EnsembleRun is asked to know
+  std::string_view leading;             ///< name of the column whose mean --target-error refers to
   std::string_view load{};              ///< long name of the loads of bumps; empty: none are kept
   std::size_t bumps{};                  ///< of the bearing; make_ensemble_layout() counts them
   /// Words of the status, the last for samples that make no bearing: make_ensemble_layout() adds that.

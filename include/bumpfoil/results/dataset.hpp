@@ -69,7 +69,7 @@ auto each(const List& list, const Value& value) {
   return values;
 }
 
-/// What is told of each of a list of quantities.
+/// What each of a list of quantities means.
 template <typename Quantities>
 std::vector<VariableMeaning> meanings_of(const Quantities& quantities) {
   return each(quantities, [](const auto& quantity) { return quantity.meaning(); });

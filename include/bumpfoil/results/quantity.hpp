@@ -97,7 +97,7 @@ inline constexpr Tags first_of_experiment = 512;
 /// `increment_status`.
 std::string key_of(std::string_view name, std::string_view unit);
 
-/// What readers are told about a variable.
+/// What a variable means.
 struct VariableMeaning {
   std::string name;
   std::string unit;
@@ -110,8 +110,8 @@ struct VariableMeaning {
   [[nodiscard]] std::string key() const { return key_of(name, unit); }
 };
 
-/// A quantity of a result, described once: what readers are told about it, and how it is read off. All files, tables
-/// and pages take it from here.
+/// A quantity of a result, described once: what it means, and how it is read off. All files, tables and pages take it
+/// from here.
 /// @tparam Value  function of what it is a quantity of; not a number where it is not known
 template <typename Value>
 struct Quantity {

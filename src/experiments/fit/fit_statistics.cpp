@@ -74,14 +74,14 @@ Eigen::MatrixXd covariance_of(const FitEstimate& estimate) {
   }
   const auto [values, right] = singular_vectors(scaled);
   Eigen::VectorXd inverse_squares = Eigen::VectorXd::Zero(size);
-  std::vector<bool> told(open.size(), true);
+  std::vector<bool> determined(open.size(), true);
   for (Eigen::Index s = 0; s < size; ++s) {
     if (values[s] > singular * values[0]) {
       inverse_squares[s] = 1.0 / (values[s] * values[s]);
       continue;
     }
     for (Eigen::Index k = 0; k < size; ++k) {
-      if (std::abs(right(k, s)) > singular) told[static_cast<std::size_t>(k)] = false;
+      if (std::abs(right(k, s)) > singular) determined[static_cast<std::size_t>(k)] = false;
     }
   }
   // Parameters by residuals: the pseudo-inverse V S^-2 (A V)^T of A = sqrt(W) J, times sqrt(W).
@@ -90,7 +90,7 @@ Eigen::MatrixXd covariance_of(const FitEstimate& estimate) {
   const Eigen::MatrixXd inner = product(gains * estimate.variances.asDiagonal(), gains.transpose());
   for (Eigen::Index a = 0; a < size; ++a) {
     for (Eigen::Index b = 0; b < size; ++b) {
-      if (!told[static_cast<std::size_t>(a)] || !told[static_cast<std::size_t>(b)]) continue;
+      if (!determined[static_cast<std::size_t>(a)] || !determined[static_cast<std::size_t>(b)]) continue;
       covariance(open[static_cast<std::size_t>(a)], open[static_cast<std::size_t>(b)]) =
           inner(a, b) / (lengths[a] * lengths[b]);
     }

@@ -10,8 +10,8 @@
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
-/// Every quantity of a result, described once: what readers are told about it, and where it comes from. All files, the
-/// table on the terminal and the report take it from here; what is added here is in all of them.
+/// Every quantity of a result, described once: what it means, and where it comes from. All files, the table on the
+/// terminal and the report take it from here; what is added here is in all of them.
 namespace bumpfoil {
 
 /// Words in which results of a bearing and of a strip differ.

@@ -52,7 +52,7 @@ std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool
 /// Of bearings of all kinds.
 std::span<const RunningQuantity> all_running_quantities();
 
-/// The value in files: not a number for a state that was not found, unless the quantity is `asked`.
+/// The value in files: not a number for a state that was not found, unless the quantity was `requested`.
 double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state);
 
 /// Of every column of the mesh at one state.
