@@ -33,6 +33,7 @@ SHORT = {
     "equilibrium": ["film.columns_per_pitch=4", "film.rows=6", "equilibrium.paths=one"],
     "stability": ["film.columns_per_pitch=4", "film.rows=4"],
     "unbalance": ["film.columns_per_pitch=4", "film.rows=4"],
+    "transient": ["film.columns_per_pitch=4", "film.rows=4", 'transient.speed={from="12000 rpm", to="11000 rpm", time="20 ms"}'],
     "montecarlo": ["montecarlo.samples=4", "film.columns_per_pitch=4", "film.rows=4"],
     "path": ['path.centre=["0 um", "-45 um"]', 'path.semi_axes=["10 um", "5 um"]', "path.steps=20", "path.orbits=1"],
     "film": [
@@ -42,8 +43,8 @@ SHORT = {
         'equilibrium.positions=[["15 um", "-4 um"]]',
     ],
 }
-SWEPT = ("cycle", "strip", "vibration", "equilibrium", "stability", "unbalance")
-SAMPLED = ("cycle", "equilibrium", "stability", "unbalance")
+SWEPT = ("cycle", "strip", "vibration", "equilibrium", "stability", "unbalance", "transient")
+SAMPLED = ("cycle", "equilibrium", "stability", "unbalance", "transient")
 
 
 def commands_of(program, case):

@@ -283,8 +283,8 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     shown = [(name, f"{words} ({unit.replace('um', 'µm')})" if unit else words, size)
              for name, _, words, unit, size in _native.headlines(result.summary["sampled_command"])
              if name in data and np.isfinite(data[name]).any()]
-    leading = str(data.attrs["leading_quantity"])
-    shown.sort(key=lambda one: one[0] != leading)
+    target = str(data.attrs["target_quantity"])
+    shown.sort(key=lambda one: one[0] != target)
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):
         values = {place: one.values[np.isfinite(one.values)] / size

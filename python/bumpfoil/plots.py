@@ -198,7 +198,7 @@ def ensemble(result: Result, quantity: str | None, ax: Axes | None) -> Axes:
     demand(result, "distributions")
     every = result.to_xarray()
     place = place_of(every)
-    data = _quantity(result, quantity or every.attrs["leading_quantity"], [place, "sample"])
+    data = _quantity(result, quantity or str(every.attrs["target_quantity"]), [place, "sample"])
     ax = _axes(ax)
     edges = np.histogram_bin_edges(data.values[np.isfinite(data.values)], min(40, int(np.sqrt(data.sizes["sample"])) + 1))
     for number, (label, samples) in enumerate(zip(places_of(result, every), data)):

@@ -14,7 +14,7 @@ namespace {
 
 /// Does what reads a source; errors of what was given in Python go by their keys alone.
 template <typename Reading>
-auto told_by_keys(const Reading& reading) try {
+auto with_keys_alone(const Reading& reading) try {
   return reading();
 } catch (const Error& error) {
   std::vector<InputError> errors = error.errors();
@@ -28,7 +28,7 @@ auto told_by_keys(const Reading& reading) try {
 }  // namespace
 
 Case read_source(const CaseSource& source, const std::vector<std::string>& commands) {
-  return told_by_keys([&] {
+  return with_keys_alone([&] {
     return parse_case(source.text, source.name,
                       {.overrides = source.changes, .commands = commands, .check = errors_of_run});
   });
@@ -39,12 +39,12 @@ Case read_source(const CaseSource& source, const std::vector<std::string>& comma
 }
 
 void check_source(const CaseSource& source) {
-  told_by_keys([&] { return check_case(source.text, source.name, source.changes, errors_of_run); });
+  with_keys_alone([&] { return check_case(source.text, source.name, source.changes, errors_of_run); });
 }
 
 Sweep read_sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
                  bool limits) {
-  return told_by_keys([&] {
+  return with_keys_alone([&] {
     return parse_sweep(source.text, source.name,
                        {.command = command, .over = over, .overrides = source.changes, .limits = limits});
   });

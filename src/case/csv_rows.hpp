@@ -30,7 +30,7 @@ class CsvRows {
   /// Adds an error of the whole file.
   void error(std::string what, std::string advice);
 
-  [[nodiscard]] bool wrong() const { return !errors_.empty(); }
+  [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
 
   /// @throws Error (input) if there are errors
   void throw_if_wrong();

@@ -99,7 +99,7 @@ class HeightErrorsReader {
     }
     // An unreadable line may be the missing one.
     const auto missing = std::count(lines_.begin(), lines_.end(), std::size_t{0});
-    if (!rows_.wrong() && missing > 0) {
+    if (!rows_.has_errors() && missing > 0) {
       rows_.error(fmt::format("lacks bump{} {}", missing == 1 ? "" : "s", missing_bumps(lines_)),
                   fmt::format("give one line for each of {} bumps", lines_.size()));
     }

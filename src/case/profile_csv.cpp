@@ -44,10 +44,10 @@ class ProfileReader {
 
   /// @throws Error (input) if there are errors.
   std::vector<double> finish() {
-    if (!rows_.wrong() && deviations_.empty()) {
+    if (!rows_.has_errors() && deviations_.empty()) {
       rows_.error("contains no deviations", "write angle_deg,deviation_um and a line for each of equal angles");
     }
-    if (!rows_.wrong() && angle_) check_angles();
+    if (!rows_.has_errors() && angle_) check_angles();
     rows_.throw_if_wrong();
     return std::move(deviations_);
   }

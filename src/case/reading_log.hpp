@@ -38,7 +38,7 @@ class ReadingLog {
   void error(const std::string& key, std::string what, std::string advice);
 
   /// Marks an error of this key as already reported under another one.
-  void reported(const std::string& key) { wrong_.insert(key); }
+  void mark_reported(const std::string& key) { wrong_.insert(key); }
 
   /// Records that `key` took its value from `other`: its errors are reported there, once.
   void taken_from(const std::string& key, const std::string& other) { taken_from_[key] = other; }

@@ -59,7 +59,7 @@ void read_file(ReadingLog& log, const std::string& path, const toml::node& node,
     read((std::filesystem::path(log.file()).parent_path() / name).string());
   } catch (const Error& error) {
     for (const InputError& one : error.errors()) log.add(one, error.kind());
-    log.reported(other);
+    log.mark_reported(other);
   }
 }
 
@@ -104,14 +104,14 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
   reader.finish();
   const auto refuse = [&](const std::string& where, std::string what, std::string advice) {
     log_.error(where, std::move(what), std::move(advice));
-    log_.reported(path);
+    log_.mark_reported(path);
   };
   const bool counted = ends.contains("points");
   if (counted == ends.contains("step")) {
     return refuse(path, counted ? "has both points and step" : "has neither points nor step",
                   "give one of the two: how many values there are, or how far apart they lie");
   }
-  if (!from || !to || (!counted && !step)) return log_.reported(path);
+  if (!from || !to || (!counted && !step)) return log_.mark_reported(path);
   const double span = *to - *from;
   double spaces = counted ? points - 1.0 : span == 0.0 ? 0.0 : *step == 0.0 ? -1.0 : span / *step;
   const std::string last = path + (counted ? ".points" : ".step");

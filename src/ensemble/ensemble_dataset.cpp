@@ -88,7 +88,7 @@ Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const 
     data.add_coordinate({geometry.name, geometry.unit, geometry.long_name}, {"bump"}, geometry.values);
   }
   add_deviations(input, data);
-  data.attributes = {{"sampled_command", input.montecarlo->command}, {"leading_quantity", std::string(layout.leading)}};
+  data.attributes = {{"sampled_command", input.montecarlo->command}, {"target_quantity", std::string(layout.target)}};
   const std::string& place = layout.place.name;
   for (std::size_t k = 0; k < layout.columns.size(); ++k) {
     add_logged(layout, log, k, 1, data.add(layout.columns[k].meaning, {"sample", place}));

@@ -99,10 +99,7 @@ EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLay
 }
 
 double relative_error_of_mean(const EnsembleLayout& layout, const RowLog& log) {
-  const auto leading = std::find_if(layout.columns.begin(), layout.columns.end(), [&](const EnsembleColumn& column) {
-    return column.meaning.name == layout.leading;
-  });
-  const auto column = static_cast<std::size_t>(leading - layout.columns.begin());
+  const std::size_t column = layout.column(layout.target);
   double largest = 0.0;
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     const Statistics found = ConvergedSamples(layout, log, place).statistics(column, Undefined::unknown);

@@ -97,6 +97,7 @@ Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const Ensem
   for (const SampleFailure& failure : statistics.failures) {
     Json failed{{"sample", failure.sample}};
     const EnsemblePlace& place = layout.places[failure.place];
+    // Directions by their angle, states by their name; there is only one rotor.
     if (layout.place.form.kind == Form::real) {
       failed[layout.place.key()] = place.at;
     } else if (place.name != layout.place.name) {

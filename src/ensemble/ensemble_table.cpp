@@ -18,38 +18,20 @@ constexpr std::size_t quantity_width = 30;
 constexpr std::size_t quantity_unit_width = 7;
 constexpr std::size_t cell_width = 11;
 
-/// Index of the column of this name; the number of columns if there is none.
-std::size_t column_named(const EnsembleLayout& layout, std::string_view name) {
-  const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                  [name](const EnsembleColumn& one) { return one.meaning.name == name; });
-  return static_cast<std::size_t>(found - layout.columns.begin());
-}
-
-/// Number of samples for which a condition holds.
-struct TrueOfSamples {
-  std::string_view column;
-  std::string_view words;
-};
-constexpr auto true_of_samples = std::to_array<TrueOfSamples>({
-    {"stable", "stable with the journal held"},
-    {"stable_throughout", "stable at all speeds"},
-    {"unstable_at_lowest", "unstable at the lowest speed already"},
-    {"orbits_last", "periodic orbits last at all speeds"},
-});
-
+/// Number of samples for which something is true.
 std::string lines_of_truths(const EnsembleLayout& layout, const PlaceStatistics& statistics) {
   std::string out;
-  for (const auto& [name, words] : true_of_samples) {
-    const std::size_t column = column_named(layout, name);
-    if (column == layout.columns.size()) continue;
+  for (std::size_t column = 0; column < layout.columns.size(); ++column) {
+    const VariableMeaning& meaning = layout.columns[column].meaning;
+    if (meaning.label.empty() || meaning.form.kind != Form::truth) continue;
     const Statistics& found = statistics.columns[column];
     if (found.count == 0) {
-      out += fmt::format("{}: not known\n", words);
+      out += fmt::format("{}: not known\n", meaning.label);
       continue;
     }
     const std::string unknown = found.undefined == 0 ? "" : fmt::format("; of {} it is not known", found.undefined);
-    out += fmt::format("{}: {:.0f} of {} samples, {:.1f} %{}\n", words, found.mean * static_cast<double>(found.count),
-                       found.count, 100.0 * found.mean, unknown);
+    out += fmt::format("{}: {:.0f} of {} samples, {:.1f} %{}\n", meaning.label,
+                       found.mean * static_cast<double>(found.count), found.count, 100.0 * found.mean, unknown);
   }
   return out;
 }
@@ -67,7 +49,7 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
     out += fmt::format("\n{:-<{}}\n", "", quantity_width + quantity_unit_width + 6 * cell_width);
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       const EnsembleColumn& column = layout.columns[k];
-      if (column.meaning.label.empty()) continue;
+      if (column.meaning.label.empty() || column.meaning.form.kind != Form::real) continue;
       const Statistics& found = statistics.places[place].columns[k];
       const double unit = column.meaning.shown.size;
       std::vector<std::string> cells;
@@ -88,8 +70,8 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
 std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& layout,
                                        const EnsembleStatistics& statistics) {
   std::vector<std::string> lines = case_warnings(input);
-  const std::size_t jumps = column_named(layout, "jumps");
-  const std::size_t lifted = column_named(layout, "lifted_bumps_at_entry");
+  const std::size_t jumps = layout.column("jumps");
+  const std::size_t lifted = layout.column("lifted_bumps_at_entry");
   if (jumps == layout.columns.size() || lifted == layout.columns.size()) return lines;
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     const Statistics& jumped = statistics.places[place].columns[jumps];

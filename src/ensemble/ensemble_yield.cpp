@@ -27,10 +27,9 @@ EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout)
   const QuantityLimit limit = parse_quantity_limit(
       text, quantities, {"--limit", "the ensemble", "ensemble.nc has their names", "clearance_5N > 20 um"});
   const std::size_t column = columns[limit.quantity];
-  if ((layout.columns[column].meaning.tags & tag::unlimited) != 0) {
-    throw Error(ErrorKind::input,
-                {{"", 0, "--limit", text, "is a quantity that the best samples do not have, nor do the worst",
-                  fmt::format("write the limit for {}", layout.leading)}});
+  if ((layout.columns[column].meaning.tags & tag::no_limits) != 0) {
+    throw Error(ErrorKind::input, {{"", 0, "--limit", text, "is absent both in the best samples and in the worst",
+                                    fmt::format("set a limit on {}", layout.target)}});
   }
   return {text, column, limit.above, limit.bound};
 }

@@ -26,7 +26,7 @@ Sampling sampling_of_runs(const WholeRun& whole, const Sweeping& sweeping) {
         .places = {{whole.place.name, 1.0}},
         .columns = each(sampled_variables(run),
                         [](const Variable* variable) { return EnsembleColumn{.meaning = variable->meaning}; }),
-        .leading = whole.leading};
+        .target = whole.target};
   };
   const auto begin = [run = sweeping.run](const Case& /*input*/) -> SampleRun {
     return [run](const Case& sampled, const ProgressCallback& progress) {
@@ -40,10 +40,10 @@ Sampling sampling_of_runs(const WholeRun& whole, const Sweeping& sweeping) {
   return {.layout = layout, .begin = begin};
 }
 
-Sampling rotor_sampling(std::string_view leading, const Sweeping& sweeping) {
+Sampling rotor_sampling(std::string_view target, const Sweeping& sweeping) {
   return sampling_of_runs({.place = {"rotor", "1", "the rotor on bearings that are all the sample", whole_number},
                            .plural = "rotors",
-                           .leading = leading},
+                           .target = target},
                           sweeping);
 }
 

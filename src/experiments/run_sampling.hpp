@@ -23,7 +23,7 @@ auto sampled_of(const Quantities& quantities) {
 struct WholeRun {
   VariableMeaning place;    ///< the dimension of ensemble.nc; the place has its name
   std::string_view plural;  ///< of what runs
-  std::string_view leading;
+  std::string_view target;  ///< EnsembleLayout::target
 };
 
 /// Of an experiment that can be swept: keeps the numbers of its result that have no dimension and are tagged as
@@ -31,6 +31,6 @@ struct WholeRun {
 Sampling sampling_of_runs(const WholeRun& whole, const Sweeping& sweeping);
 
 /// The same of a rotor.
-Sampling rotor_sampling(std::string_view leading, const Sweeping& sweeping);
+Sampling rotor_sampling(std::string_view target, const Sweeping& sweeping);
 
 }  // namespace bumpfoil

@@ -6,6 +6,12 @@
 
 namespace bumpfoil {
 
+std::size_t EnsembleLayout::column(std::string_view name) const {
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [name](const EnsembleColumn& one) { return one.meaning.name == name; });
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
 std::string_view EnsembleLayout::status_name(int status) const {
   return (*statuses)[static_cast<std::size_t>(status)];
 }

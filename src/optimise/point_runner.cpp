@@ -109,7 +109,7 @@ class EnsembleRunner final : public PointRunner {
     if (!texts_.empty()) kept_.push_back({std::string(yield_name), "1", shown::unitless, 0, 0});
     for (std::size_t column = 1; column < layout.columns.size(); ++column) {
       const VariableMeaning& meaning = layout.columns[column].meaning;
-      if (meaning.form.kind != Form::real || (meaning.tags & tag::unlimited) != 0) continue;
+      if (meaning.form.kind != Form::real || (meaning.tags & tag::no_limits) != 0) continue;
       for (std::size_t i = 0; i < named_statistics().size(); ++i) {
         const std::string name = meaning.name + '.' + named_statistics()[i].name;
         kept_.push_back({name, meaning.unit, meaning.shown, column, i});

@@ -148,13 +148,13 @@ bool UzawaSolver::Workspace::update_contacts(const ContactLoading& loading, bool
   Eigen::Index worst_contact = -1;
   bool changed = false;
   for_each_contact(problem, [&](const CoulombContact& c) {
-    const double error =
+    const double violation =
         is_closed(c) ? -p[c.index] / force_tolerance : -(loading.initial_gap[c.index] + c.gap(x)) / gap_tolerance;
-    if (error > worst) {
-      worst = error;
+    if (violation > worst) {
+      worst = violation;
       worst_contact = c.index;
     }
-    if (error > 1.0 && !one_at_a_time) {
+    if (violation > 1.0 && !one_at_a_time) {
       closed[static_cast<std::size_t>(c.index)].flip();
       changed = true;
     }

@@ -137,7 +137,8 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
   Json quantities = Json::array();
   const EnsembleLayout layout = make_ensemble_layout(input);
   for (const EnsembleColumn& column : layout.columns) {
-    if (!column.meaning.label.empty()) quantities.push_back(shown_quantity(labelled(column.meaning)));
+    if (!column.meaning.label.empty() && column.meaning.form.kind == Form::real)
+      quantities.push_back(shown_quantity(labelled(column.meaning)));
   }
   Json json{{"quantities", quantities}, {"samples", Json::array()}};
   if (has_cycles(input.montecarlo->command)) {

@@ -58,7 +58,7 @@ std::vector<std::string> writing_commands() {
 /// Without home, terminal or input, in a locale with decimal commas or without a locale, and with names that contain
 /// blanks and non-ASCII letters, all works as usual. Existing files are kept; if nothing can be written, the message
 /// says so and no files remain.
-TEST_F(RunInShell, EveryCommandThatWritesMeetsTheErrorsOfItsMachine) {
+TEST_F(RunInShell, EveryCommandThatWritesReportsTheErrorsOfItsMachine) {
   ASSERT_EQ(run(cycle + "-o base"), 0);
   for (const std::string& command : writing_commands()) {
     SCOPED_TRACE(command);

@@ -303,7 +303,7 @@ async function settled(page, tab) {
   if (title === 'Running' || title === 'Rotor') await page.waitForFunction((view) => document.querySelector(view).dataset.answered, `.${title.toLowerCase()}`);
 }
 
-test('the page fits from 390 px up, with its results in sight, and has no error for those who cannot see it', () =>
+test('the page fits from 390 px up, with its results in sight, and passes the checks of accessibility', () =>
   withPage(async (page) => {
     // A coarse mesh, on which the tests need not wait.
     await write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n`);

@@ -10,7 +10,7 @@
 
 namespace bumpfoil {
 
-/// One error in the user's input: where it is, the value found, what to change.
+/// One entry of an Error: where it is, the value found, what to change.
 struct InputError {
   std::string file;    ///< empty when the case was built in memory
   std::size_t line{};  ///< 1-based; 0 when unknown

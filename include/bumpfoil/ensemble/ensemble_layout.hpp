@@ -9,7 +9,8 @@
 namespace bumpfoil {
 
 /// The layout of the ensemble of a case, that of its montecarlo.command.
-/// @throws Error (input) if it is one of running bearings or rotors, and the case makes none
+/// @throws Error (input) if there is no such command, or it is one of running bearings or rotors, and the case makes
+/// none
 EnsembleLayout make_ensemble_layout(const Case& input);
 
 /// The row of a sample, not a number where something is not known.

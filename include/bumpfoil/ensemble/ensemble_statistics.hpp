@@ -38,7 +38,7 @@ struct EnsembleStatistics {
 /// Reads a log column by column, one in memory at a time, and draws the samples of sensitivities again.
 EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const RowLog& log);
 
-/// Standard error of the mean of EnsembleLayout::leading over that mean, the largest of all places; not a number
+/// Standard error of the mean of EnsembleLayout::target over that mean, the largest of all places; not a number
 /// where there are too few samples.
 double relative_error_of_mean(const EnsembleLayout& layout, const RowLog& log);
 

@@ -11,7 +11,7 @@
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
-/// How experiments are run for the bearings of an ensemble. Ensembles know nothing else of them.
+/// How experiments are run for the bearings of an ensemble.
 namespace bumpfoil {
 
 /// Where numbers of a sample are kept: the direction of a cycle, or a state in which it runs; of a rotor there is one
@@ -40,12 +40,15 @@ struct EnsembleLayout {
   std::vector<EnsemblePlace> places;
   std::vector<PlaceCoordinate> coordinates{};
   std::vector<EnsembleColumn> columns;  ///< the first is the status, zero where the place was reached
-  std::string_view leading;             ///< name of the column whose mean --target-error refers to
+  std::string_view target;              ///< name of the column whose mean --target-error refers to
   std::string_view load{};              ///< long name of the loads of bumps; empty: none are kept
   std::size_t bumps{};                  ///< of the bearing; make_ensemble_layout() counts them
-  /// Words of the status, the last for samples that make no bearing: make_ensemble_layout() adds that.
+  /// Words of the status, the last for samples that make no bearing: make_ensemble_layout() adds that. The meaning of
+  /// the status refers to them, in copies as well.
   std::shared_ptr<const std::vector<std::string_view>> statuses{};
 
+  /// Number of the column of this name; that of all columns if there is none.
+  [[nodiscard]] std::size_t column(std::string_view name) const;
   /// Loads at each place: of all bumps, or none.
   [[nodiscard]] std::size_t loads() const { return load.empty() ? 0 : bumps; }
   [[nodiscard]] std::size_t per_place() const { return columns.size() + loads(); }
@@ -68,7 +71,7 @@ struct SampledPlace {
 
 /// Runs the experiment on the bearing of a sampled case, at all places of the layout; numerical failures are statuses.
 /// Called with the fraction that is done, `progress` returns false to end the run. What one run builds may serve the
-/// next: for one thread at a time.
+/// next, and copies share it: for one thread at a time.
 /// @throws Error (input) if the case makes no bearing
 using SampleRun = std::function<std::vector<SampledPlace>(const Case& sampled, const ProgressCallback& progress)>;
 

@@ -256,6 +256,7 @@ Case bearing_at(const Case& input, std::size_t place);
 
 /// Strips of the bump foil whose bumps have heights drawn of their own in the ensemble of the case: 1 where all strips
 /// have the same.
+/// @pre  the case has an ensemble
 std::size_t strips_drawn_apart(const Case& input);
 
 }  // namespace bumpfoil

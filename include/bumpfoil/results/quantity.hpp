@@ -85,7 +85,7 @@ inline constexpr Tags sampled = 8;       ///< kept of the samples of ensembles: 
 inline constexpr Tags of_solver = 16;    ///< how it was computed
 inline constexpr Tags measured = 32;     ///< follows from displacement and force alone
 inline constexpr Tags leading = 64;      ///< charts begin with it
-inline constexpr Tags unlimited = 128;   ///< no limits on it in ensembles: absent in good samples and in bad ones
+inline constexpr Tags no_limits = 128;   ///< no limits on it in ensembles: absent in good samples and in bad ones
 inline constexpr Tags key_figure = 256;  ///< with the leading one, of the three that pages show large
 /// Tags of an experiment begin here.
 inline constexpr Tags first_of_experiment = 512;

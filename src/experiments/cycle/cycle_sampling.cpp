@@ -62,7 +62,7 @@ EnsembleLayout cycle_layout(const Case& input) {
                            return EnsemblePlace{direction_name(direction), to_degrees(direction)};
                          }),
           .columns = each(cycle_columns(input), [](const CycleColumn& one) { return one.column; }),
-          .leading = "max_force",
+          .target = "max_force",
           .load = "load on the crest of the bump at full displacement"};
 }
 

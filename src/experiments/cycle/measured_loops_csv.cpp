@@ -66,11 +66,11 @@ class LoopsReader {
 
   /// @throws Error (input) if there are errors
   std::vector<MeasuredLoop> finish() {
-    if (points_.empty() && !rows_.wrong()) {
+    if (points_.empty() && !rows_.has_errors()) {
       rows_.error("contains no loop", "write displacement_um,force_N and a line for each point of the loop");
     }
     std::vector<MeasuredLoop> loops;
-    const bool wrong = rows_.wrong();
+    const bool wrong = rows_.has_errors();
     for (const auto& [at, points] : points_) {
       if (wrong) break;
       if (auto cycle = last_cycle(points)) {

@@ -25,7 +25,8 @@ CycleResult SampledCycleRunner::run(const Case& sampled, const ProgressCallback&
 std::optional<CycleResult> run_sampled_cycles(const Case& sampled, const ProgressCallback& progress) {
   try {
     return SampledCycleRunner().run(sampled, progress);
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::input) throw;
     return std::nullopt;
   }
 }

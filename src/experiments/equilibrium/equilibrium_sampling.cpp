@@ -31,7 +31,7 @@ EnsembleLayout equilibrium_layout(const Case& input) {
       .places = {},
       .columns = each(sampled_quantities(input),
                       [](const RunningQuantity& quantity) { return EnsembleColumn{.meaning = quantity.meaning()}; }),
-      .leading = "h_min",
+      .target = "h_min",
       .load = "load on the crest of the bump"};
   const std::vector<RunningState> states = planned_states(*input.equilibrium, Status::not_reached);
   for (const RunningState& state : states) {

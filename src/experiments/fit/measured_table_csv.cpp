@@ -38,7 +38,7 @@ class TableOfReadings {
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
     if (!rows_.has_header()) return read_header(line, text);
-    if (rows_.wrong() && columns_.empty()) return;
+    if (rows_.has_errors() && columns_.empty()) return;
     const std::vector<std::string> cells = rows_.read(line, text);
     if (cells.empty()) return;
     ++count_;
@@ -54,7 +54,8 @@ class TableOfReadings {
   }
 
   void finish() {
-    if (count_ == 0 && !rows_.wrong()) rows_.error("contains no row", "write a line for each place of measurement");
+    if (count_ == 0 && !rows_.has_errors())
+      rows_.error("contains no row", "write a line for each place of measurement");
     rows_.throw_if_wrong();
   }
 
@@ -75,7 +76,7 @@ class TableOfReadings {
         columns_.emplace_back(info, std::move(*found));
       }
     }
-    if (rows_.wrong()) columns_.clear();
+    if (rows_.has_errors()) columns_.clear();
   }
 
   CsvRows rows_;

@@ -101,6 +101,10 @@ void check_optimise(Checks& checks, const Case& input, const CheckedBumpFoil& /*
   const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
   if (held == nullptr || *held == OptimiseSettings{}) return;
   const OptimiseSettings& optimise = *held;
+  const CaseTable* const run = case_table_of(optimise.command);
+  checks.require(optimise.runs_ensembles() || (run != nullptr && run->swept), "optimise.command", optimise.command,
+                 "is not a command that can be optimised",
+                 fmt::format("give montecarlo, or one of {}", fmt::join(swept_experiments(), ", ")));
   const std::size_t aims = optimise.maximise.size() + optimise.minimise.size();
   checks.require_for("optimise", aims > 0, "optimise.maximise", "", "is missing",
                      "give a quantity to maximise, or one to minimise");

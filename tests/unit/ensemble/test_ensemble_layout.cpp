@@ -142,7 +142,7 @@ TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
   Case input = test_support::unbalance_ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
   EXPECT_EQ(layout.place.name, "rotor");
-  EXPECT_EQ(layout.leading, "largest_amplitude");
+  EXPECT_EQ(layout.target, "largest_amplitude");
   EXPECT_EQ(layout.width(), layout.columns.size());
   std::vector<std::string> names;
   for (const EnsembleColumn& column : layout.columns) names.push_back(column.meaning.name);
@@ -170,7 +170,7 @@ TEST(EnsembleLayout, RowsHoldWhatARotorDoesInTime) {
             (std::vector<std::string>{"status", "end_time", "end_speed", "largest_half_peak_to_peak",
                                       "largest_amplitude_half", "thinnest_film_of_run", "largest_asperity_load_of_run",
                                       "rub_count", "friction_loss_of_run", "energy_defect_of_run"}));
-  EXPECT_EQ(std::count(names.begin(), names.end(), layout.leading), 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), layout.target), 1);
   const std::vector<double> row = row_of_sample(input, layout);
   EXPECT_EQ(row[1], input.settings.find<TransientSettings>()->speed.front().time);
 }
@@ -196,6 +196,15 @@ TEST(EnsembleLayout, OfARunningBearingThatIsNoneOnlyTheStatusIsKnown) {
   EXPECT_EQ(layout.status_reason(static_cast<int>(row[0])), "invalid sample");
   EXPECT_TRUE(std::all_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(layout.per_place()),
                           [](double value) { return std::isnan(value); }));
+}
+
+/// Of a case that was not read from a file.
+TEST(EnsembleLayout, WantsACommandThatEnsemblesRun) {
+  for (const char* command : {"strip", "equilibrum", ""}) {
+    Case input = test_support::ensemble_case(1);
+    input.montecarlo->command = command;
+    EXPECT_THROW(static_cast<void>(make_ensemble_layout(input)), Error) << command;
+  }
 }
 
 }  // namespace

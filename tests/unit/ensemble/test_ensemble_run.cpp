@@ -115,5 +115,16 @@ TEST_F(EnsembleRuns, WaitForThoseWhoTookSamples) {
   EXPECT_EQ(log.rows(), 60U);
 }
 
+/// Scatter may make a bearing that is none: that sample is counted as such.
+TEST(EnsembleSampler, CountsSamplesThatMakeNoBearing) {
+  for (Case input : {test_support::running_ensemble_case(1), test_support::rotor_ensemble_case(1)}) {
+    input.montecarlo->bump_foil_thickness = Distribution{.kind = DistributionKind::table, .values = {-1e-3}};
+    const EnsembleLayout layout = make_ensemble_layout(input);
+    const std::vector<double> row = EnsembleSampler(input, layout).run(0, [](double) { return true; }).value();
+    ASSERT_EQ(row.size(), layout.width());
+    EXPECT_EQ(layout.status_name(static_cast<int>(row.front())), "not_physical");
+  }
+}
+
 }  // namespace
 }  // namespace bumpfoil

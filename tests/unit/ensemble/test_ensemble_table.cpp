@@ -46,9 +46,8 @@ TEST(EnsembleTable, TellsHowManySamplesAreStable) {
   of_place(0) = statistics_of({1.0, 0.0, 1.0, 1.0, 1.0});
   of_place(1) = statistics_of({1.0, 0.0, absent, 0.0, absent});
   const std::string table = ensemble_table(states, statistics);
-  EXPECT_NE(table.find("\nstable with the journal held: 4 of 5 samples, 80.0 %\n"), std::string::npos) << table;
-  EXPECT_TRUE(table.ends_with("\nstable with the journal held: 1 of 3 samples, 33.3 %; of 2 it is not known\n"))
-      << table;
+  EXPECT_NE(table.find("\nstable, journal held: 4 of 5 samples, 80.0 %\n"), std::string::npos) << table;
+  EXPECT_TRUE(table.ends_with("\nstable, journal held: 1 of 3 samples, 33.3 %; of 2 it is not known\n")) << table;
 
   const EnsembleLayout cycles = make_ensemble_layout(test_support::ensemble_case(3));
   for (PlaceStatistics& place : statistics.places) place.columns.assign(cycles.columns.size(), statistics_of({1.0}));
@@ -68,7 +67,7 @@ TEST(EnsembleTable, TellsHowManyRotorsWhirlNowhereAndHowManyFromTheBegin) {
   EXPECT_NE(table.find("\nonset of whirl                rpm          13100 "), std::string::npos) << table;
   EXPECT_TRUE(
       table.ends_with("\nstable at all speeds: 1 of 4 samples, 25.0 %\n"
-                      "unstable at the lowest speed already: 1 of 4 samples, 25.0 %\n"))
+                      "unstable at the lowest speed: 1 of 4 samples, 25.0 %\n"))
       << table;
 }
 

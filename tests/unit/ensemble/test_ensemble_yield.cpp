@@ -102,7 +102,7 @@ TEST(EnsembleYield, RotorsPassThatAreStableUpToTheLimit) {
       parse_limits({refused}, of_rotor);
       ADD_FAILURE() << refused;
     } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("write the limit for stable_up_to"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("set a limit on stable_up_to"), std::string::npos) << error.what();
     }
   }
   const std::vector<EnsembleLimit> limits = parse_limits({"stable_up_to > 12000 rpm"}, of_rotor);

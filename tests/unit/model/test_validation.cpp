@@ -37,6 +37,11 @@ TEST(FindErrors, ChecksEnsembles) {
   using enum DistributionKind;
   EXPECT_EQ(ensemble([](MonteCarloSettings&) {}), Keys{});
   EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.samples = 0; }), Keys{"montecarlo.samples"});
+  for (const char* command :
+       {"strip", "", "equilibrium", "stability", "unbalance", "transient"}) {  // none, or no table
+    EXPECT_EQ(ensemble([command](MonteCarloSettings& e) { e.command = command; }), Keys{"montecarlo.command"})
+        << command;
+  }
   EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.seed = -1; }), Keys{"montecarlo.seed"});
   EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.bump_height.reset(); }), Keys{"montecarlo"});
   EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.bump_height->correlation_length = -1e-3; }),

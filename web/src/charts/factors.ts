@@ -24,7 +24,7 @@ export class FactorPanel {
     private readonly selection: EnsembleSelection,
   ) {
     const { quantities } = ensemble;
-    this.quantity = quantities.find(({ name }) => name === ensemble.attribute('leading_quantity')) ?? at(quantities, 0);
+    this.quantity = quantities.find(({ name }) => name === ensemble.attribute('target_quantity')) ?? at(quantities, 0);
     const list = dropDown(
       `Quantity: ${title}`,
       quantities.map((value) => ({ value, text: capital(value.label) })),

@@ -8,6 +8,7 @@
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -146,6 +147,21 @@ TEST(OptimiseSettings, TellUnknownQuantitiesBesideErrorsElsewhere) {
 TEST(OptimiseSettings, NeedTheTablesOfTheirCommand) {
   const std::string lines = "\n[optimise]\ncommand = \"vibration\"\nmaximise = \"loss_factor\"\n";
   expect_error(lines + clearance, "vibration", "this table is missing");
+}
+
+/// Of a case that was not read from a file.
+TEST(OptimiseSettings, NameACommandThatCanBeRepeated) {
+  const auto keys_of = [](const char* command) {
+    return test_support::wrong_keys([command](Case& input) {
+      OptimiseSettings settings{.minimise = {"power"},
+                                .keys = {{.key = "friction.coefficient", .lower = 0.1, .upper = 0.2}}};
+      settings.command = command;
+      input.settings.set(settings);
+    });
+  };
+  EXPECT_EQ(keys_of("cycle"), test_support::Keys{});
+  EXPECT_EQ(keys_of("path"), test_support::Keys{"optimise.command"});
+  EXPECT_EQ(keys_of(""), test_support::Keys{"optimise.command"});
 }
 
 }  // namespace
