@@ -16,6 +16,7 @@
 #include "case/toml_document.hpp"
 #include "core/collect_errors.hpp"
 #include "core/number_text.hpp"
+#include "model/case_table.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -206,17 +207,11 @@ bool keeps_loops(const Sweep& sweep) {
   return values <= most_loop_values;
 }
 
-bool is_swept(const ExperimentInfo& experiment) {
-  return experiment.sweeping.has_value();
-}
-
 const ExperimentInfo& swept_experiment(const std::string& command) {
-  const auto found = std::find_if(experiments().begin(), experiments().end(), [&](const ExperimentInfo& experiment) {
-    return experiment.name == command && is_swept(experiment);
-  });
-  if (found != experiments().end()) return *found;
+  const CaseTable* const table = case_table_of(command);
+  if (table != nullptr && table->swept) return experiment_named(command);
   throw Error(ErrorKind::input, {{"", 0, "command", command, "is not swept",
-                                  fmt::format("give one of {}", fmt::join(swept_commands(), ", "))}});
+                                  fmt::format("give one of {}", fmt::join(swept_experiments(), ", "))}});
 }
 
 }  // namespace
@@ -272,11 +267,7 @@ std::string point_name(const Sweep& sweep, std::size_t point) {
 }
 
 std::vector<std::string> swept_commands() {
-  std::vector<std::string> names;
-  for (const ExperimentInfo& experiment : experiments()) {
-    if (is_swept(experiment)) names.emplace_back(experiment.name);
-  }
-  return names;
+  return {swept_experiments().begin(), swept_experiments().end()};
 }
 
 SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome) {

@@ -107,6 +107,16 @@ def test_ensemble_of_unbalanced_rotors():
     assert figures.ensemble(result).axes[0].get_xlabel() == "largest amplitude (µm)"
 
 
+def test_ensemble_of_rotors_in_time():
+    march = {"speed": {"to": "9000 rpm", "time": "14 ms"}, "steps_per_revolution": 20, "revolutions_per_spectrum": 1}
+    tables = {"film": {"rows": 4, "columns_per_pitch": 4}, "rotor": {"unbalance": [{"amount": "2 g mm"}]}, "transient": march}
+    result = bumpfoil.run_montecarlo(EXAMPLES / "rotor_tolerances.toml", samples=2, montecarlo={"command": "transient"}, **tables)
+    assert np.all(result.to_xarray().status == 0)
+    assert "half peak to peak" in result.plot_ensemble().get_xlabel()
+    assert figures.ensemble(result).axes[0].get_xlabel() == "largest half peak-to-peak (µm)"
+    assert "largest half peak-to-peak" in result._repr_html_()
+
+
 def test_sweep_of_unbalanced_rotors():
     tables = {"film": {"rows": 4, "columns_per_pitch": 4}, "unbalance": {"speeds": ["8000 rpm", "10000 rpm"]}}
     swept = bumpfoil.run_sweep(EXAMPLES / "rotor.toml", {"rotor.mass": [1.0, 2.0]}, command="unbalance", **tables).to_xarray()

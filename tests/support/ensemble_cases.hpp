@@ -8,6 +8,13 @@
 
 namespace bumpfoil::test_support {
 
+/// An ensemble of the reference bearing.
+inline Case ensemble_case(const MonteCarloSettings& ensemble) {
+  Case input = reference_case();
+  input.montecarlo = ensemble;
+  return input;
+}
+
 /// A small ensemble of the reference bearing: heights and friction scatter, +X and -X, few increments.
 inline Case ensemble_case(int samples) {
   Case input = reference_case();

@@ -4,15 +4,12 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
+#include "support/ensemble_cases.hpp"
 
 namespace bumpfoil {
 namespace {
 
-Case ensemble_case(const MonteCarloSettings& ensemble) {
-  Case input = reference_case();
-  input.montecarlo = ensemble;
-  return input;
-}
+using test_support::ensemble_case;
 
 const Distribution ten_micrometres{.kind = DistributionKind::normal, .sigma = 10e-6};
 
