@@ -3,27 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bumpfoil/experiments/case_warnings.hpp"
-#include "core/number_text.hpp"
+#include "results/table_lines.hpp"
 
 namespace bumpfoil {
 namespace {
-
-constexpr std::size_t quantity_width = 30;
-constexpr std::size_t quantity_unit_width = 7;
-constexpr std::size_t cell_width = 11;
 
 /// Number of samples for which something is true.
 std::string lines_of_truths(const EnsembleLayout& layout, const PlaceStatistics& statistics) {
   std::string out;
   for (std::size_t column = 0; column < layout.columns.size(); ++column) {
     const VariableMeaning& meaning = layout.columns[column].meaning;
-    if (meaning.label.empty() || meaning.form.kind != Form::truth) continue;
+    if (meaning.shown.size == 0.0 || meaning.form.kind != Form::truth) continue;
     const Statistics& found = statistics.columns[column];
     if (found.count == 0) {
       out += fmt::format("{}: not known\n", meaning.label);
@@ -42,26 +36,17 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
   std::string out;
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     if (!out.empty()) out += '\n';
-    out += fmt::format("{:<{}}", layout.places[place].name, quantity_width + quantity_unit_width);
-    for (const std::string_view head : {"mean", "+-", "std", "5 %", "50 %", "95 %"}) {
-      out += fmt::format("{:>{}}", head, cell_width);
-    }
-    out += fmt::format("\n{:-<{}}\n", "", quantity_width + quantity_unit_width + 6 * cell_width);
+    Table table;
+    table.add(shown_column(layout.places[place].name),
+              std::vector<std::string>{"mean", "+-", "std", "5 %", "50 %", "95 %"});
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       const EnsembleColumn& column = layout.columns[k];
-      if (column.meaning.label.empty() || column.meaning.form.kind != Form::real) continue;
+      if (column.meaning.shown.size == 0.0 || column.meaning.form.kind != Form::real) continue;
       const Statistics& found = statistics.places[place].columns[k];
-      const double unit = column.meaning.shown.size;
-      std::vector<std::string> cells;
-      for (const double value : {found.mean, found.standard_error, found.deviation, found.percentile[1],
-                                 found.percentile[3], found.percentile[5]}) {
-        cells.push_back(number_text(value, unit));
-      }
-      out += fmt::format("{:<{}}{:<{}}", column.meaning.label, quantity_width,
-                         unit_beside(column.meaning.shown.name, cells), quantity_unit_width);
-      for (const std::string& text : cells) out += fmt::format("{:>{}}", text, cell_width);
-      out += '\n';
+      table.add(column.meaning, {found.mean, found.standard_error, found.deviation, found.percentile[1],
+                                 found.percentile[3], found.percentile[5]});
     }
+    out += table_blocks(table);
     out += lines_of_truths(layout, statistics.places[place]);
   }
   return out;

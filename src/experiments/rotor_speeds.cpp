@@ -7,6 +7,11 @@
 
 namespace bumpfoil {
 
+void add_speeds(std::vector<double> speeds, Dataset& data) {
+  data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y", {}, "speed", shown::revolutions},
+                     std::move(speeds));
+}
+
 void add_bearing_numbers(std::size_t count, Dataset& data) {
   data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
 }
@@ -39,6 +44,7 @@ std::vector<JournalQuantity> journal_quantities(const Machine& machine) {
 void add_stations(const std::vector<RotorStation>& stations, Dataset& data) {
   data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
                      numbers_from(1.0, stations.size()));
+  data.coordinates.back().names = each(stations, [](const RotorStation& station) { return station.name; });
   Variable& places = data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
                                          each(stations, [](const RotorStation& station) { return station.z; }));
   std::string& names = places.attributes["stations"];

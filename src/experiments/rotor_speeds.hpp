@@ -25,6 +25,9 @@ struct SpeedStatus {
   Status status{};
 };
 
+/// Adds the dimension `speed`.
+void add_speeds(std::vector<double> speeds, Dataset& data);
+
 /// Adds the dimension `bearing`.
 void add_bearing_numbers(std::size_t count, Dataset& data);
 

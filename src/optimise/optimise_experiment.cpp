@@ -23,7 +23,7 @@ std::vector<ResultFile> optimise_files(const Case& input, const OptimiseResult& 
        .provenance = provenance},
       "result.nc", "use fewer evaluations", [&](const std::string& /*run_id*/) {
         ResultContents contents{
-            .texts = {{"points.csv", points_csv(result)}}, .dataset = optimise_dataset(result), .lists = [&] {
+            .tables = {{"points.csv", point_table(result)}}, .dataset = optimise_dataset(result), .lists = [&] {
               nlohmann::ordered_json json{{"failures", failures}, {"warnings", warnings}};
               json.update(optimise_lists(result));
               return json;

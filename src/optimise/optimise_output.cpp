@@ -9,9 +9,9 @@
 
 #include "bumpfoil/case/case_writer.hpp"
 #include "core/number_text.hpp"
-#include "results/csv_value.hpp"
 #include "results/read_unit.hpp"
 #include "results/summary_json.hpp"
+#include "results/table_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -85,76 +85,63 @@ std::string first_message(const OptimiseResult& result, PointStatus status) {
 
 std::string limits_text(const OptimiseResult& result, const OptimisePoint& point, bool best) {
   if (result.limits.empty()) return {};
-  std::size_t width = std::string_view("limit").size();
-  for (const OptimiseLimit& limit : result.limits) width = std::max(width, limit.text.size());
-  std::string out = fmt::format("\n{:<{}}  {:>16}  {:>16}\n", "limit", width, "value", "margin");
+  std::vector<std::string> values, margins, remarks;
   for (std::size_t i = 0; i < result.limits.size(); ++i) {
     const OptimiseLimit& limit = result.limits[i];
     const double margin = limit.margin(point.limits[i]);
-    out += fmt::format("{:<{}}  {:>16}  {:>16}{}\n", limit.text, width, quantity_text(point.limits[i], limit.quantity),
-                       quantity_text(margin, limit.quantity),
-                       margin <= 0.0                 ? "  missed"
-                       : best && result.is_active(i) ? "  active"
-                                                     : "");
+    values.push_back(quantity_text(point.limits[i], limit.quantity));
+    margins.push_back(quantity_text(margin, limit.quantity));
+    remarks.emplace_back(margin <= 0.0 ? "missed" : best && result.is_active(i) ? "active" : "");
   }
-  return out;
+  Table table;
+  table.add(shown_column("limit"), each(result.limits, [](const OptimiseLimit& limit) { return limit.text; }));
+  table.add(shown_column("value"), std::move(values));
+  table.add(shown_column("margin"), std::move(margins));
+  table.add(shown_column(""), std::move(remarks));
+  return '\n' + table_lines(table);
 }
 
 std::string key_lines(const OptimiseResult& result, const OptimisePoint& point, bool best) {
-  std::size_t width = std::string_view("key").size();
-  for (const OptimisedKey& key : result.settings.keys) width = std::max(width, key.key.size());
-  std::string out = fmt::format("{:<{}}  {:>12}  {:>12}  {:>12}  {:>12}  unit\n", "key", width, "value", "start",
-                                "lower bound", "upper bound");
-  for (std::size_t i = 0; i < result.settings.keys.size(); ++i) {
-    const OptimisedKey& key = result.settings.keys[i];
-    const ReadUnit unit = read_unit_of(result.key_units[i]);
+  const std::vector<OptimisedKey>& keys = result.settings.keys;
+  const std::vector<ReadUnit> units = each(result.key_units, read_unit_of);
+  Table table;
+  table.add(shown_column("key"), each(keys, [](const OptimisedKey& key) { return key.key; }));
+  const auto add = [&](std::string label, const auto& text_of) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < keys.size(); ++i) texts.push_back(text_of(i));
+    table.add(shown_column(std::move(label)), std::move(texts));
+  };
+  add("value", [&](std::size_t i) { return number_text(point.values[i], units[i].size); });
+  add("start", [&](std::size_t i) { return number_text(result.points[0].values[i], units[i].size); });
+  add("lower bound", [&](std::size_t i) { return number_text(keys[i].lower, units[i].size); });
+  add("upper bound", [&](std::size_t i) { return number_text(keys[i].upper, units[i].size); });
+  add("unit", [&](std::size_t i) { return units[i].name; });
+  add("", [&](std::size_t i) {
     const int bound = best ? result.bound_of(i) : 0;
-    out += fmt::format("{:<{}}  {:>12}  {:>12}  {:>12}  {:>12}  {}{}\n", key.key, width,
-                       number_text(point.values[i], unit.size), number_text(result.points[0].values[i], unit.size),
-                       number_text(key.lower, unit.size), number_text(key.upper, unit.size), unit.name,
-                       bound == 0  ? ""
-                       : bound < 0 ? "  at its lower bound"
-                                   : "  at its upper bound");
-  }
-  return out + '\n';
+    return bound == 0 ? "" : bound < 0 ? "at its lower bound" : "at its upper bound";
+  });
+  return table_lines(table) + '\n';
 }
 
 std::string front_lines(const OptimiseResult& result) {
   if (result.front.empty()) return {};
-  std::string heads;
-  const auto head = [&heads](const std::string& name, const ReadUnit& unit) {
-    const std::string text = unit.name.empty() ? name : fmt::format("{} ({})", name, unit.name);
-    heads += fmt::format("{}{:>12}", heads.empty() ? "" : "  ", text);
-    return std::max<std::size_t>(text.size(), 12);
+  Table table;
+  const auto add = [&](const std::string& name, const ReadUnit& unit, const auto& value) {
+    table.add(shown_column(name, {unit.name, unit.size}),
+              each(result.front, [&](std::size_t number) { return value(result.points[number]); }));
   };
-  std::vector<std::size_t> widths;
-  for (const OptimiseAim& aim : result.aims) widths.push_back(head(aim.quantity.name, unit_of_quantity(aim.quantity)));
+  const std::vector<ReadUnit> aim_units =
+      each(result.aims, [](const OptimiseAim& aim) { return unit_of_quantity(aim.quantity); });
+  const std::vector<ReadUnit> key_units = each(result.key_units, read_unit_of);
+  for (std::size_t i = 0; i < result.aims.size(); ++i) {
+    add(result.aims[i].quantity.name, aim_units[i], [i](const OptimisePoint& point) { return point.aims[i]; });
+  }
   for (std::size_t i = 0; i < result.settings.keys.size(); ++i) {
-    widths.push_back(head(result.settings.keys[i].key, read_unit_of(result.key_units[i])));
+    add(result.settings.keys[i].key, key_units[i], [i](const OptimisePoint& point) { return point.values[i]; });
   }
-  std::string out = "\nfront\n" + heads + '\n';
-  for (const std::size_t number : result.front) {
-    const OptimisePoint& point = result.points[number];
-    std::string line;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      const std::size_t aims = result.aims.size();
-      const double value = i < aims ? point.aims[i] : point.values[i - aims];
-      const ReadUnit unit =
-          i < aims ? unit_of_quantity(result.aims[i].quantity) : read_unit_of(result.key_units[i - aims]);
-      line += fmt::format("{}{:>{}}", i == 0 ? "" : "  ", number_text(value, unit.size), widths[i]);
-    }
-    out += line + (result.best == number ? "  best\n" : "\n");
-  }
-  return out;
-}
-
-/// A CSV column name: "bearing_radial_clearance_m".
-std::string column_of_key(const std::string& key, const std::string& unit) {
-  std::string name = key;
-  std::erase(name, ']');
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '.' || c == '['; }, '_');
-  return key_of(name, unit);
+  table.add(shown_column(""),
+            each(result.front, [&](std::size_t number) -> std::string { return result.best == number ? "best" : ""; }));
+  return "\nfront\n" + table_lines(table);
 }
 
 std::vector<double> over_points(const OptimiseResult& result, std::size_t width, const auto& numbers) {
@@ -289,30 +276,36 @@ Dataset optimise_dataset(const OptimiseResult& result) {
   return data;
 }
 
-std::string points_csv(const OptimiseResult& result) {
-  std::string out = "point,search,status,feasible";
+Table point_table(const OptimiseResult& result) {
+  const std::vector<OptimisePoint>& points = result.points;
+  Table table;
+  table.add({"point", "1", ""}, numbers_from(0.0, points.size()));
+  table.add({"search", "1", ""},
+            each(points, [](const OptimisePoint& one) { return static_cast<double>(one.search); }));
+  table.add({"status", "", "", of_point},
+            each(points, [](const OptimisePoint& one) { return static_cast<double>(one.status); }));
+  table.add({"feasible", "1", "", yes_or_no},
+            each(points, [&](const OptimisePoint& one) { return result.is_feasible(one) ? 1.0 : 0.0; }));
+  const auto add = [&](std::string name, const std::string& unit, std::vector<double> OptimisePoint::*list,
+                       std::size_t i) {
+    std::erase(name, ']');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '.' || c == '['; }, '_');
+    table.add({std::move(name), unit, ""}, each(points, [list, i](const OptimisePoint& one) {
+                return (one.*list).empty() ? absent : (one.*list)[i];
+              }));
+  };
   for (std::size_t i = 0; i < result.settings.keys.size(); ++i) {
-    out += ',' + column_of_key(result.settings.keys[i].key, result.key_units[i]);
+    add(result.settings.keys[i].key, result.key_units[i], &OptimisePoint::values, i);
   }
-  for (const OptimiseAim& aim : result.aims) out += ',' + column_of_key(aim.quantity.name, aim.quantity.unit);
+  for (std::size_t i = 0; i < result.aims.size(); ++i) {
+    add(result.aims[i].quantity.name, result.aims[i].quantity.unit, &OptimisePoint::aims, i);
+  }
   for (std::size_t i = 0; i < result.limits.size(); ++i) {
     const OptimisedQuantity& quantity = result.limits[i].quantity;
-    out += fmt::format(",limit_{}_{}", i + 1, column_of_key(quantity.name, quantity.unit));
+    add(fmt::format("limit_{}_{}", i + 1, key_of(quantity.name, quantity.unit)), "", &OptimisePoint::limits, i);
   }
-  out += '\n';
-  for (std::size_t k = 0; k < result.points.size(); ++k) {
-    const OptimisePoint& point = result.points[k];
-    out += fmt::format("{},{},{},{}", k, point.search, name_of(point.status),
-                       result.is_feasible(point) ? "true" : "false");
-    for (const double value : point.values) append_csv(out += ',', value);
-    for (std::size_t i = 0; i < result.aims.size(); ++i)
-      append_csv(out += ',', point.aims.empty() ? absent : point.aims[i]);
-    for (std::size_t i = 0; i < result.limits.size(); ++i) {
-      append_csv(out += ',', point.limits.empty() ? absent : point.limits[i]);
-    }
-    out += '\n';
-  }
-  return out;
+  return table;
 }
 
 Json optimise_lists(const OptimiseResult& result) {

@@ -6,6 +6,7 @@
 
 #include "bumpfoil/optimise/optimise.hpp"
 #include "bumpfoil/results/dataset.hpp"
+#include "bumpfoil/results/table.hpp"
 
 namespace bumpfoil {
 
@@ -21,8 +22,8 @@ std::string optimise_table(const OptimiseResult& result);
 /// Contents of result.nc. @param result  must outlive it
 Dataset optimise_dataset(const OptimiseResult& result);
 
-/// Contents of points.csv: one line per point.
-std::string points_csv(const OptimiseResult& result);
+/// Rows of points.csv: one per point.
+Table point_table(const OptimiseResult& result);
 
 /// Entries of summary.json.
 nlohmann::ordered_json optimise_lists(const OptimiseResult& result);

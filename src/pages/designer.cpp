@@ -18,7 +18,7 @@
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/ensemble/statistics.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
-#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
+#include "bumpfoil/experiments/cycle/increment_rows.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/cycle/sampled_cycles.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
@@ -26,6 +26,7 @@
 #include "bumpfoil/experiments/properties/properties_report.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "case/key_list.hpp"
 #include "case/presets.hpp"
@@ -146,7 +147,7 @@ Json answer_cycles(const Json& request) {
 }
 
 Json answer_csv(const Json& request) {
-  return {{"csv", cycle_csv(run_cycles(read(request, {"cycle"})))}};
+  return {{"csv", csv_text(increment_rows(run_cycles(read(request, {"cycle"}))))}};
 }
 
 Json answer_properties(const Json& request) {

@@ -54,7 +54,7 @@ Json increments_json(const Cycle& cycle, double at) {
           {"fields", Json::object()}};
 }
 
-Json summary_of(const Cycle& cycle, double at, Experiment experiment) {
+Json summary_of(const Cycle& cycle, double at, Experiment experiment, const std::vector<double>& clearance_forces) {
   Json json{{"at", at}, {"steps", cycle.steps}, {"amplitude_m", cycle.amplitude}, {"converged", true}};
   static const Case unknown;
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
@@ -62,11 +62,8 @@ Json summary_of(const Cycle& cycle, double at, Experiment experiment) {
       json[quantity.key()] = value_json(quantity.value(cycle, unknown), quantity.form);
     }
   }
-  json["clearances"] = Json::array();
-  for (const Clearance& clearance : cycle.clearances) {
-    json["clearances"].push_back({{"force_N", clearance.force},
-                                  {"displacement_m", clearance.displacement ? Json(*clearance.displacement) : Json()}});
-  }
+  const std::vector<VariableMeaning> clearances = clearance_quantities(clearance_forces);
+  for (std::size_t i = 0; i < clearances.size(); ++i) json[clearances[i].key()] = value_json(clearance_of(cycle, i));
   return json;
 }
 
@@ -145,6 +142,7 @@ Json measured_run(const MeasuredFile& file, const std::string& columns, const st
       if (shown["name"] == quantity.name) quantities.push_back(shown);
     }
   }
+  add_clearances(clearance_forces, quantities);
   std::size_t most = 0;
   Json loops = Json::array();
   Json summaries = Json::array();
@@ -154,7 +152,7 @@ Json measured_run(const MeasuredFile& file, const std::string& columns, const st
     const Cycle cycle = measured_cycle(loop.cycle.points, clearance_forces);
     most = std::max(most, cycle.increments.size());
     loops.push_back(increments_json(cycle, at));
-    summaries.push_back(summary_of(cycle, at, strip ? Experiment::strip : Experiment::cycle));
+    summaries.push_back(summary_of(cycle, at, strip ? Experiment::strip : Experiment::cycle, clearance_forces));
     summaries.back()["warnings"] = remarks_on(loop.cycle);
     for (const std::string& remark : remarks_on(loop.cycle)) {
       if (warn) warn(fmt::format("{}: {}: {}", printable(path, longest_path), cycle_name(at, strip), remark));

@@ -68,9 +68,7 @@ std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment
   if (has_onsets(experiment.name)) return stability_meanings();
   std::vector<VariableMeaning> meanings = experiment.quantities;
   const auto add = [&meanings](const auto& quantities) {
-    for (const auto& quantity : quantities) {
-      if (!quantity.is(tag::of_place)) meanings.push_back(quantity.meaning());
-    }
+    for (const auto& quantity : quantities) meanings.push_back(quantity.meaning());
   };
   if (has_peaks(experiment.name)) {
     add(response_quantities());
@@ -84,8 +82,24 @@ std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment
   return meanings;
 }
 
+/// Forces of all clearances of cycles, at the points of a sweep, too.
+std::vector<double> clearance_forces_of(const Json& summary) {
+  std::vector<double> forces;
+  const auto add = [&forces](const Json& run) {
+    for (const Json& cycle : run.value("cycles", Json::array())) {
+      for (const Json& clearance : cycle.value("clearances", Json::array())) {
+        const auto force = clearance["force_N"].get<double>();
+        if (std::find(forces.begin(), forces.end(), force) == forces.end()) forces.push_back(force);
+      }
+    }
+  };
+  add(summary);
+  for (const Json& point : summary.value("points", Json::array())) add(point);
+  return forces;
+}
+
 /// Those of the experiment of a result; a sweep has those of its command.
-Json quantities_json(const Json& result) {
+Json quantities_json(const Json& result, const Json& summary) {
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
   const auto found = std::find_if(experiments().begin(), experiments().end(),
                                   [&](const ExperimentInfo& experiment) { return experiment.name == command; });
@@ -99,6 +113,7 @@ Json quantities_json(const Json& result) {
     if (of_cycles && (meaning.tags & tag::of_width_alone) != 0 && meaning_of(result, meaning.name).empty()) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
+  if (of_cycles) add_clearances(clearance_forces_of(summary), json);
   return json;
 }
 
@@ -137,7 +152,7 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
   Json quantities = Json::array();
   const EnsembleLayout layout = make_ensemble_layout(input);
   for (const EnsembleColumn& column : layout.columns) {
-    if (!column.meaning.label.empty() && column.meaning.form.kind == Form::real)
+    if (column.meaning.shown.size > 0.0 && column.meaning.form.kind == Form::real)
       quantities.push_back(shown_quantity(labelled(column.meaning)));
   }
   Json json{{"quantities", quantities}, {"samples", Json::array()}};
@@ -221,7 +236,8 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   if (has_distributions(kind)) {
     run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
   } else {
-    run["quantities"] = has_points(kind) ? optimised_quantities_json(summary.json) : quantities_json(result);
+    run["quantities"] =
+        has_points(kind) ? optimised_quantities_json(summary.json) : quantities_json(result, summary.json);
   }
   return run;
 }

@@ -101,46 +101,6 @@ Json nodes_of(const ResultLayout& layout) {
   return nodes;
 }
 
-/// Words for quantities without a label whose names are not words.
-constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"h_min_theta", "angle of the minimum film thickness"},
-    {"h_min_z", "distance of the minimum film thickness from the mid-plane"},
-    {"h_min_pad", "pad of the minimum film thickness"},
-    {"h_min_vertex", "minimum film thickness, by a parabola"},
-    {"h_min_vertex_theta", "angle of the minimum film thickness, by a parabola"},
-    {"h_min_crest", "minimum film thickness over a crest"},
-    {"couette_torque", "Couette torque"},
-    {"poiseuille_torque", "Poiseuille torque"},
-    {"couette_dissipation", "Couette dissipation"},
-    {"poiseuille_dissipation", "Poiseuille dissipation"},
-    {"flow_weld", "flow past the weld"},
-    {"flow_free_end", "flow past the free end"},
-    {"flow_sides", "flow out at the sides"},
-    {"flow_side_left", "flow out at the side z < 0"},
-    {"flow_side_right", "flow out at the side z > 0"},
-    {"lifted_bumps_at_entry", "detached bumps at the inlet"},
-    {"highest_loaded_bump", "bump with the maximum load"},
-    {"jumps", "jumps to other branches"},
-    {"growth_held", "growth, journal held"},
-    {"growth_held_theta", "angle at which the growing motion is largest"},
-    {"whirl_ratio_held", "whirl ratio, journal held"},
-    {"critical_mass", "critical rotor mass"},
-    {"foil_response", "foil displacement per journal displacement"},
-    {"stiffness_cross", "stiffness across the direction"},
-    {"loss_stiffness_cross", "loss stiffness across the direction"},
-    {"speed_status", "status"},
-    {"real", "growth rate"},
-    {"imag", "damped frequency"},
-    {"log_decrement", "log. decrement"},
-    {"of_foils", "motion of the foils"},
-    {"mean_x", "mean position, X"},
-    {"mean_y", "mean position, Y"},
-    {"amplitude_x_2x", "amplitude at twice the speed, X"},
-    {"amplitude_y_2x", "amplitude at twice the speed, Y"},
-    {"phase_x_2x", "phase at twice the speed, X"},
-    {"phase_y_2x", "phase at twice the speed, Y"},
-});
-
 }  // namespace
 
 bool is_left_out(std::string_view field) {
@@ -171,21 +131,25 @@ VariableMeaning labelled(VariableMeaning meaning) {
 }
 
 std::string shown_label(std::string_view label, std::string_view name) {
-  const bool own = !label.empty() && !label.starts_with(' ');
-  if (!own && (name.starts_with("kx") || name.starts_with("ky") || name.starts_with("cx") || name.starts_with("cy"))) {
+  if (!label.empty()) return std::string(label);
+  if (name.starts_with("kx") || name.starts_with("ky") || name.starts_with("cx") || name.starts_with("cy")) {
     return fmt::format("{}{}, {}{}", name.find("_whirl") == std::string_view::npos ? "" : "whirl ",
                        name.front() == 'k' ? "stiffness" : "damping", name.substr(1, 2),
                        name.ends_with("_stuck") ? ", full stick" : "");
   }
-  const auto named =
-      std::find_if(names_in_words.begin(), names_in_words.end(), [name](const auto& one) { return one.first == name; });
-  if (!own && named != names_in_words.end()) return std::string(named->second);
-  if (!own && name.ends_with("_stuck")) {
-    return shown_label("", name.substr(0, name.size() - std::string_view("_stuck").size())) + ", full stick";
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+void add_clearances(const std::vector<double>& forces, Json& quantities) {
+  auto place = quantities.end();
+  for (auto one = quantities.begin(); one != quantities.end(); ++one) {
+    if ((*one)["name"] == "first_contact" || (*one)["name"] == "take_up") place = std::next(one);
   }
-  std::string shown(own ? label : name);
-  std::replace(shown.begin(), shown.end(), '_', ' ');
-  return shown;
+  for (const VariableMeaning& clearance : clearance_quantities(forces)) {
+    place = std::next(quantities.insert(place, shown_quantity(clearance)));
+  }
 }
 
 Json shown_run(const Case& input, const CycleResult& result) {
@@ -219,6 +183,7 @@ Json shown_run(const Case& input, const CycleResult& result) {
     meaning.long_name = spelled(quantity.long_name, wording);
     run["quantities"].push_back(shown_quantity(meaning));
   }
+  add_clearances(input.cycle.clearance_forces, run["quantities"]);
   return run;
 }
 

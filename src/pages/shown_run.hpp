@@ -14,12 +14,15 @@ namespace bumpfoil {
 /// @param meaning  with the label for the page, and its long name in words, empty if there are none
 nlohmann::ordered_json shown_quantity(const VariableMeaning& meaning);
 
-/// Name of a quantity of states or vibrations in tables of a page: its label, or words for its name if it has no label,
-/// or an indented one that refers to another row on the terminal.
+/// Name of a quantity of states or vibrations in tables of a page: its label, or words for its name if it has none.
 std::string shown_label(std::string_view label, std::string_view name);
 
 /// The quantity with that label.
 VariableMeaning labelled(VariableMeaning meaning);
+
+/// Inserts clearances at these forces among the quantities of cycles, after the other displacements. Summaries have
+/// them by their keys, netCDF files in a list.
+void add_clearances(const std::vector<double>& forces, nlohmann::ordered_json& quantities);
 
 /// Fields that the page omits; gaps follow from displacements.
 bool is_left_out(std::string_view field);

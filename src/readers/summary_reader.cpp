@@ -78,6 +78,12 @@ class SummaryChecker {
     for (const char* key : {"clearances", "warnings", "loop_energies_J"}) {
       if (cycle.contains(key) && !cycle[key].is_array()) refuse(key, "is not a list");
     }
+    for (const auto& [key, value] : cycle.items()) {
+      if (key.starts_with("clearance_")) check_value(key, value, {});
+    }
+    for (const Json& clearance : cycle.value("clearances", Json::array())) {
+      if (!at(clearance, "force_N").is_number()) refuse("clearances", "has a force that is not a number");
+    }
     // Known for every cycle that exists.
     if (cycle["steps"].is_null()) refuse("steps", "is not an integer");
     if (cycle["converged"].is_null()) refuse("converged", "is neither true nor false");

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <new>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "bumpfoil/case/case_writer.hpp"
@@ -20,7 +20,7 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/checksum.hpp"
-#include "results/dataset_csv.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "results/dataset_netcdf.hpp"
 #include "results/manifest.hpp"
 #include "results/netcdf_writer.hpp"
@@ -35,29 +35,24 @@ std::string run_id_of(const RunRecord& run) {
   return xxh3_128(fmt::format("{} {} {}\n{}", version(), commit(), run.command, case_to_toml(run.input)));
 }
 
-// The variable with the computing time of a part of a run: wall_time.
+/// Of the computing time of a part of a run, `wall_time`.
+constexpr const char* key_of_times = "wall_time_s";
 
 void erase_times(Dataset& dataset) {
-  std::erase_if(dataset.variables, [](const Variable& variable) { return variable.meaning.name == "wall_time"; });
+  std::erase_if(dataset.variables, [](const Variable& variable) { return variable.meaning.key() == key_of_times; });
 }
 
 void erase_times(nlohmann::ordered_json& json) {
   if (!json.is_structured()) return;
-  if (json.is_object()) json.erase("wall_time_s");
+  if (json.is_object()) json.erase(key_of_times);
   for (nlohmann::ordered_json& part : json) erase_times(part);
 }
 
-/// Requires that no cell contains a comma.
-void erase_times(std::string& csv) {
-  const std::size_t place = csv.substr(0, csv.find('\n')).find(",wall_time_s");
-  if (place == std::string::npos) return;
-  const auto column = std::count(csv.begin(), csv.begin() + static_cast<std::ptrdiff_t>(place), ',') + 1;
-  std::istringstream lines(std::exchange(csv, {}));
-  for (std::string line; std::getline(lines, line);) {
-    std::size_t comma = std::string::npos;  // incremented, it is the first position
-    for (auto k = column; k > 0; --k) comma = line.find(',', comma + 1);
-    csv += line.erase(comma, line.find(',', comma + 1) - comma) + '\n';
-  }
+ResultFile csv_file(const RunRecord& run, const TableFile& file) {
+  if (run.provenance.times) return {file.name, csv_text(file.table)};
+  Table table = file.table;
+  table.erase(key_of_times);
+  return {file.name, csv_text(table)};
 }
 
 nlohmann::ordered_json lists_of(const RunRecord& run, nlohmann::ordered_json lists) {
@@ -144,13 +139,10 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
                                           const std::function<ResultContents(const std::string&)>& contents) try {
   const std::string run_id = run_id_of(run);
   ResultContents made = contents(run_id);
-  if (!run.provenance.times) {
-    erase_times(made.dataset);
-    for (ResultFile& text : made.texts) {
-      if (text.name.ends_with(".csv")) erase_times(text.contents);
-    }
-  }
-  std::vector<ResultFile> files = std::move(made.texts);
+  if (!run.provenance.times) erase_times(made.dataset);
+  std::vector<ResultFile> files;
+  for (const TableFile& table : made.tables) files.push_back(csv_file(run, table));
+  std::move(made.texts.begin(), made.texts.end(), std::back_inserter(files));
   files.push_back({std::string(netcdf_name), built(netcdf_name, advice, [&] {
                      NewNetcdf file;
                      add_provenance(file, run, run_id);
@@ -168,8 +160,8 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
 
 void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
                         const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder,
-                        const std::vector<ResultFile>& texts) {
-  ResultStream({.netcdf = netcdf_name, .csv = {}, .advice = advice}, dataset, folder).finish(run, {}, lists, texts);
+                        const std::vector<TableFile>& tables) {
+  ResultStream({.netcdf = netcdf_name, .csv = {}, .advice = advice}, dataset, folder).finish(run, {}, lists, tables);
 }
 
 ResultStream::ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& folder)
@@ -177,7 +169,7 @@ ResultStream::ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& f
   require_room(folder_, files_.netcdf, count_numbers(dataset_));
   if (!files_.csv.empty()) {
     csv_.emplace(folder.stage(files_.csv), folder.path() / files_.csv, O_WRONLY | O_CREAT | O_TRUNC);
-    write_all(*csv_, csv_header(dataset_) + '\n', folder.path() / files_.csv);
+    write_all(*csv_, csv_header(grown_table(dataset_, 0)), folder.path() / files_.csv);
   }
   built(files_.netcdf, files_.advice, [&] {
     file_ = std::make_unique<NewNetcdf>(path_);
@@ -191,15 +183,15 @@ ResultStream::~ResultStream() = default;
 void ResultStream::append() {
   require_room(folder_, files_.netcdf, 0);
   if (csv_) {
-    std::string lines;
-    rows_ += append_csv_rows(lines, dataset_, rows_);
-    write_all(*csv_, lines, folder_.path() / files_.csv);
+    const Table entries = grown_table(dataset_, rows_);
+    rows_ += entries.rows();
+    write_all(*csv_, csv_rows(entries), folder_.path() / files_.csv);
   }
   built(files_.netcdf, files_.advice, [&] { variables_->append(dataset_); });
 }
 
 void ResultStream::finish(const RunRecord& run, Dataset totals, const nlohmann::ordered_json& lists,
-                          const std::vector<ResultFile>& texts) {
+                          const std::vector<TableFile>& tables) {
   Manifest manifest{run_id_of(run), {}};
   if (!run.provenance.times) erase_times(totals);
   built(files_.netcdf, files_.advice, [&] {
@@ -213,7 +205,8 @@ void ResultStream::finish(const RunRecord& run, Dataset totals, const nlohmann::
     manifest.files.push_back(
         {name, static_cast<std::size_t>(std::filesystem::file_size(path)), xxh3_128_of_file(path)});
   }
-  for (const ResultFile& text : texts) {
+  for (const TableFile& table : tables) {
+    const ResultFile text = csv_file(run, table);
     folder_.stage(text.name, text.contents);
     manifest.files.push_back({text.name, text.contents.size(), xxh3_128(text.contents)});
   }

@@ -14,6 +14,7 @@
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/results/table.hpp"
 #include "results/posix_file.hpp"
 
 namespace bumpfoil {
@@ -36,13 +37,14 @@ std::string message_of(std::vector<std::string> failures, RunStatus status);
 
 /// The files of a run.
 struct ResultContents {
-  std::vector<ResultFile> texts;  ///< additional text files
+  std::vector<TableFile> tables{};  ///< CSV files
+  std::vector<ResultFile> texts{};  ///< additional text files
   Dataset dataset;
   std::function<nlohmann::ordered_json()> lists;  ///< of summary.json, after the common header
 };
 
-/// The files of a run, with one new run id: its texts, its dataset as netCDF-4 with CF conventions, and summary.json
-/// with their checksums.
+/// The files of a run, with one new run id: its tables as CSV, its texts, its dataset as netCDF-4 with CF conventions,
+/// and summary.json with their checksums.
 /// | netCDF is not thread-safe: call from one thread at a time.
 /// @param netcdf_name  such as result.nc
 /// @param advice       how to reduce memory
@@ -52,12 +54,12 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
                                           const std::function<ResultContents(const std::string&)>& contents);
 
 /// The same for a dataset that may exceed memory: stages it in the folder piece by piece, and summary.json.
-/// @param texts  additional text files
-/// @param lists  of summary.json
+/// @param lists   of summary.json
+/// @param tables  CSV files
 /// @throws Error (file), as soon as the disk is full
 void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
                         const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder,
-                        const std::vector<ResultFile>& texts = {});
+                        const std::vector<TableFile>& tables = {});
 
 /// Files of a result that is written during the run.
 struct StreamedFiles {
@@ -85,7 +87,7 @@ class ResultStream {
   /// @param totals  final results; those already present are skipped
   /// @param lists   of summary.json
   void finish(const RunRecord& run, Dataset totals, const nlohmann::ordered_json& lists,
-              const std::vector<ResultFile>& texts = {});
+              const std::vector<TableFile>& tables = {});
 
  private:
   StreamedFiles files_;

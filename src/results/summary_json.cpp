@@ -37,6 +37,21 @@ Json value_json(double value, const Form& form) {
   return {};
 }
 
+std::vector<Json> rows_json(const Table& table) {
+  std::vector<Json> rows(table.rows());
+  for (const TableColumn& column : table.columns) {
+    const std::string key = column.meaning.key();
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (column.texts.empty()) {
+        rows[row][key] = value_json(column.values[row], column.meaning.form);
+      } else {
+        rows[row][key] = column.texts[row];
+      }
+    }
+  }
+  return rows;
+}
+
 Json summary_head(std::string_view command, const Case& input, RunStatus status, const Manifest& manifest) {
   Json json;
   json["schema"] = "bumpfoil-summary/2";

@@ -11,6 +11,7 @@
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "case/case_json.hpp"
 #include "case/key_list.hpp"
 #include "case/toml_document.hpp"
@@ -277,8 +278,8 @@ SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome) {
           .extents = each(swept.dataset.dims, [](const DataDimension& dim) { return dim.size; }),
           .variables = each(swept.dataset.variables, [](const Variable& variable) { return variable.meaning.name; }),
           .values = each(swept.dataset.variables, [](const Variable& variable) { return variable.values(); }),
-          .rows = std::move(swept.rows),
-          .coefficients = std::move(swept.coefficients),
+          .rows = csv_text(swept.rows),
+          .more = each(swept.more, csv_text),
           .lists = std::move(swept.lists),
           .failures = outcome.failures,
           .warnings = outcome.warnings};
@@ -289,7 +290,7 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
 }
 
 std::string bytes_of(const SweepPoint& point) {
-  const auto all = nlohmann::json::array({point.status, point.extents, point.values, point.rows, point.coefficients,
+  const auto all = nlohmann::json::array({point.status, point.extents, point.values, point.rows, point.more,
                                           point.lists, point.failures, point.warnings, point.dims, point.variables});
   std::string bytes;
   nlohmann::json::to_msgpack(all, bytes);  // bit-exact numbers, including NaN
@@ -303,7 +304,7 @@ SweepPoint point_of_bytes(const std::string& bytes) {
   all.at(1).get_to(point.extents);
   all.at(2).get_to(point.values);
   all.at(3).get_to(point.rows);
-  all.at(4).get_to(point.coefficients);
+  all.at(4).get_to(point.more);
   all.at(5).get_to(point.lists);
   all.at(6).get_to(point.failures);
   all.at(7).get_to(point.warnings);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
@@ -21,49 +21,60 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> cells_of(const std::string& row) {
-  std::vector<std::string> cells;
-  std::istringstream in(row);
-  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(std::move(cell));
+/// Cells of a line of csv_text().
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"' && quoted && line.substr(i + 1).starts_with('"')) {
+      cells.back() += line[i++];
+    } else if (line[i] == '"') {
+      quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
+  }
   return cells;
 }
 
+/// Lines of csv_text(): those of the columns first.
+std::vector<std::vector<std::string>> lines_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> lines;
+  std::istringstream in(csv);
+  for (std::string line; std::getline(in, line);) lines.push_back(cells_of(line));
+  return lines;
+}
+
 /// Rows of every point preceded by its keys, under the union of all columns; missing values are blank.
-std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points, std::string SweepPoint::*lines) {
-  std::string out;
-  for (const SweepAxis& axis : sweep.axes) out += key_of(axis.name, axis.unit) + ',';
-  std::set<std::string> headers;
-  std::vector<std::string> columns;
-  for (const SweepPoint& point : points) {
-    const std::string header = (point.*lines).substr(0, (point.*lines).find('\n'));
-    if (headers.insert(header).second) merge_names(cells_of(header), columns);
-  }
-  out += fmt::format("{}\n", fmt::join(columns, ","));
+/// @param csv_of  point -> its rows
+template <typename CsvOf>
+Table table_of_points(const Sweep& sweep, const std::vector<SweepPoint>& points, const CsvOf& csv_of) {
+  auto all = each(points, [&](const SweepPoint& point) { return lines_of(csv_of(point)); });
+  std::vector<std::string> names;
+  for (const auto& lines : all) merge_names(lines.front(), names);
+  std::vector<std::vector<double>> keys(sweep.axes.size());
+  std::vector<std::vector<std::string>> columns(names.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::vector<std::size_t> indices = indices_of(sweep, i);
-    std::string keys;
-    for (std::size_t k = 0; k < indices.size(); ++k) {
-      fmt::format_to(std::back_inserter(keys), "{:.17g},", sweep.axes[k].values[indices[k]]);
-    }
-    std::istringstream rows(points[i].*lines);
-    std::string row;
-    std::getline(rows, row);  // the header
-    const std::vector<std::string> names = headers.size() > 1 ? cells_of(row) : columns;
-    while (std::getline(rows, row)) {
-      if (names != columns) {
-        const std::vector<std::string> cells = cells_of(row);
-        row = fmt::format("{}", fmt::join(each(columns,
-                                               [&](const std::string& column) {
-                                                 const auto place = static_cast<std::size_t>(
-                                                     std::find(names.begin(), names.end(), column) - names.begin());
-                                                 return place < cells.size() ? cells[place] : std::string();
-                                               }),
-                                          ","));
+    const std::vector<std::string>& own = all[i].front();
+    const auto places = each(names, [&own](const std::string& name) {
+      return static_cast<std::size_t>(std::find(own.begin(), own.end(), name) - own.begin());
+    });
+    for (auto line = all[i].begin() + 1; line != all[i].end(); ++line) {
+      for (std::size_t k = 0; k < keys.size(); ++k) keys[k].push_back(sweep.axes[k].values[indices[k]]);
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        columns[k].push_back(places[k] < line->size() ? std::move((*line)[places[k]]) : std::string());
       }
-      out += keys + row + '\n';
     }
   }
-  return out;
+  Table table;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    table.add({sweep.axes[k].name, sweep.axes[k].unit, sweep.axes[k].title}, std::move(keys[k]));
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) table.add({names[k], "", ""}, std::move(columns[k]));
+  return table;
 }
 
 Json sweep_lists(const Sweep& sweep, const std::vector<SweepPoint>& points) {
@@ -108,16 +119,13 @@ std::string message_of(const Sweep& sweep, const std::vector<SweepPoint>& points
   return message;
 }
 
-/// Whether separate coefficients are written: running bearings have their own.
-bool has_coefficients(const Sweep& sweep) {
-  return sweep.experiment->name == "equilibrium";
-}
-
 }  // namespace
 
 std::vector<std::string> sweep_file_names(const Sweep& sweep) {
-  if (has_coefficients(sweep)) return {"summary.json", "sweep.csv", "coefficients.csv", "sweep.nc"};
-  return {"summary.json", "sweep.csv", "sweep.nc"};
+  std::vector<std::string> names{"summary.json", "sweep.csv", "sweep.nc"};
+  const std::vector<std::string>& more = sweep.experiment->sweeping->more_tables;
+  names.insert(names.begin() + 2, more.begin(), more.end());
+  return names;
 }
 
 std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepPoint>& points,
@@ -131,11 +139,14 @@ std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepP
        .warnings = warning_lines(sweep, points),
        .provenance = provenance},
       "sweep.nc", "use fewer points", [&](const std::string& /*run_id*/) {
-        std::vector<ResultFile> texts{{"sweep.csv", sweep_csv(sweep, points, &SweepPoint::rows)}};
-        if (has_coefficients(sweep)) {
-          texts.push_back({"coefficients.csv", sweep_csv(sweep, points, &SweepPoint::coefficients)});
+        std::vector<TableFile> tables{
+            {"sweep.csv", table_of_points(sweep, points, [](const SweepPoint& point) { return point.rows; })}};
+        const std::vector<std::string>& more = sweep.experiment->sweeping->more_tables;
+        for (std::size_t i = 0; i < more.size(); ++i) {
+          tables.push_back(
+              {more[i], table_of_points(sweep, points, [i](const SweepPoint& point) { return point.more[i]; })});
         }
-        return ResultContents{.texts = std::move(texts), .dataset = sweep_dataset(sweep, points), .lists = [&] {
+        return ResultContents{.tables = std::move(tables), .dataset = sweep_dataset(sweep, points), .lists = [&] {
                                 return sweep_lists(sweep, points);
                               }};
       });

@@ -6,11 +6,15 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "bumpfoil/core/status.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "core/number_text.hpp"
+#include "results/table_lines.hpp"
 #include "sweep/sweep_layout.hpp"
 
 namespace bumpfoil {
@@ -24,9 +28,15 @@ constexpr std::size_t number_width = 12;
 
 /// A quantity of the table.
 struct SweptColumn {
-  std::size_t number;   ///< index among the variables
-  std::string heading;  ///< "maximum force (N)"
-  double size;          ///< of its unit, SI
+  std::size_t number;  ///< index among the variables
+  VariableMeaning meaning;
+  bool known;  ///< at any point
+
+  /// "maximum force (N)"
+  [[nodiscard]] std::string heading() const {
+    const std::string_view unit = known ? meaning.shown.name : "";
+    return unit.empty() ? meaning.label : fmt::format("{} ({})", meaning.label, unit);
+  }
 };
 
 std::vector<SweptColumn> columns_of(const Dataset& data, const std::vector<SweepPoint>& points) {
@@ -38,8 +48,7 @@ std::vector<SweptColumn> columns_of(const Dataset& data, const std::vector<Sweep
       const std::vector<double>& values = values_of(point, meaning.name, i);
       return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
     });
-    const auto& [unit, size] = meaning.shown;
-    columns.push_back({i, unit.empty() || !known ? meaning.label : fmt::format("{} ({})", meaning.label, unit), size});
+    columns.push_back({i, meaning, known});
   }
   return columns;
 }
@@ -72,19 +81,17 @@ class Block {
   /// One line for each value of a single key.
   [[nodiscard]] std::string lines() const {
     const SweptKey& swept = sweep_.axes.front().swept;
-    std::size_t width = swept.key.size();
-    for (const std::string& value : swept.values) width = std::max(width, value.size());
-    std::string out = fmt::format("{:<{}}", swept.key, width);
-    for (const SweptColumn& column : columns_) out += fmt::format("  {:>{}}", column.heading, width_of(column));
-    out += "  status\n";
-    for (std::size_t point = 0; point < points_.size(); ++point) {
-      out += fmt::format("{:<{}}", swept.values[point], width);
-      for (const SweptColumn& column : columns_) {
-        out += fmt::format("  {:>{}}", number_text(value(column.number, point), column.size), width_of(column));
-      }
-      out += fmt::format("  {}\n", status(point));
+    Table table;
+    table.add(shown_column(swept.key), swept.values);
+    std::vector<std::string> words;
+    for (std::size_t point = 0; point < points_.size(); ++point) words.emplace_back(status(point));
+    for (const SweptColumn& column : columns_) {
+      std::vector<double> values;
+      for (std::size_t point = 0; point < points_.size(); ++point) values.push_back(value(column.number, point));
+      table.add(column.meaning, std::move(values));
     }
-    return out;
+    table.add(shown_column("status"), std::move(words));
+    return table_lines(table);
   }
 
   /// Two lines for each quantity.
@@ -99,15 +106,13 @@ class Block {
         if (!smallest || number < value(column.number, *smallest)) smallest = point;
         if (!largest || number > value(column.number, *largest)) largest = point;
       }
-      out += extreme_line(column.heading, "smallest", column, smallest);
+      out += extreme_line(column.heading(), "smallest", column, smallest);
       out += extreme_line("", "largest", column, largest);
     }
     return out;
   }
 
  private:
-  static std::size_t width_of(const SweptColumn& column) { return std::max(number_width, column.heading.size()); }
-
   /// NaN if the point has fewer values.
   [[nodiscard]] double value(std::size_t variable, std::size_t point) const {
     const std::vector<double>& values = values_of(points_[point], names_[variable], variable);
@@ -123,7 +128,7 @@ class Block {
                                          std::optional<std::size_t> point) const {
     constexpr std::size_t heading_width = 30;
     return fmt::format("{:<{}}{:<9}{:>{}}  {}\n", heading, heading_width, which,
-                       point ? number_text(value(column.number, *point), column.size) : "-", number_width,
+                       point ? number_text(value(column.number, *point), column.meaning.shown.size) : "-", number_width,
                        point ? "at " + point_name(sweep_, *point) : "");
   }
 

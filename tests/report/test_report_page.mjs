@@ -135,7 +135,7 @@ test('tiles lead with the structural stiffness, and tables have the clearances a
     near(quantity(await tile.locator('strong').textContent(), 'N/m'), cycles[0].loaded_stiffness_N_per_m, 6e-3, 'headline');
     assert.match(await tile.textContent(), /structural stiffness.*secant with free travel/);
     for (const [i, { force_N: force, displacement_m: displacement }] of cycles[0].clearances.entries()) {
-      const row = page.locator('.results tr', { hasText: `Clearance at ${['2 N', '5 N', '5 kN'][i]}` });
+      const row = page.locator('.results tr', { hasText: `Clearance at ${['2 N', '5 N', '5000 N'][i]}` });
       const [unit, shown] = await row.locator('td').allTextContents();
       if (displacement === null) assert.equal(shown, '–', String(force));
       else near(quantity(`${shown} ${unit}`, 'm'), displacement, 1e-3, String(force));

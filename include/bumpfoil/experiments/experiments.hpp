@@ -14,6 +14,7 @@
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/results/table.hpp"
 
 /// All experiments on a bearing, each in its own folder. The command, its help and its place in the manual, and a
 /// function of the Python package follow from the description of an experiment here.
@@ -29,9 +30,9 @@ struct SweptPart {
 struct SweptResult {
   Dataset dataset;
   std::vector<SweptPart> parts;
-  std::string rows;            ///< of sweep.csv, under their header
-  std::string coefficients{};  ///< of coefficients.csv, likewise; of running bearings
-  std::string lists;           ///< of summary.json: a JSON object
+  Table rows;                 ///< of sweep.csv
+  std::vector<Table> more{};  ///< of Sweeping::more_tables
+  std::string lists;          ///< of summary.json: a JSON object
 };
 
 /// What a run has to show.
@@ -73,6 +74,7 @@ struct Sweeping {
   std::function<Outcome(const Case&)> not_begun;  ///< a run that ended before its first result
   /// Numbers of each of displacement and force in all of its loops; nothing where it has none.
   std::function<std::size_t(const Case&)> loop_values{};
+  std::vector<std::string> more_tables{};  ///< names of CSV files beside sweep.csv
 };
 
 /// An experiment, as it says of itself.

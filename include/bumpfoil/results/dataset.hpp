@@ -30,6 +30,7 @@ struct Variable {
   /// Instead of these, where they are more than the memory takes: those of `count` entries of the first dimension.
   std::function<std::vector<double>(std::size_t first, std::size_t count)> rows{};
   std::map<std::string, std::string> attributes{};  ///< in netCDF files, such as `coordinates`
+  std::vector<std::string> names{};                 ///< of the entries, which tables show instead of numbers
   bool known{};                                     ///< none is ever absent
   bool compressed{};                                ///< in its own netCDF file
 };
@@ -73,6 +74,13 @@ auto each(const List& list, const Value& value) {
 template <typename Quantities>
 std::vector<VariableMeaning> meanings_of(const Quantities& quantities) {
   return each(quantities, [](const auto& quantity) { return quantity.meaning(); });
+}
+
+/// Names of a list of quantities, after others.
+template <typename Quantities>
+std::vector<std::string> names_of(const Quantities& quantities, std::vector<std::string> first = {}) {
+  for (const auto& quantity : quantities) first.emplace_back(quantity.name);
+  return first;
 }
 
 /// Rows of all numbers, one after the other, each filled up with absent ones to its width.

@@ -66,7 +66,7 @@ struct SweepPoint {
   std::vector<std::string> variables{};       ///< names of its quantities and loops: not all points have the same
   std::vector<std::vector<double>> values{};  ///< of these; none where all of one are absent
   std::string rows{};                         ///< of sweep.csv, under their header
-  std::string coefficients{};                 ///< of coefficients.csv, likewise; of running bearings
+  std::vector<std::string> more{};            ///< of Sweeping::more_tables, likewise
   std::string lists{};  ///< of summary.json, as text, which takes less room than what is read of it
   std::vector<std::string> failures{};
   std::vector<std::string> warnings{};

@@ -10,7 +10,6 @@
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/cycle/result_layout.hpp"
-#include "results/csv_value.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -236,24 +235,21 @@ Dataset cycle_dataset(const Case& input, const CycleResult& result, RunStatus st
   return data.take();
 }
 
-std::string cycle_rows(const Case& input, const CycleResult& result, RunStatus status) {
-  const std::vector<CycleQuantity> quantities = cycle_quantities(result.experiment, result.over_width);
+Table cycle_rows(const Case& input, const CycleResult& result, RunStatus status) {
+  const Dataset data = cycle_dataset(input, result, status, Extent::quantities);
   const ResultLayout layout = make_result_layout(input, result.experiment);
-  const std::vector<VariableMeaning> clearances = clearance_quantities(
-      result.experiment == Experiment::cycle ? input.cycle.clearance_forces : std::vector<double>{});
-  std::string out(cycle_key(result.experiment));
-  for (const CycleQuantity& quantity : quantities) out += ',' + quantity.key();
-  for (const VariableMeaning& clearance : clearances) out += ',' + clearance.key();
-  for (std::size_t cycle = 0; cycle < layout.places.size(); ++cycle) {
-    fmt::format_to(std::back_inserter(out), "\n{:.17g}", layout.cycles.values[layout.places[cycle]]);
-    for (const CycleQuantity& quantity : quantities) {
-      append_csv(out += ',', value_of(quantity, input, result, status, cycle), quantity.form);
-    }
-    for (std::size_t k = 0; k < clearances.size(); ++k) {
-      append_csv(out += ',', cycle < result.cycles.size() ? clearance_of(result.cycles[cycle], k) : absent);
-    }
+  Table table =
+      table_of(data, {.over = {layout.cycles.name},
+                      .columns = names_of(cycle_quantities(result.experiment, result.over_width), {layout.cycles.name}),
+                      .rows = each(layout.places, [](std::size_t place) { return std::vector<std::size_t>{place}; })});
+  if (result.experiment != Experiment::cycle) return table;
+  const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+  for (std::size_t k = 0; k < clearances.size(); ++k) {
+    std::vector<double> values = each(result.cycles, [k](const Cycle& cycle) { return clearance_of(cycle, k); });
+    values.resize(layout.places.size(), absent);
+    table.add(clearances[k], std::move(values));
   }
-  return out + '\n';
+  return table;
 }
 
 }  // namespace bumpfoil

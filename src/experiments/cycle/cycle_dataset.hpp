@@ -1,10 +1,9 @@
 #pragma once
 
-#include <string>
-
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/results/table.hpp"
 
 namespace bumpfoil {
 
@@ -22,6 +21,6 @@ enum class Extent {
 Dataset cycle_dataset(const Case& input, const CycleResult& result, RunStatus status, Extent extent);
 
 /// One row per cycle, started or not.
-std::string cycle_rows(const Case& input, const CycleResult& result, RunStatus status);
+Table cycle_rows(const Case& input, const CycleResult& result, RunStatus status);
 
 }  // namespace bumpfoil

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/cycle/increment_rows.hpp"
 #include "bumpfoil/experiments/cycle/result_names.hpp"
 #include "bumpfoil/experiments/cycle/warnings.hpp"
 #include "experiments/cycle/cycle_dataset.hpp"
@@ -33,7 +33,7 @@ std::vector<ResultFile> cycle_files(const Case& input, const CycleResult& result
   const std::string_view command = name_of(result.experiment);
   return make_result_files(cycle_record(input, result, status, provenance), "result.nc", cycle_advice,
                            [&](const std::string& /*run_id*/) {
-                             return ResultContents{.texts = {{fmt::format("{}.csv", command), cycle_csv(result)}},
+                             return ResultContents{.tables = {{fmt::format("{}.csv", command), increment_rows(result)}},
                                                    .dataset = cycle_dataset(input, result, status, Extent::everything),
                                                    .lists = [&] { return cycle_lists(input, result); }};
                            });

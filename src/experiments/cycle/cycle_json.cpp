@@ -46,9 +46,7 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   const std::string key(cycle_key(result.experiment));
   if (result.experiment == Experiment::strip) json[key] = i + 1;
   if (result.experiment == Experiment::cycle) json[key] = to_degrees(cycle.direction);
-  for (const CycleQuantity& quantity : cycle_quantities(result.experiment, result.over_width)) {
-    json[quantity.key()] = value_json(quantity.value(cycle, input), quantity.form);
-  }
+  json.update(values_json(cycle_quantities(result.experiment, result.over_width), cycle, input));
   if (result.experiment == Experiment::path) {
     json["orbits"] = Json::array();
     for (const OrbitLoop& orbit : cycle.orbits) {

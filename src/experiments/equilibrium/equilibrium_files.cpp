@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -13,7 +15,6 @@
 #include "experiments/equilibrium/film_ross_toml.hpp"
 #include "experiments/equilibrium/running_dataset.hpp"
 #include "experiments/equilibrium/whirl_quantities.hpp"
-#include "results/csv_value.hpp"
 #include "results/result_files.hpp"
 #include "results/summary_json.hpp"
 
@@ -50,12 +51,15 @@ Json equilibrium_lists(const Case& input, const EquilibriumResult& result) {
   return json;
 }
 
+std::vector<TableFile> tables_of(const EquilibriumResult& result) {
+  std::vector<TableFile> tables{{fmt::format("{}.csv", command_of(result)), state_table(result)}};
+  if (result.bearing->has_foils()) tables.push_back({"coefficients.csv", film_coefficient_table(result)});
+  return tables;
+}
+
 std::vector<ResultFile> texts_of(const Case& input, const EquilibriumResult& result, const std::string& run_id) {
-  std::vector<ResultFile> texts{{fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)}};
-  if (!result.bearing->has_foils()) return texts;
-  texts.push_back({"coefficients.csv", film_coefficients_csv(result)});
-  texts.push_back({"coefficients.toml", film_ross_toml(input, result, run_id)});
-  return texts;
+  if (!result.bearing->has_foils()) return {};
+  return {{"coefficients.toml", film_ross_toml(input, result, run_id)}};
 }
 
 }  // namespace
@@ -66,40 +70,44 @@ std::vector<std::string> equilibrium_file_names(std::string_view command) {
   return {"summary.json", csv, "coefficients.csv", "coefficients.toml", "result.nc"};
 }
 
-std::string equilibrium_csv(const EquilibriumResult& result) {
-  const std::vector<RunningQuantity> columns = running_quantities(*result.bearing, result.with_limits);
-  std::string out;
-  for (const RunningQuantity& column : columns) {
-    if (column.is(tag::csv)) out += (out.empty() ? "" : ",") + column.key();
+Table state_table(const EquilibriumResult& result) {
+  Table table;
+  for (const RunningQuantity& quantity : running_quantities(*result.bearing, result.with_limits)) {
+    if (!quantity.is(tag::csv)) continue;
+    table.add(quantity.meaning(), each(result.states, [&](const RunningState& state) {
+                return value_of(quantity, *result.bearing, state);
+              }));
   }
-  for (const RunningState& state : result.states) {
-    char separator = '\n';
-    for (const RunningQuantity& column : columns) {
-      if (!column.is(tag::csv)) continue;
-      append_csv(out += separator, value_of(column, *result.bearing, state), column.form);
-      separator = ',';
-    }
-  }
-  return out + '\n';
+  return table;
 }
 
-std::string film_coefficients_csv(const EquilibriumResult& result) {
-  std::string out = "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s";
-  const std::vector<WhirlQuantity>& quantities = whirl_quantities(result.bearing->motions());
-  for (const WhirlQuantity& quantity : quantities) out += ',' + key_of(quantity.name(), quantity.unit);
-  for (const RunningState& state : result.states) {
-    if (!state.found()) continue;
-    const bool by_load = state.requested.by_load();
-    for (const FilmWhirl& whirl : state.whirls) {
-      append_csv(out += '\n', state.requested.speed);
-      for (const int axis : {0, 1}) append_csv(out += ',', by_load ? state.requested.journal[axis] : absent);
-      for (const int axis : {0, 1}) append_csv(out += ',', state.last->position[axis]);
-      out += fmt::format(",{}", name_of(state.path));
-      append_csv(out += ',', whirl.frequency);
-      for (const WhirlQuantity& quantity : quantities) append_csv(out += ',', quantity.value(whirl));
+Table film_coefficient_table(const EquilibriumResult& result) {
+  Table table;
+  const auto add = [&](VariableMeaning meaning, const auto& value) {
+    std::vector<std::decay_t<decltype(value(RunningState{}, FilmWhirl{}))>> rows;
+    for (const RunningState& state : result.states) {
+      if (!state.found()) continue;
+      for (const FilmWhirl& whirl : state.whirls) rows.push_back(value(state, whirl));
     }
+    table.add(std::move(meaning), std::move(rows));
+  };
+  add({"speed", "rad/s", ""}, [](const RunningState& state, const FilmWhirl&) { return state.requested.speed; });
+  for (const int axis : {0, 1}) {
+    add({axis == 0 ? "load_x" : "load_y", "N", ""}, [axis](const RunningState& state, const FilmWhirl&) {
+      return state.requested.by_load() ? state.requested.journal[axis] : absent;
+    });
   }
-  return out + '\n';
+  for (const int axis : {0, 1}) {
+    add({axis == 0 ? "x" : "y", "m", ""},
+        [axis](const RunningState& state, const FilmWhirl&) { return state.last->position[axis]; });
+  }
+  add({"path", "", ""}, [](const RunningState& state, const FilmWhirl&) { return std::string(name_of(state.path)); });
+  add({"frequency", "rad/s", ""}, [](const RunningState&, const FilmWhirl& whirl) { return whirl.frequency; });
+  for (const WhirlQuantity& quantity : whirl_quantities(result.bearing->motions())) {
+    add({quantity.name(), quantity.unit, quantity.long_name},
+        [&quantity](const RunningState&, const FilmWhirl& whirl) { return quantity.value(whirl); });
+  }
+  return table;
 }
 
 std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
@@ -130,7 +138,8 @@ std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumRe
                             .warnings = warning_lines(input, result),
                             .provenance = provenance},
                            "result.nc", "use fewer states or a coarser mesh", [&](const std::string& run_id) {
-                             return ResultContents{.texts = texts_of(input, result, run_id),
+                             return ResultContents{.tables = tables_of(result),
+                                                   .texts = texts_of(input, result, run_id),
                                                    .dataset = state_dataset(input, result),
                                                    .lists = [&] { return equilibrium_lists(input, result); }};
                            });

@@ -172,16 +172,16 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      csv | headline | leading | sampled, "minimum film thickness", shown::micrometres},
     {"h_min_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
      [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.theta); },
-     csv | sampled, "  at, from the weld", shown::degrees},
+     csv | sampled, "minimum film thickness: at, from the weld", shown::degrees},
     {"h_min_z", "m", "distance of the minimum film thickness from the mid-plane",
      [](const B& bearing, const S& state) {
        const FilmBearingOutcome& outcome = *state.outcome;
        return bearing.half_width() *
               bearing.pads[static_cast<std::size_t>(outcome.thinnest_pad)].zeta(outcome.thinnest.row);
      },
-     csv | of_width, "  at, from mid-plane", ShownUnit{"mm", 1e-3}},
+     csv | of_width, "minimum film thickness: at, from mid-plane", ShownUnit{"mm", 1e-3}},
     {"h_min_pad", "1", "pad with the minimum film thickness",
-     [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, csv | of_pads | sampled, "  of pad",
+     [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, csv | of_pads | sampled, "minimum film thickness: of pad",
      shown::unitless, whole_number},
     {"h_min_mesh_error", "m",
      "estimated discretisation error of the minimum film thickness, from a mesh of another size",
@@ -195,24 +195,26 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B& bearing, const S& state) {
        return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
      },
-     sampled},
+     sampled, "minimum film thickness, by a parabola"},
     {"h_min_vertex_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
-     [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.vertex_theta); }},
+     [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.vertex_theta); }, none,
+     "minimum film thickness, by a parabola: at, from the weld"},
     {"h_min_crest", "m", "minimum film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>,
-     of_foils | sampled},
+     of_foils | sampled, "minimum film thickness over a crest"},
     {"p_max", "Pa", "maximum pressure", pressure<&FilmBearingOutcome::max_pressure>, csv | shown_first | sampled,
      "maximum pressure", shown::bars},
     {"p_min", "Pa", "minimum pressure", pressure<&FilmBearingOutcome::min_pressure>, csv | sampled, "minimum pressure",
      shown::bars},
     {"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
      csv | sampled, "torque", shown::newton_millimetres},
-    {"couette_torque", "N m", "Couette part of the torque", of<&FilmBearingOutcome::couette_torque>},
+    {"couette_torque", "N m", "Couette part of the torque", of<&FilmBearingOutcome::couette_torque>, none, "Couette torque"},
     {"poiseuille_torque", "N m", "Poiseuille part of the torque",
      [](const B&, const S& state) {
        return state.outcome->torque - state.outcome->couette_torque - state.outcome->asperity_torque;
-     }},
+     },
+     none, "Poiseuille torque"},
     {"asperity_torque", "N m", "part of the torque of asperities that rub", of<&FilmBearingOutcome::asperity_torque>,
-     csv | of_asperities | sampled, "  of asperities", shown::newton_millimetres},
+     csv | of_asperities | sampled, "torque: of asperities", shown::newton_millimetres},
     {"asperity_share", "1", "part of the force on the journal that asperities carry, along it",
      [](const B&, const S& state) {
        const Eigen::Vector2d& whole = state.outcome->force;
@@ -226,22 +228,23 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B&, const S& state) { return state.least_torque_speed.value_or(absent); },
      csv | of_asperities | shown_first, "speed of minimum torque", shown::revolutions},
     {"power", "W", "power loss", of<&FilmBearingOutcome::power>, csv | headline | key_figure | sampled, "power loss", shown::watts},
-    {"couette_dissipation", "W", "Couette dissipation", of<&FilmBearingOutcome::couette_dissipation>},
+    {"couette_dissipation", "W", "Couette dissipation", of<&FilmBearingOutcome::couette_dissipation>, none, "Couette dissipation"},
     {"poiseuille_dissipation", "W", "Poiseuille dissipation",
      [](const B&, const S& state) {
        return state.outcome->dissipation - state.outcome->couette_dissipation -
               state.outcome->asperity_torque * state.last->speed;
-     }},
-    {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
-    {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
-    {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>, sampled},
+     },
+     none, "Poiseuille dissipation"},
+    {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>, none, "flow past the weld"},
+    {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>, none, "flow past the free end"},
+    {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>, sampled, "flow out at the sides"},
     {"flow_side_left", "m3/s", "flow out at the side z < 0, at ambient pressure",
      [](const B&, const S& state) {
        return state.outcome->flows.sides - state.outcome->slit_flow - state.outcome->flows.right_side;
      },
-     of_tilt},
+     of_tilt, "flow out at the side z < 0"},
     {"flow_side_right", "m3/s", "flow out at the side z > 0, at ambient pressure", flow<&FilmFlows::right_side>,
-     of_tilt},
+     of_tilt, "flow out at the side z > 0"},
     {"flow_slits", "m3/s", "part of flow_sides out at the slits of the top foil, at ambient pressure",
      of<&FilmBearingOutcome::slit_flow>, of_slits},
     {"energy_imbalance", "1", "relative imbalance of dissipated and supplied power",
@@ -265,7 +268,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      bump_number<&FilmBearingOutcome::last_loaded>, of_foils | is_bump, "", shown::in_files, whole_number},
     {"lifted_bumps_at_entry", "1", "detached bumps at the inlet; with several pads, the maximum",
      [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); },
-     of_foils | sampled, "", shown::in_files, whole_number},
+     of_foils | sampled, "detached bumps at the inlet", shown::in_files, whole_number},
     {"highest_bump_load", "N", "maximum compression between top foil and crest",
      [](const B& bearing, const S& state) { return bump_loads(bearing, *state.last).maxCoeff(); }, of_foils | sampled,
      "maximum bump load", shown::newtons},
@@ -274,7 +277,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
        Eigen::Index place = 0;
        return bump_loads(bearing, *state.last).maxCoeff(&place) > 0.0 ? static_cast<double>(place + 1) : absent;
      },
-     of_foils | is_bump, "  on bump", shown::unitless, whole_number},
+     of_foils | is_bump, "maximum bump load: on bump", shown::unitless, whole_number},
     {"max_stress_top_foil", "Pa", "maximum bending stress of the top foil",
      [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, of_foils | sampled,
      "maximum stress, top foil", shown::megapascals},
@@ -313,7 +316,8 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"foil_response", "1",
      "largest slow displacement of the top foil per displacement of the journal: large where the state is nearly "
      "singular",
-     [](const B&, const S& state) { return state.foil_response.value_or(absent); }, of_foils},
+     [](const B&, const S& state) { return state.foil_response.value_or(absent); }, of_foils,
+     "foil displacement per journal displacement"},
     {"stable", "",
      "whether film and foils stay at the state with the journal held: no motion grows, sliding or full stick",
      [](const B&, const S& state) {
@@ -328,18 +332,18 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      shown::unitless},
     {"whirl_ratio_held", "1",
      "angular frequency of the growing motion with the journal held over the speed of rotation",
-     held_whirl_ratio<&HeldMotions::sliding>, csv | of_foils | sampled, "  whirl ratio", shown::unitless},
+     held_whirl_ratio<&HeldMotions::sliding>, csv | of_foils | sampled, "growth, journal held: whirl ratio", shown::unitless},
     {"growth_held_theta", "degree",
      "angle from the weld along the foil where the top foil moves most in the growing motion with the journal held",
      [](const B& bearing, const S& state) {
        return state.held.sliding ? to_degrees(held_place(bearing, *state.held.sliding).theta) : absent;
      },
-     of_foils, "  at, from the weld", shown::degrees},
+     of_foils, "growth, journal held: at, from the weld", shown::degrees},
     {"growth_held_stuck", "1", "growth rate over the speed of rotation, journal held, full stick",
-     held_growth<&HeldMotions::stuck>, csv | of_foils | sampled},
+     held_growth<&HeldMotions::stuck>, csv | of_foils | sampled, "growth, journal held, full stick"},
     {"whirl_ratio_held_stuck", "1",
      "angular frequency of the growing motion with the journal held over the speed of rotation, full stick",
-     held_whirl_ratio<&HeldMotions::stuck>, csv | of_foils},
+     held_whirl_ratio<&HeldMotions::stuck>, csv | of_foils, "whirl ratio, journal held, full stick"},
     {"hold_down", "N", "load of the top foil on the last bump before its free end; with several pads, the smallest",
      [](const B& bearing, const S& state) {
        const Vector loads = bump_loads(bearing, *state.last);
@@ -358,11 +362,11 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      critical_mass_of<&S::critical_mass>, csv | shown_first | key_figure | sampled, "critical rotor mass",
      shown::kilograms},
     {"critical_whirl_ratio", "1", "frequency of the whirl at the critical mass over the speed of rotation",
-     critical_whirl_ratio<&S::critical_mass>, csv | sampled, "  whirl ratio", shown::unitless},
+     critical_whirl_ratio<&S::critical_mass>, csv | sampled, "critical rotor mass: whirl ratio", shown::unitless},
     {"critical_mass_stuck", "kg", "critical rotor mass, full stick", critical_mass_of<&S::stuck_critical_mass>,
-     csv | of_foils | sampled},
+     csv | of_foils | sampled, "critical rotor mass, full stick"},
     {"critical_whirl_ratio_stuck", "1", "critical whirl ratio, full stick",
-     critical_whirl_ratio<&S::stuck_critical_mass>, csv | of_foils},
+     critical_whirl_ratio<&S::stuck_critical_mass>, csv | of_foils, "critical whirl ratio, full stick"},
     {"whirl_frequency", "rad/s", "first frequency of small motions; default: that of the rotation (synchronous)",
      [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; }, none,
      "whirl frequency", shown::revolutions},
@@ -399,7 +403,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, full stick",
      whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>, of_foils},
     {"jumps", "1", "jumps on the path to the state: from a branch of states that ends to another one",
-     cost<&FilmReport::jumps>, of_solver | requested | of_foils | sampled, "", shown::in_files, whole_number},
+     cost<&FilmReport::jumps>, of_solver | requested | of_foils | sampled, "jumps to other branches", shown::in_files, whole_number},
     {"iterations", "1", "Newton steps on the path to the state", cost<&FilmReport::iterations>, of_solver | requested, "",
      shown::in_files, whole_number},
     {"factorisations", "1", "factorisations of contact systems on the path to the state",

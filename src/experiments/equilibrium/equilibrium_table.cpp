@@ -2,33 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/results/quantity.hpp"
-#include "core/number_text.hpp"
 #include "experiments/equilibrium/whirl_quantities.hpp"
+#include "results/table_lines.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr std::size_t columns_per_block = 6;
 constexpr std::size_t most_states_shown = 24;
 constexpr std::size_t most_frequencies = 8;
-constexpr std::size_t name_width = 26;
-constexpr std::size_t unit_width = 6;
-constexpr std::size_t column_width = 14;
-
-std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, double value) {
-  if (!std::isfinite(value)) return "-";
-  if (quantity.is(tag::is_bump)) return running_bump_text(bearing, static_cast<int>(value) - 1);
-  if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
-  if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
-  // Removes round-off of values that are zero by symmetry or equilibrium.
-  if (std::abs(value) < 1e-9 * quantity.shown.size) value = 0.0;
-  return number_text(value, quantity.shown.size);
-}
 
 /// Dynamic coefficients at the rotation frequency are the synchronous ones.
 std::string label_of(const RunningQuantity& quantity, const EquilibriumResult& result) {
@@ -41,78 +29,80 @@ std::string label_of(const RunningQuantity& quantity, const EquilibriumResult& r
   return fmt::format("synchronous{}", quantity.label.substr(dynamic.size()));
 }
 
-/// Whether a quantity is known for any of the states.
-bool is_known(const EquilibriumResult& result, const RunningQuantity& quantity) {
-  return std::any_of(result.states.begin(), result.states.end(), [&](const RunningState& state) {
-    return std::isfinite(value_of(quantity, *result.bearing, state));
-  });
+/// Values of a quantity of some states for people: zero where only round-off is left of symmetry or equilibrium, and
+/// bumps as tables call them.
+void add_quantity(const EquilibriumResult& result, const RunningQuantity& quantity, std::vector<double> values,
+                  Table& table) {
+  VariableMeaning meaning = quantity.meaning();
+  meaning.label = label_of(quantity, result);
+  for (double& value : values) {
+    if (std::abs(value) < 1e-9 * quantity.shown.size) value = 0.0;
+  }
+  const bool known = std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  if (!known) return;
+  if (!quantity.is(tag::is_bump)) {
+    table.add(std::move(meaning), std::move(values));
+    return;
+  }
+  table.add(std::move(meaning), each(values, [&](double value) -> std::string {
+              return std::isfinite(value) ? running_bump_text(*result.bearing, static_cast<int>(value) - 1) : "-";
+            }));
 }
 
 /// Fraction of the force on each of several pads.
-std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
-  std::string out;
+void add_pads(const EquilibriumResult& result, std::span<const RunningState> states, Table& table) {
   const std::size_t pads = result.bearing->pads.size();
   for (std::size_t k = 0; pads > 1 && k < pads; ++k) {
-    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, magnitude", k + 1), name_width, "N", unit_width);
-    for (std::size_t i = first; i < end; ++i) {
-      const RunningState& state = result.states[i];
-      out += fmt::format(
-          "{:>{}}",
-          state.found() ? number_text(state.outcome->pad_forces.col(static_cast<Eigen::Index>(k)).norm(), 1.0) : "-",
-          column_width);
-    }
-    out += '\n';
+    table.add(shown_column(fmt::format("force, Y: of pad {}, magnitude", k + 1), shown::newtons),
+              each(states, [k](const RunningState& state) {
+                return state.found() ? state.outcome->pad_forces.col(static_cast<Eigen::Index>(k)).norm() : absent;
+              }));
   }
-  return out;
 }
 
 /// Dynamic stiffness and damping at the frequencies after the first, which is among the quantities.
-std::string whirl_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
-  std::string out;
+/// @return the number of frequencies
+std::size_t add_whirls(std::span<const RunningState> states, Table& table) {
   std::size_t frequencies = 0;
-  for (std::size_t i = first; i < end; ++i) frequencies = std::max(frequencies, result.states[i].whirls.size());
-  const auto row = [&](const std::string& label, const ShownUnit& shown, std::size_t k, const auto& value) {
-    out += fmt::format("{:<{}}{:<{}}", label, name_width, shown.name, unit_width);
-    for (std::size_t i = first; i < end; ++i) {
-      const RunningState& state = result.states[i];
-      const double number = state.found() && k < state.whirls.size() ? value(state.whirls[k]) : absent;
-      out += fmt::format("{:>{}}", std::isfinite(number) ? number_text(number, shown.size) : "-", column_width);
-    }
-    out += '\n';
+  for (const RunningState& state : states) frequencies = std::max(frequencies, state.whirls.size());
+  const auto add = [&](VariableMeaning meaning, std::size_t k, const auto& value) {
+    table.add(std::move(meaning), each(states, [k, &value](const RunningState& state) {
+                return state.found() && k < state.whirls.size() ? value(state.whirls[k]) : absent;
+              }));
   };
   for (std::size_t k = 1; k < std::min(frequencies, most_frequencies); ++k) {
-    row("whirl frequency", shown::revolutions, k, [](const FilmWhirl& whirl) { return whirl.frequency; });
+    add(shown_column("whirl frequency", shown::revolutions), k, [](const FilmWhirl& whirl) { return whirl.frequency; });
     for (const WhirlQuantity& quantity : whirl_quantities(2)) {
       if (!quantity.suffix.empty()) continue;
-      row(fmt::format("  {}, {}", quantity.damping ? "damping" : "stiffness", quantity.axes),
-          quantity.damping ? shown::damping : shown::stiffness, k, quantity.value);
+      add({quantity.name(),
+           quantity.unit,
+           "",
+           {},
+           fmt::format("  {}, {}", quantity.damping ? "damping" : "stiffness", quantity.axes),
+           quantity.damping ? shown::damping : shown::stiffness},
+          k, quantity.value);
     }
   }
-  if (frequencies > most_frequencies) {
-    out += fmt::format("{} more frequencies are in the files only\n", frequencies - most_frequencies);
-  }
-  return out;
+  return frequencies;
 }
 
 std::string spread_lines(const EquilibriumResult& result) {
   std::string out;
   for (const PathSpread& spread : path_spreads(result)) {
     const RunningState& first = result.states[spread.states.front()];
-    out += fmt::format("\n{} paths to {}\n", spread.states.size(), name_of_point(first.requested));
+    Table table;
+    table.add(shown_column(""), std::vector<std::string>{"smallest", "largest"});
     for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
-      if (quantity.label.empty() || quantity.is(tag::requested)) continue;
-      double least = std::numeric_limits<double>::infinity();
-      double most = -least;
-      for (const std::size_t i : spread.states) {
-        const double value = value_of(quantity, *result.bearing, result.states[i]);
-        least = std::min(least, value);
-        most = std::max(most, value);
-      }
-      if (!std::isfinite(least) || !std::isfinite(most)) continue;
-      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", label_of(quantity, result), name_width, quantity.shown.name,
-                         unit_width, cell(*result.bearing, quantity, least), column_width,
-                         cell(*result.bearing, quantity, most), column_width);
+      if (quantity.shown.size == 0.0 || quantity.is(tag::requested)) continue;
+      std::vector<double> values =
+          each(spread.states, [&](std::size_t i) { return value_of(quantity, *result.bearing, result.states[i]); });
+      std::erase_if(values, [](double value) { return !std::isfinite(value); });
+      if (values.empty()) continue;
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      add_quantity(result, quantity, {*least, *most}, table);
     }
+    out +=
+        fmt::format("\n{} paths to {}\n{}", spread.states.size(), name_of_point(first.requested), table_blocks(table));
   }
   return out;
 }
@@ -141,26 +131,18 @@ std::string limit_lines(const EquilibriumResult& result) {
 }  // namespace
 
 std::string equilibrium_table(const EquilibriumResult& result) {
-  std::string out;
-  const std::size_t shown = std::min(result.states.size(), most_states_shown);
-  for (std::size_t first = 0; first < shown; first += columns_per_block) {
-    const std::size_t end = std::min(first + columns_per_block, shown);
-    if (!out.empty()) out += '\n';
-    for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
-      if (quantity.label.empty() || !is_known(result, quantity)) continue;
-      out += fmt::format("{:<{}}{:<{}}", label_of(quantity, result), name_width, quantity.shown.name, unit_width);
-      for (std::size_t i = first; i < end; ++i) {
-        const double value = value_of(quantity, *result.bearing, result.states[i]);
-        out += fmt::format("{:>{}}", cell(*result.bearing, quantity, value), column_width);
-      }
-      out += '\n';
-      if (quantity.name == "force_y") out += pad_rows(result, first, end);
-    }
-    out += whirl_rows(result, first, end);
+  const std::span states = std::span(result.states).first(std::min(result.states.size(), most_states_shown));
+  Table table;
+  for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
+    if (quantity.shown.size == 0.0) continue;
+    add_quantity(result, quantity,
+                 each(states, [&](const RunningState& state) { return value_of(quantity, *result.bearing, state); }),
+                 table);
+    if (quantity.name == "force_y") add_pads(result, states, table);
   }
-  if (shown < result.states.size()) {
-    out += fmt::format("states {} to {} are in the files only\n", shown + 1, result.states.size());
-  }
+  const std::size_t frequencies = add_whirls(states, table);
+  std::string out = table_blocks(table) + left_out("frequencies", most_frequencies, frequencies) +
+                    left_out("states", states.size(), result.states.size());
   return out + spread_lines(result) + limit_lines(result);
 }
 

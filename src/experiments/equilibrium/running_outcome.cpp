@@ -21,8 +21,8 @@ SweptResult swept_states(const Case& input, const EquilibriumResult& result) {
   nlohmann::ordered_json lists{{"states", nlohmann::ordered_json::array()}};
   SweptResult swept{.dataset = equilibrium_dataset(settings, result),
                     .parts = {},
-                    .rows = equilibrium_csv(result),
-                    .coefficients = film_coefficients_csv(result),
+                    .rows = state_table(result),
+                    .more = {film_coefficient_table(result)},
                     .lists = {}};
   for (std::size_t i = 0; i < result.states.size(); ++i) {
     swept.parts.push_back({name_of_state(result.states[i]), place_of(settings, i)});
@@ -106,7 +106,8 @@ ExperimentInfo equilibrium_experiment() {
           },
       .sweeping =
           Sweeping{.run = run_swept,
-                   .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); }},
+                   .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); },
+                   .more_tables = {"coefficients.csv"}},
       .sampling = equilibrium_sampling(),
       .quantities = meanings_of(all_running_quantities()),
       .small_runs = {one_state, with_limits, of_pads, on_peaks, across, of_strips}};

@@ -40,12 +40,13 @@ std::vector<ResultFile> fit_files(const Case& input, const FitResult& result, Ru
                             .warnings = warnings,
                             .provenance = provenance},
                            "fit.nc", "use fewer points", [&](const std::string& /*run_id*/) {
-                             ResultContents contents{
-                                 .texts = {{"fit.csv", fit_csv(result)}}, .dataset = fit_dataset(result), .lists = [&] {
-                                   Json json{{"failures", failures}, {"warnings", warnings}};
-                                   json.update(fit_lists(result));
-                                   return json;
-                                 }};
+                             ResultContents contents{.tables = {{"fit.csv", fitted_points(result)}},
+                                                     .dataset = fit_dataset(result),
+                                                     .lists = [&] {
+                                                       Json json{{"failures", failures}, {"warnings", warnings}};
+                                                       json.update(fit_lists(result));
+                                                       return json;
+                                                     }};
                              if (!result.parameters.empty()) {
                                contents.texts.push_back({"case.toml", fitted_case_text(result)});
                              }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <type_traits>
 #include <utility>
 
 #include "bumpfoil/case/case_writer.hpp"
@@ -12,9 +14,9 @@
 #include "core/number_text.hpp"
 #include "experiments/fit/fit_columns.hpp"
 #include "experiments/fit/fit_statistics.hpp"
-#include "results/csv_value.hpp"
 #include "results/read_unit.hpp"
 #include "results/summary_json.hpp"
+#include "results/table_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -119,21 +121,25 @@ std::vector<double> columns_of_points(const FittedData& data) {
   });
 }
 
-/// Quoted as a CSV cell that contains commas.
-std::string quoted_cell(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
-
-std::string parameter_line(const FitResult& result, std::size_t i, std::size_t width) {
-  const FittedValue& found = result.parameters[i];
-  const ReadUnit unit = read_unit_of(result.units[i]);
-  const auto text = [&](const std::optional<double>& number) { return number_text(number, unit.size); };
-  return fmt::format("{:<{}}  {:>12}  {:>14}  {:>12}  {:>12}  {}{}\n", result.settings.parameters[i].key, width,
-                     text(found.value), text(found.standard_error), text(found.lower_95), text(found.upper_95),
-                     unit.name,
-                     found.at_bound  ? "  at a bound"
-                     : found.at_jump ? "  at a jump"
-                                     : "");
+/// Numbers of each parameter, in its unit. @param columns  labels and members
+std::string parameter_lines(
+    const FitResult& result,
+    const std::vector<std::pair<std::string, std::function<double(const FittedValue&)>>>& columns) {
+  const std::size_t count = result.parameters.size();
+  const std::vector<ReadUnit> units = each(result.units, read_unit_of);
+  Table table;
+  table.add(shown_column("parameter"),
+            each(result.settings.parameters, [](const FitParameter& one) { return one.key; }));
+  for (const auto& [label, value] : columns) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < count; ++i) texts.push_back(number_text(value(result.parameters[i]), units[i].size));
+    table.add(shown_column(label), std::move(texts));
+  }
+  table.add(shown_column("unit"), each(units, [](const ReadUnit& unit) { return unit.name; }));
+  table.add(shown_column(""), each(result.parameters, [](const FittedValue& found) -> std::string {
+              return found.at_bound ? "at a bound" : found.at_jump ? "at a jump" : "";
+            }));
+  return table_lines(table);
 }
 
 std::string values_text(const FitResult& result, const std::vector<double>& values) {
@@ -194,20 +200,15 @@ std::vector<std::string> fit_warnings(const FitResult& result) {
 
 std::string fit_table(const FitResult& result) {
   if (result.parameters.empty()) return "no minimum was found\n";
-  std::size_t width = std::string_view("parameter").size();
-  for (const FitParameter& parameter : result.settings.parameters) width = std::max(width, parameter.key.size());
-  std::string out = fmt::format("{:<{}}  {:>12}  {:>14}  {:>12}  {:>12}  unit\n", "parameter", width, "value",
-                                "standard error", "95 %: from", "to");
-  for (std::size_t i = 0; i < result.parameters.size(); ++i) out += parameter_line(result, i, width);
+  std::string out =
+      parameter_lines(result, {{"value", [](const FittedValue& one) { return one.value; }},
+                               {"standard error", [](const auto& one) { return cell(one.standard_error); }},
+                               {"95 %: from", [](const auto& one) { return cell(one.lower_95); }},
+                               {"to", [](const auto& one) { return cell(one.upper_95); }}});
   if (result.settings.profile) {
-    out += "\n95 % by profiles\n";
-    for (std::size_t i = 0; i < result.parameters.size(); ++i) {
-      const FittedValue& found = result.parameters[i];
-      const ReadUnit unit = read_unit_of(result.units[i]);
-      out += fmt::format("{:<{}}  {:>12} to {:>12}  {}\n", result.settings.parameters[i].key, width,
-                         number_text(found.profile_lower_95, unit.size), number_text(found.profile_upper_95, unit.size),
-                         unit.name);
-    }
+    out += "\n95 % by profiles\n" +
+           parameter_lines(result, {{"from", [](const auto& one) { return cell(one.profile_lower_95); }},
+                                    {"to", [](const auto& one) { return cell(one.profile_upper_95); }}});
   }
   out += '\n';
   for (std::size_t i = 0; i < result.data.size(); ++i) {
@@ -334,22 +335,30 @@ Dataset fit_dataset(const FitResult& result) {
   return data;
 }
 
-std::string fit_csv(const FitResult& result) {
-  std::string out = "data,point,series,quantity,unit,axis,axis_unit";
-  for (const auto& quantity : fit_point_quantities) out += ',' + quantity.key();
-  out += '\n';
-  for (std::size_t i = 0; i < result.data.size(); ++i) {
-    const FittedData& data = result.data[i];
-    for (std::size_t k = 0; k < data.points.size(); ++k) {
-      const FittedPoint& point = data.points[k];
-      const FitColumn column = data.quantities[point.quantity].column;
-      out += fmt::format("{},{},{},{},{},{},{}", i + 1, k, quoted_cell(data.series[point.series]), name_of(column),
-                         unit_of(column), data.axis, data.axis_unit);
-      for (const auto& quantity : fit_point_quantities) append_csv(out += ',', quantity.value(point), quantity.form);
-      out += '\n';
+Table fitted_points(const FitResult& result) {
+  Table table;
+  const auto add = [&](VariableMeaning meaning, const auto& value) {
+    std::vector<std::decay_t<decltype(value(std::size_t{}, std::size_t{}))>> rows;
+    for (std::size_t i = 0; i < result.data.size(); ++i) {
+      for (std::size_t k = 0; k < result.data[i].points.size(); ++k) rows.push_back(value(i, k));
     }
+    table.add(std::move(meaning), std::move(rows));
+  };
+  const auto column_of = [&](std::size_t i, std::size_t k) {
+    return result.data[i].quantities[result.data[i].points[k].quantity].column;
+  };
+  add({"data", "1", ""}, [](std::size_t i, std::size_t) { return static_cast<double>(i + 1); });
+  add({"point", "1", ""}, [](std::size_t, std::size_t k) { return static_cast<double>(k); });
+  add({"series", "", ""},
+      [&](std::size_t i, std::size_t k) { return result.data[i].series[result.data[i].points[k].series]; });
+  add({"quantity", "", ""}, [&](std::size_t i, std::size_t k) { return std::string(name_of(column_of(i, k))); });
+  add({"unit", "", ""}, [&](std::size_t i, std::size_t k) { return std::string(unit_of(column_of(i, k))); });
+  add({"axis", "", ""}, [&](std::size_t i, std::size_t) { return std::string(result.data[i].axis); });
+  add({"axis_unit", "", ""}, [&](std::size_t i, std::size_t) { return std::string(result.data[i].axis_unit); });
+  for (const auto& quantity : fit_point_quantities) {
+    add(quantity.meaning(), [&](std::size_t i, std::size_t k) { return quantity.value(result.data[i].points[k]); });
   }
-  return out;
+  return table;
 }
 
 Json fit_lists(const FitResult& result) {
@@ -363,19 +372,14 @@ Json fit_lists(const FitResult& result) {
     const FitParameter& parameter = result.settings.parameters[i];
     Json& entry = json["parameters"].emplace_back(
         Json{{"key", parameter.key}, {"unit", result.units[i]}, {"start", parameter.start}});
-    for (const auto& quantity : parameter_quantities) {
-      entry[quantity.key()] = value_json(quantity.value(result.parameters[i]), quantity.form);
-    }
+    entry.update(values_json(parameter_quantities, result.parameters[i]));
     entry["correlations"] = Json::array();
     for (Eigen::Index k = 0; k < result.correlation.cols(); ++k) {
       entry["correlations"].push_back(value_json(result.correlation(static_cast<Eigen::Index>(i), k)));
     }
     if (!result.settings.profile) continue;
-    entry["profile"] = Json::array();
-    for (const FitProfilePoint& point : result.parameters[i].profile) {
-      Json& place = entry["profile"].emplace_back();
-      for (const auto& quantity : profile_quantities) place[quantity.key()] = value_json(quantity.value(point));
-    }
+    entry["profile"] = each(result.parameters[i].profile,
+                            [](const FitProfilePoint& point) { return values_json(profile_quantities, point); });
   }
   json["data"] = Json::array();
   for (const FittedData& data : result.data) {
@@ -386,11 +390,8 @@ Json fit_lists(const FitResult& result) {
                                                  {"series", data.series},
                                                  {"quantities", Json::array()}});
     for (const FittedQuantity& one : data.quantities) {
-      Json& own =
-          entry["quantities"].emplace_back(Json{{"title", title_of(one.column)}, {"unit", unit_of(one.column)}});
-      for (const auto& quantity : measured_quantities) {
-        own[quantity.key()] = value_json(quantity.value(one), quantity.form);
-      }
+      entry["quantities"].push_back({{"title", title_of(one.column)}, {"unit", unit_of(one.column)}});
+      entry["quantities"].back().update(values_json(measured_quantities, one));
     }
   }
   json["minima"] = Json::array();

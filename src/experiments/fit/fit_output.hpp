@@ -6,6 +6,7 @@
 
 #include "bumpfoil/experiments/fit/fit.hpp"
 #include "bumpfoil/results/dataset.hpp"
+#include "bumpfoil/results/table.hpp"
 
 namespace bumpfoil {
 
@@ -18,8 +19,8 @@ std::string fit_table(const FitResult& result);
 /// Contents of fit.nc. @param result  must outlive it
 Dataset fit_dataset(const FitResult& result);
 
-/// Contents of fit.csv: one line per data point.
-std::string fit_csv(const FitResult& result);
+/// Rows of fit.csv: one per data point.
+Table fitted_points(const FitResult& result);
 
 /// Entries of summary.json.
 nlohmann::ordered_json fit_lists(const FitResult& result);

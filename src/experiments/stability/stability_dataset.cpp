@@ -11,7 +11,6 @@
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/rotor_speeds.hpp"
 #include "experiments/stability/stability_quantities.hpp"
-#include "results/csv_value.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -33,7 +32,7 @@ void add_bearings(const StabilityResult& result, Dataset& data) {
 void add_of_motions(const StabilityResult& result, const VariableMeaning& meaning, std::vector<std::string> inside,
                     std::size_t width, const std::function<void(const SpeedMotion&, double* out)>& fill,
                     Dataset& data) {
-  std::vector<std::string> dims{"speed", "contacts", "mode"};
+  std::vector<std::string> dims = motion_dimensions();
   dims.insert(dims.end(), inside.begin(), inside.end());
   data.add(meaning, std::move(dims), [&result, width, fill] {
     constexpr std::size_t kinds = enum_names<ContactMotion>.size();
@@ -56,7 +55,6 @@ void add_motions(const StabilityResult& result, Dataset& data) {
   data.add_dimension({"mode", "1", "number of the motion, the same at all speeds", {Form::whole}},
                      numbers_from(1.0, result.map.motions));
   for (const MotionQuantity& quantity : motion_quantities()) {
-    if (quantity.is(tag::of_place)) continue;
     add_of_motions(
         result, quantity.meaning(), {}, 1,
         [quantity](const SpeedMotion& motion, double* out) { *out = quantity.value(motion); }, data);
@@ -94,12 +92,16 @@ void add_shapes(const StabilityResult& result, Dataset& data) {
 
 }  // namespace
 
+std::vector<std::string> motion_dimensions() {
+  return {"speed", "contacts", "mode"};
+}
+
 Dataset stability_dataset(const StabilityResult& result, bool with_motions) {
   Dataset data;
   for (const StabilityQuantity& quantity : stability_quantities()) {
     data.add(quantity.meaning(), {}, std::vector<double>{quantity.value(result)});
   }
-  data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"}, speeds_of(result));
+  add_speeds(speeds_of(result), data);
   for (const SpeedQuantity& quantity : speed_quantities()) {
     data.add(quantity.meaning(), {"speed"},
              each(result.map.points, [&](const SpeedPoint& point) { return quantity.value(result, point); }));
@@ -111,28 +113,24 @@ Dataset stability_dataset(const StabilityResult& result, bool with_motions) {
   return data;
 }
 
-std::string stability_csv(const StabilityResult& result) {
-  std::string out;
-  const auto add_line = [&out](const SpeedMotion& motion) {
-    char separator = '\n';
-    for (const MotionQuantity& quantity : motion_quantities()) {
-      if (!quantity.is(tag::csv)) continue;
-      const bool known = motion.whirl != nullptr || quantity.is(tag::of_place);
-      append_csv(out += separator, known ? quantity.value(motion) : absent, quantity.form);
-      separator = ',';
+std::vector<std::vector<std::size_t>> motion_rows(const StabilityResult& result, bool with_all_speeds) {
+  std::vector<std::vector<std::size_t>> rows;
+  for (std::size_t i = 0; i < result.map.points.size(); ++i) {
+    const std::vector<SpeedMotion> motions = motions_at(result.map.points[i]);
+    for (const SpeedMotion& motion : motions) {
+      rows.push_back({i, static_cast<std::size_t>(motion.contacts), motion.number});
     }
-  };
-  for (const MotionQuantity& quantity : motion_quantities()) {
-    if (!quantity.is(tag::csv)) continue;
-    if (!out.empty()) out += ',';
-    out += quantity.key();
+    if (motions.empty() && with_all_speeds) rows.push_back({i, no_entry, no_entry});
   }
-  for (const SpeedPoint& point : result.map.points) {
-    const std::vector<SpeedMotion> motions = motions_at(point);
-    for (const SpeedMotion& motion : motions) add_line(motion);
-    if (motions.empty()) add_line({.point = point});
-  }
-  return out + '\n';
+  return rows;
+}
+
+Table motion_table(const StabilityResult& result) {
+  return table_of(stability_dataset(result),
+                  {.over = motion_dimensions(),
+                   .columns = {"speed", "mode", "real", "imag", "log_decrement", "damping_ratio", "direction",
+                               "contacts", "speed_status", "directivity", "rotor_share", "of_foils"},
+                   .rows = motion_rows(result, true)});
 }
 
 }  // namespace bumpfoil

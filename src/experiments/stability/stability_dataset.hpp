@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/results/dataset.hpp"
+#include "bumpfoil/results/table.hpp"
 
 namespace bumpfoil {
 
@@ -11,7 +14,14 @@ namespace bumpfoil {
 /// in sweeps. The result must outlive it.
 Dataset stability_dataset(const StabilityResult& result, bool with_motions = true);
 
-/// Contents of stability.csv: one line for each motion at each speed, and one for each speed without motions.
-std::string stability_csv(const StabilityResult& result);
+/// Dimensions of a motion: speed, contacts and mode.
+std::vector<std::string> motion_dimensions();
+
+/// Entries of each motion along these, speed by speed, with the fastest growing first.
+/// @param with_all_speeds  whether speeds without a motion have a row, too
+std::vector<std::vector<std::size_t>> motion_rows(const StabilityResult& result, bool with_all_speeds);
+
+/// Rows of stability.csv: one for each motion at each speed, and one for each speed without motions.
+Table motion_table(const StabilityResult& result);
 
 }  // namespace bumpfoil

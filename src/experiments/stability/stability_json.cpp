@@ -1,6 +1,11 @@
 #include "experiments/stability/stability_json.hpp"
 
+#include <iterator>
+#include <utility>
+#include <vector>
+
 #include "bumpfoil/results/quantity.hpp"
+#include "experiments/stability/stability_dataset.hpp"
 #include "experiments/stability/stability_quantities.hpp"
 #include "results/summary_json.hpp"
 
@@ -9,22 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json motion_json(const SpeedMotion& motion) {
-  Json json;
-  for (const MotionQuantity& quantity : motion_quantities()) {
-    if (quantity.name == "speed" || quantity.name == "status") continue;  // given once for all motions
-    json[quantity.key()] = value_json(quantity.value(motion), quantity.form);
-  }
-  return json;
-}
-
 }  // namespace
 
 Json stability_lists(const StabilityResult& result) {
-  Json json;
-  for (const StabilityQuantity& quantity : stability_quantities()) {
-    if (quantity.name != "status") json[quantity.key()] = value_json(quantity.value(result), quantity.form);
-  }
+  const Dataset data = stability_dataset(result);
+  Json json = rows_json(table_of(data, {.columns = names_of(stability_quantities().subspan(1))})).front();
   json["onsets"] = Json::array();
   for (const WhirlOnset& found : result.map.onsets) {
     json["onsets"].push_back({{"speed_rad_per_s", found.onset.speed},
@@ -35,15 +29,19 @@ Json stability_lists(const StabilityResult& result) {
                               {"of_foils", found.of_foils},
                               {"jumps", found.onset.jumps}});
   }
-  json["speeds"] = Json::array();
-  for (const SpeedPoint& point : result.map.points) {
-    Json& entry = json["speeds"].emplace_back(Json{{"speed_rad_per_s", point.speed}});
-    for (const SpeedQuantity& quantity : speed_quantities()) {
-      const bool is_status = quantity.name == "speed_status";
-      entry[is_status ? "status" : quantity.key()] = value_json(quantity.value(result, point), quantity.form);
-    }
-    entry["motions"] = each(motions_at(point), motion_json);
+  std::vector<Json> speeds =
+      rows_json(table_of(data, {.over = {"speed"}, .columns = names_of(speed_quantities(), {"speed"})}));
+  const std::vector<Json> motions =
+      rows_json(table_of(data, {.over = motion_dimensions(),
+                                .columns = names_of(motion_quantities(), {"mode", "contacts"}),
+                                .rows = motion_rows(result, false)}));
+  auto motion = motions.begin();
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const auto last = motion + std::ssize(motions_at(result.map.points[i]));
+    speeds[i]["motions"] = std::vector<Json>(motion, last);
+    motion = last;
   }
+  json["speeds"] = std::move(speeds);
   return json;
 }
 

@@ -28,7 +28,7 @@ std::vector<ResultFile> stability_files(const Case& input, const StabilityResult
                             .warnings = warnings,
                             .provenance = provenance},
                            "result.nc", "use fewer speeds", [&](const std::string& /*run_id*/) {
-                             return ResultContents{.texts = {{"stability.csv", stability_csv(result)}},
+                             return ResultContents{.tables = {{"stability.csv", motion_table(result)}},
                                                    .dataset = stability_dataset(result),
                                                    .lists = [&] {
                                                      Json json{{"failures", failures}, {"warnings", warnings}};
@@ -51,7 +51,7 @@ Outcome stability_outcome(const Case& input, StabilityResult made) {
               [=](bool /*with_loops*/) {
                 return SweptResult{.dataset = stability_dataset(*result, false),
                                    .parts = {{"", 0}},
-                                   .rows = stability_csv(*result),
+                                   .rows = motion_table(*result),
                                    .lists = dump_json(stability_lists(*result), -1)};
               }};
 }

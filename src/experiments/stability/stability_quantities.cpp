@@ -35,6 +35,9 @@ double log_decrement(const Whirl& whirl, double /*speed*/) {
   const double decrement = whirl.log_decrement();
   return std::isfinite(decrement) ? decrement : absent;
 }
+double sense(const Whirl& whirl, double /*speed*/) {
+  return static_cast<double>(sense_of(whirl));
+}
 double belongs_to_foils(const Whirl& whirl, double /*speed*/) {
   return whirl.is_of_foils() ? 1.0 : 0.0;
 }
@@ -168,14 +171,9 @@ constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
 });
 
 constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
-    {"speed_status",
-     "",
-     "how the search for the equilibrium ended",
-     [](const StabilityResult&, const SpeedPoint& point) { return static_cast<double>(point.status); },
-     none,
-     "",
-     {},
-     search_status},
+    {"speed_status", "", "how the search for the equilibrium ended",
+     [](const StabilityResult&, const SpeedPoint& point) { return static_cast<double>(point.status); }, none, "status",
+     shown::unitless, search_status},
     {"stable", "1", "whether all motions decay, with contacts sliding and stuck",
      [](const StabilityResult&, const SpeedPoint& point) {
        const std::optional<bool> stable = is_stable(point);
@@ -191,6 +189,8 @@ constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
      of_fastest<false, whirl_ratio>, shown_first, "whirl ratio", shown::unitless},
     {"least_log_decrement", "1", "logarithmic decrement of the motion that grows fastest",
      of_fastest<false, log_decrement>, shown_first, "log. decrement", shown::unitless},
+    {"fastest_direction", "", "sense of the whirl of the motion that grows fastest, relative to the rotation",
+     of_fastest<false, sense>, none, "whirl", shown::unitless, flags<WhirlSense>},
     {"fastest_of_foils", "1", "whether the motion is one of foils and film, in which the rotor takes little part",
      of_fastest<false, belongs_to_foils>, none, "motion of the foils", shown::unitless, yes_or_no},
     {"growth_stuck", "1", "growth rate of the motion that grows fastest over the speed of rotation, full stick",
@@ -210,60 +210,32 @@ constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
 });
 
 constexpr auto motion_quantity_table = std::to_array<MotionQuantity>({
-    {"speed", "rad/s", "speed of the rotor, positive from X to Y",
-     [](const SpeedMotion& motion) { return motion.point.speed; }, csv | of_place},
-    {"mode",
-     "1",
-     "number of the motion, the same at all speeds",
-     [](const SpeedMotion& motion) {
-       return motion.whirl == nullptr ? absent : static_cast<double>(motion.number + 1);
-     },
-     csv | of_place,
-     "",
-     {},
-     whole_number},
     {"real", "rad/s", "growth rate: real part of s in exp(s t)",
-     [](const SpeedMotion& motion) { return motion.whirl->rate.real(); }, csv},
+     [](const SpeedMotion& motion) { return motion.whirl->rate.real(); }, none, "growth rate"},
     {"imag", "rad/s", "damped frequency: imaginary part of s",
-     [](const SpeedMotion& motion) { return motion.whirl->rate.imag(); }, csv},
+     [](const SpeedMotion& motion) { return motion.whirl->rate.imag(); }, none, "damped frequency"},
     {"log_decrement", "1", "logarithmic decrement",
-     [](const SpeedMotion& motion) { return log_decrement(*motion.whirl, 1.0); }, csv},
+     [](const SpeedMotion& motion) { return log_decrement(*motion.whirl, 1.0); }, none, "log. decrement"},
     {"damping_ratio", "1", "damping ratio: -Re s over the modulus of s",
-     [](const SpeedMotion& motion) { return motion.whirl->damping_ratio(); }, csv},
+     [](const SpeedMotion& motion) { return motion.whirl->damping_ratio(); }},
     {"direction",
      "",
      "sense of the whirl relative to the rotation",
      [](const SpeedMotion& motion) { return static_cast<double>(sense_of(*motion.whirl)); },
-     csv,
+     none,
      "",
      {},
      flags<WhirlSense>},
-    {"contacts",
-     "",
-     "what slipping contacts do",
-     [](const SpeedMotion& motion) { return motion.whirl == nullptr ? absent : static_cast<double>(motion.contacts); },
-     csv | of_place,
-     "",
-     {},
-     flags<ContactMotion>},
-    {"status",
-     "",
-     "how the search for the equilibrium ended",
-     [](const SpeedMotion& motion) { return static_cast<double>(motion.point.status); },
-     csv | of_place,
-     "",
-     {},
-     search_status},
     {"directivity", "1", "1: forward circle, 0: line, -1: backward circle; mean of all journals",
-     [](const SpeedMotion& motion) { return motion.whirl->direction; }, csv},
+     [](const SpeedMotion& motion) { return motion.whirl->direction; }},
     {"rotor_share", "1", "part that the inertia of the rotor has in the motion; 0: foils and film alone",
-     [](const SpeedMotion& motion) { return motion.whirl->rotor_share; }, csv},
+     [](const SpeedMotion& motion) { return motion.whirl->rotor_share; }},
     {"of_foils",
      "1",
      "whether the motion is one of foils and film, in which the rotor takes little part",
      [](const SpeedMotion& motion) { return belongs_to_foils(*motion.whirl, 1.0); },
-     csv,
-     "",
+     none,
+     "motion of the foils",
      {},
      yes_or_no},
     {"residual", "1", "smallest singular value of the dynamic stiffness over the largest one",
@@ -291,9 +263,7 @@ std::span<const MotionQuantity> motion_quantities() {
 std::vector<VariableMeaning> stability_meanings() {
   std::vector<VariableMeaning> meanings = meanings_of(stability_quantity_table);
   for (const SpeedQuantity& quantity : speed_quantity_table) meanings.push_back(quantity.meaning());
-  for (const MotionQuantity& quantity : motion_quantity_table) {
-    if (!quantity.is(of_place)) meanings.push_back(quantity.meaning());
-  }
+  for (const MotionQuantity& quantity : motion_quantity_table) meanings.push_back(quantity.meaning());
   return meanings;
 }
 

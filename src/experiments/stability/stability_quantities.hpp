@@ -44,19 +44,15 @@ std::span<const SpeedQuantity> speed_quantities();
 struct SpeedMotion {
   const SpeedPoint& point;
   ContactMotion contacts{};
-  const Whirl* whirl{};  ///< null for a speed without motions
+  const Whirl* whirl{};
   std::size_t number{};  ///< index from 0
 };
 
-namespace tag {
-inline constexpr Tags of_place = first_of_experiment;  ///< identify the motion; known even without one
-}
-
-/// Its quantities, in the order of stability.csv.
+/// Its quantities.
 using MotionQuantity = Quantity<double (*)(const SpeedMotion&)>;
 std::span<const MotionQuantity> motion_quantities();
 
-/// Columns of tables: of the whole run, of each speed, and of each motion except its identification.
+/// Columns of tables: of the whole run, of each speed, and of each motion.
 std::vector<VariableMeaning> stability_meanings();
 
 /// Motions at one speed, with sliding contacts first.

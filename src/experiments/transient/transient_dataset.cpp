@@ -9,7 +9,6 @@
 #include "experiments/rotor_speeds.hpp"
 #include "experiments/transient/step_row.hpp"
 #include "experiments/transient/transient_quantities.hpp"
-#include "results/csv_value.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -127,18 +126,6 @@ Dataset swept_dataset(const TransientReading& reading) {
   return data;
 }
 
-std::string run_csv(const TransientReading& reading) {
-  std::string head;
-  std::string line;
-  for (const RunQuantity& quantity : run_quantities()) {
-    if (!head.empty()) head += ',';
-    head += quantity.key();
-    if (!line.empty()) line += ',';
-    append_csv(line, quantity.value(reading), quantity.form);
-  }
-  return head + '\n' + line + '\n';
-}
-
 Dataset transient_dataset(const TransientReading& reading) {
   const TransientResult& result = reading.result;
   Dataset data = run_dataset(reading);
@@ -150,23 +137,11 @@ Dataset transient_dataset(const TransientReading& reading) {
   return data;
 }
 
-std::string transient_csv(const TransientReading& reading) {
-  std::string out = "revolution";
-  for (const WholeTurnQuantity& quantity : whole_turn_quantities()) (out += ',') += quantity.key();
-  out += ",station";
-  for (const TurnQuantity& quantity : turn_quantities()) (out += ',') += quantity.key();
-  out += '\n';
-  const std::vector<RotorStation> stations = reading.result.machine.places();
-  for (const TransientTurn& whole : reading.turns) {
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      out += std::to_string(whole.number);
-      for (const WholeTurnQuantity& quantity : whole_turn_quantities()) append_csv(out += ',', quantity.value(whole));
-      (out += ',') += stations[i].name;
-      for (const TurnQuantity& quantity : turn_quantities()) append_csv(out += ',', quantity.value(view_of(whole, i)));
-      out += '\n';
-    }
-  }
-  return out;
+Table revolution_table(const TransientReading& reading) {
+  std::vector<std::string> columns = names_of(whole_turn_quantities(), {"revolution"});
+  columns.emplace_back("station");
+  return table_of(transient_dataset(reading),
+                  {.over = {"revolution", "station"}, .columns = names_of(turn_quantities(), std::move(columns))});
 }
 
 }  // namespace bumpfoil

@@ -26,9 +26,7 @@ RunStatus status_of(const TransientReading& reading) {
 Json transient_lists(const TransientReading& reading) {
   // The common header has a status of its own, that of the run.
   Json json{{"end_status", name_of(reading.result.status)}, {"revolutions", reading.turns.size()}};
-  for (const RunQuantity& quantity : run_quantities().subspan(1)) {
-    json[quantity.key()] = value_json(quantity.value(reading), quantity.form);
-  }
+  json.update(rows_json(table_of(run_dataset(reading), {.columns = names_of(run_quantities().subspan(1))})).front());
   const WorkBalance& sum = reading.energy.sum;
   json["energy"] = {
       {"entrained_J", sum.entrained}, {"supplied_J", sum.supplied},     {"forces_J", sum.forces},
@@ -64,7 +62,7 @@ std::vector<ResultFile> transient_files(const Case& input, const TransientReadin
                                         const Provenance& provenance) {
   return make_result_files(record_of(input, reading, provenance), "result.nc", "use fewer steps",
                            [&](const std::string& /*run_id*/) {
-                             return ResultContents{.texts = {{"transient.csv", transient_csv(reading)}},
+                             return ResultContents{.tables = {{"transient.csv", revolution_table(reading)}},
                                                    .dataset = transient_dataset(reading),
                                                    .lists = [&] { return all_lists(input, reading); }};
                            });
@@ -83,7 +81,7 @@ Outcome transient_outcome(const Case& input, const SharedReading& reading) {
               [=](bool /*with_loops*/) {
                 return SweptResult{.dataset = swept_dataset(*reading),
                                    .parts = {{"", 0}},
-                                   .rows = run_csv(*reading),
+                                   .rows = table_of(run_dataset(*reading), {.columns = names_of(run_quantities())}),
                                    .lists = dump_json(transient_lists(*reading), -1)};
               }};
 }
@@ -102,7 +100,7 @@ Outcome stage_transient(const Case& input, const StagedRun& staged, const Progre
   outcome.files = {};
   stage_result_files(record_of(input, *reading, staged.provenance), "result.nc", "use fewer steps",
                      transient_dataset(*reading), all_lists(input, *reading), staged.folder,
-                     {{"transient.csv", transient_csv(*reading)}});
+                     {{"transient.csv", revolution_table(*reading)}});
   return outcome;
 }
 

@@ -7,6 +7,7 @@
 #include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "bumpfoil/results/table.hpp"
 
 /// Quantities of the command transient, described once for all files.
 namespace bumpfoil {
@@ -49,9 +50,6 @@ std::string transient_table(const TransientReading& reading);
 /// Quantities of the whole run.
 Dataset run_dataset(const TransientReading& reading);
 
-/// The same as one CSV line with a header.
-std::string run_csv(const TransientReading& reading);
-
 /// The same and the last spectrum of the run, as stored in sweeps.
 Dataset swept_dataset(const TransientReading& reading);
 
@@ -59,7 +57,7 @@ Dataset swept_dataset(const TransientReading& reading);
 /// order. The reading must outlive it.
 Dataset transient_dataset(const TransientReading& reading);
 
-/// Contents of transient.csv: one line for each station and revolution.
-std::string transient_csv(const TransientReading& reading);
+/// Rows of transient.csv: one for each station and revolution.
+Table revolution_table(const TransientReading& reading);
 
 }  // namespace bumpfoil

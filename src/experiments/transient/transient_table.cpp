@@ -1,27 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "core/number_text.hpp"
 #include "experiments/transient/transient_quantities.hpp"
+#include "results/table_lines.hpp"
 
 namespace bumpfoil {
 namespace {
 
 constexpr std::size_t most_turns_shown = 24;
 constexpr std::size_t most_rubs_shown = 10;
-constexpr int turn_cell_width = 11;
-
-std::string turn_cell(double number, double size) {
-  return fmt::format("{:>{}}", std::isfinite(number) ? number_text(number, size) : "-", turn_cell_width);
-}
-
-std::string heading(std::initializer_list<std::string_view> words) {
-  std::string line;
-  for (const std::string_view word : words) line += fmt::format("{:>{}}", word, turn_cell_width);
-  return line + '\n';
-}
 
 /// The bearing place with the largest motion.
 const PlaceTurn& widest(const TransientTurn& revolution) {
@@ -33,34 +24,48 @@ const PlaceTurn& widest(const TransientTurn& revolution) {
   return revolution.places[at];
 }
 
-std::string turn_line(const TransientTurn& revolution) {
-  const PlaceTurn& place = widest(revolution);
-  double thinnest = revolution.bearings.front().thinnest;
-  double load = 0.0;
-  for (const BearingRecord& bearing : revolution.bearings) {
-    thinnest = std::min(thinnest, bearing.thinnest);
-    load = std::max(load, bearing.asperity_load);
-  }
-  return fmt::format("{:>{}}", revolution.number, turn_cell_width) + turn_cell(revolution.time, 1e-3) +
-         turn_cell(revolution.speed, shown::revolutions.size) +
-         turn_cell(place.orbit.once.cwiseAbs().maxCoeff(), 1e-6) +
-         turn_cell(place.half ? place.half->cwiseAbs().maxCoeff() : absent, 1e-6) +
-         turn_cell(place.orbit.half_peak_to_peak.maxCoeff(), 1e-6) + turn_cell(thinnest, 1e-6) + turn_cell(load, 1.0) +
-         turn_cell(revolution.energy.friction, 1e-6) + '\n';
+/// Revolutions, with the motion of the journal that moves most.
+Table table_of_turns(const std::vector<const TransientTurn*>& turns) {
+  Table table;
+  const auto add = [&](VariableMeaning meaning, const auto& value) {
+    table.add(std::move(meaning),
+              each(turns, [&value](const TransientTurn* turn) { return static_cast<double>(value(*turn)); }));
+  };
+  const auto add_worst = [&](std::string label, const ShownUnit& unit, double sign, double BearingRecord::*member) {
+    add(shown_column(std::move(label), unit), [sign, member](const TransientTurn& turn) {
+      double worst = sign * turn.bearings.front().*member;
+      for (const BearingRecord& bearing : turn.bearings) worst = std::max(worst, sign * bearing.*member);
+      return sign * worst;
+    });
+  };
+  add({"revolution", "1", "", whole_number, "revolution"}, [](const TransientTurn& turn) { return turn.number; });
+  add(shown_column("time", {"ms", 1e-3}), [](const TransientTurn& turn) { return turn.time; });
+  add(shown_column("speed", shown::revolutions), [](const TransientTurn& turn) { return turn.speed; });
+  add(shown_column("1x", shown::micrometres),
+      [](const TransientTurn& turn) { return widest(turn).orbit.once.cwiseAbs().maxCoeff(); });
+  add(shown_column("1/2x", shown::micrometres), [](const TransientTurn& turn) {
+    const auto& at_half = widest(turn).half;
+    return at_half ? at_half->cwiseAbs().maxCoeff() : absent;
+  });
+  add(shown_column("half peak-to-peak", shown::micrometres),
+      [](const TransientTurn& turn) { return widest(turn).orbit.half_peak_to_peak.maxCoeff(); });
+  add_worst("minimum film thickness", shown::micrometres, -1.0, &BearingRecord::thinnest);
+  add_worst("load of asperities", shown::newtons, 1.0, &BearingRecord::asperity_load);
+  add(shown_column("friction loss", {"uJ", 1e-6}), [](const TransientTurn& turn) { return turn.energy.friction; });
+  return table;
 }
 
 }  // namespace
 
 std::string transient_table(const TransientReading& reading) {
   const std::vector<TransientTurn>& turns = reading.turns;
-  std::string out = "Journal that moves most, along X or Y\n";
-  out += heading({"revolution", "time", "speed", "1x", "1/2x", "half p-p", "min. film", "asperities", "friction"});
-  out += heading({"", "ms", "rpm", "um", "um", "um", "um", "N", "uJ"});
   const std::size_t shown_turns = std::min(turns.size(), most_turns_shown);
+  std::vector<const TransientTurn*> some;
   for (std::size_t i = 0; i < shown_turns; ++i) {
-    const std::size_t at = shown_turns < 2 ? 0 : i * (turns.size() - 1) / (shown_turns - 1);
-    out += turn_line(turns[at]);
+    some.push_back(&turns[shown_turns < 2 ? 0 : i * (turns.size() - 1) / (shown_turns - 1)]);
   }
+  std::string out;
+  if (!turns.empty()) out = "Journal that moves most, along X or Y\n" + table_lines(table_of_turns(some));
   if (turns.size() > shown_turns) out += fmt::format("all {} revolutions are in the files\n", turns.size());
   if (turns.empty()) out += "no whole revolution\n";
   for (std::size_t i = 0; i < std::min(reading.rubs.size(), most_rubs_shown); ++i) {

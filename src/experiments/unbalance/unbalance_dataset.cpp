@@ -1,15 +1,13 @@
-#include <fmt/format.h>
+#include <utility>
 
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
-#include "results/csv_value.hpp"
 
 namespace bumpfoil {
 namespace {
 
 void add_points(const UnbalanceResult& result, Dataset& data) {
-  data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"},
-                     each(result.points, [](const UnbalancePoint& point) { return point.speed; }));
+  add_speeds(each(result.points, [](const UnbalancePoint& point) { return point.speed; }), data);
   for (const PointQuantity& quantity : point_quantities()) {
     if (quantity.is(tag::of_orbits) && !result.with_orbits) continue;
     data.add(quantity.meaning(), {"speed"},
@@ -38,6 +36,15 @@ Dataset unbalance_dataset(const UnbalanceResult& result, bool with_responses) {
   const std::vector<RotorStation> stations = result.machine.places();
   const std::span<const ResponseKind> kinds = kinds_of(result);
   data.add_dimension({"kind", "", "how the response was found", flags<ResponseKind>}, numbers_from(0.0, kinds.size()));
+  data.add({"response_status", "", "how the search for the response ended, that for the equilibrium or for the orbit",
+            search_status, "status"},
+           {"speed", "kind"}, [&result, kinds] {
+             std::vector<double> values;
+             for (const UnbalancePoint& point : result.points) {
+               for (const ResponseKind kind : kinds) values.push_back(static_cast<double>(status_of(point, kind)));
+             }
+             return values;
+           });
   add_stations(stations, data);
   for (const ResponseQuantity& quantity : response_quantities()) {
     data.add(quantity.meaning(), {"speed", "kind", "station"}, [&result, stations, kinds, quantity] {
@@ -57,25 +64,10 @@ Dataset unbalance_dataset(const UnbalanceResult& result, bool with_responses) {
   return data;
 }
 
-std::string unbalance_csv(const UnbalanceResult& result) {
-  std::string out = "speed_rad_per_s,station";
-  for (const ResponseQuantity& quantity : response_quantities()) out += ',' + quantity.key();
-  out += ",kind,status\n";
-  const std::vector<RotorStation> stations = result.machine.places();
-  for (const UnbalancePoint& point : result.points) {
-    for (const ResponseKind kind : kinds_of(result)) {
-      for (std::size_t i = 0; i < stations.size(); ++i) {
-        const StationResponse response = response_at(result, point, kind, i);
-        append_csv(out, point.speed);
-        out += ',' + stations[i].name;
-        for (const ResponseQuantity& quantity : response_quantities()) {
-          append_csv(out += ',', response.motion ? quantity.value(response) : absent);
-        }
-        out += fmt::format(",{},{}\n", name_of(kind), name_of(status_of(point, kind)));
-      }
-    }
-  }
-  return out;
+Table response_table(const UnbalanceResult& result) {
+  std::vector<std::string> columns = names_of(response_quantities(), {"speed", "station"});
+  columns.insert(columns.end(), {"kind", "response_status"});
+  return table_of(unbalance_dataset(result), {.over = {"speed", "kind", "station"}, .columns = std::move(columns)});
 }
 
 }  // namespace bumpfoil

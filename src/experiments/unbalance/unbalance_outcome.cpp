@@ -28,11 +28,15 @@ RunStatus status_of(const UnbalanceResult& result) {
 /// Entries of summary.json: `stations` by their names, `peaks`, and `speeds` with the response of each kind at each.
 Json unbalance_lists(const UnbalanceResult& result) {
   const std::vector<RotorStation> stations = result.machine.places();
-  Json json;
-  for (const UnbalanceQuantity& quantity : unbalance_quantities()) {
-    if (quantity.name == "status" || (quantity.is(tag::of_orbits) && !result.with_orbits)) continue;
-    json[quantity.key()] = value_json(quantity.value(result), quantity.form);
-  }
+  const Dataset data = unbalance_dataset(result);
+  const auto known = [&result](const auto& quantities) {
+    std::vector<std::string> names;
+    for (const auto& quantity : quantities) {
+      if (!quantity.is(tag::of_orbits) || result.with_orbits) names.emplace_back(quantity.name);
+    }
+    return names;
+  };
+  Json json = rows_json(table_of(data, {.columns = known(unbalance_quantities().subspan(1))})).front();
   json.update({{"reduction_error", result.machine.reduction_error},
                {"stations", each(stations, [](const RotorStation& station) { return station.name; })},
                {"peaks", Json::array()},
@@ -43,29 +47,27 @@ Json unbalance_lists(const UnbalanceResult& result) {
                              {"speed_rad_per_s", peak.speed},
                              {"semi_major_m", peak.amplitude}});
   }
-  for (const UnbalancePoint& point : result.points) {
-    Json& entry = json["speeds"].emplace_back(Json{{"speed_rad_per_s", point.speed}});
-    for (const PointQuantity& quantity : point_quantities()) {
-      if (quantity.is(tag::of_orbits) && !result.with_orbits) continue;
-      const bool is_status = quantity.name == "speed_status";
-      entry[is_status ? "status" : quantity.key()] = value_json(quantity.value(result, point), quantity.form);
-    }
-    entry["responses"] = Json::array();
+  std::vector<std::string> of_speeds = known(point_quantities());
+  of_speeds.insert(of_speeds.begin(), "speed");
+  std::vector<Json> speeds = rows_json(table_of(data, {.over = {"speed"}, .columns = std::move(of_speeds)}));
+  const std::vector<Json> responses = rows_json(table_of(
+      data, {.over = {"speed", "kind", "station"}, .columns = names_of(response_quantities(), {"kind", "station"})}));
+  std::vector<Json> orbits;
+  if (result.with_orbits) {
+    orbits = rows_json(table_of(data, {.over = {"speed"}, .columns = names_of(orbit_quantities())}));
+  }
+  auto response = responses.begin();
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const UnbalancePoint& point = result.points[i];
+    speeds[i]["responses"] = Json::array();
     for (const ResponseKind kind : kinds_of(result)) {
-      for (std::size_t i = 0; i < stations.size(); ++i) {
-        const StationResponse response = response_at(result, point, kind, i);
-        if (!response.motion) continue;
-        Json& one = entry["responses"].emplace_back(Json{{"kind", name_of(kind)}, {"station", stations[i].name}});
-        for (const ResponseQuantity& quantity : response_quantities()) {
-          one[quantity.key()] = value_json(quantity.value(response), quantity.form);
-        }
+      for (std::size_t k = 0; k < stations.size(); ++k, ++response) {
+        if (response_at(result, point, kind, k).motion) speeds[i]["responses"].push_back(*response);
       }
     }
-    if (!point.orbit) continue;
-    for (const OrbitQuantity& quantity : orbit_quantities()) {
-      entry[quantity.key()] = value_json(quantity.value(*point.orbit), quantity.form);
-    }
+    if (point.orbit) speeds[i].update(orbits[i]);
   }
+  json["speeds"] = std::move(speeds);
   return json;
 }
 
@@ -80,7 +82,7 @@ std::vector<ResultFile> unbalance_files(const Case& input, const UnbalanceResult
                             .warnings = warnings,
                             .provenance = provenance},
                            "result.nc", "use fewer speeds", [&](const std::string& /*run_id*/) {
-                             return ResultContents{.texts = {{"unbalance.csv", unbalance_csv(result)}},
+                             return ResultContents{.tables = {{"unbalance.csv", response_table(result)}},
                                                    .dataset = unbalance_dataset(result),
                                                    .lists = [&] {
                                                      Json json{{"failures", failures}, {"warnings", warnings}};
@@ -103,7 +105,7 @@ Outcome unbalance_outcome(const Case& input, UnbalanceResult made) {
               [=](bool /*with_loops*/) {
                 return SweptResult{.dataset = unbalance_dataset(*result, false),
                                    .parts = {{"", 0}},
-                                   .rows = unbalance_csv(*result),
+                                   .rows = response_table(*result),
                                    .lists = dump_json(unbalance_lists(*result), -1)};
               }};
 }

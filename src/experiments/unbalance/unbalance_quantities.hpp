@@ -12,6 +12,7 @@
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "bumpfoil/results/table.hpp"
 #include "experiments/rotor_speeds.hpp"
 
 /// Quantities of the command unbalance, described once for all files.
@@ -92,7 +93,7 @@ std::string unbalance_table(const UnbalanceResult& result);
 /// sweeps. The result must outlive it.
 Dataset unbalance_dataset(const UnbalanceResult& result, bool with_responses = true);
 
-/// Contents of unbalance.csv: one line for each station, kind and speed.
-std::string unbalance_csv(const UnbalanceResult& result);
+/// Rows of unbalance.csv: one for each station, kind and speed.
+Table response_table(const UnbalanceResult& result);
 
 }  // namespace bumpfoil

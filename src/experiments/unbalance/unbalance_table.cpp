@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
 
-#include "bumpfoil/motion/response.hpp"
-#include "core/number_text.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
+#include "results/table_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -14,11 +16,6 @@ namespace {
 constexpr std::size_t most_responses_shown = 40;
 /// Stations shown on the terminal: the bearings, and the first others.
 constexpr std::size_t most_stations_shown = 4;
-constexpr int response_cell_width = 12;
-
-std::string response_cell(double number, double size) {
-  return fmt::format("{:>{}}", std::isfinite(number) ? number_text(number, size) : "-", response_cell_width);
-}
 
 std::string_view heading_of(ResponseKind kind) {
   constexpr std::array<std::string_view, 3> headings{"Small orbits, contacts sliding", "Small orbits, contacts stuck",
@@ -26,83 +23,64 @@ std::string_view heading_of(ResponseKind kind) {
   return headings.at(static_cast<std::size_t>(kind));
 }
 
-std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
-  std::vector<RotorStation> stations = result.machine.places();
-  stations.resize(std::min(stations.size(), most_stations_shown));
-  std::string out = fmt::format("{}\n{:>{}}", heading_of(kind), "speed", response_cell_width);
-  for (const RotorStation& station : stations) out += fmt::format("{:^{}}", station.name, 4 * response_cell_width);
-  out += fmt::format("\n{:>{}}", "rpm", response_cell_width);
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    for (const char* heading : {"X, um", "phase, deg", "Y, um", "phase, deg"}) {
-      out += fmt::format("{:>{}}", heading, response_cell_width);
+/// Responses of a kind at the first speeds, of all stations side by side.
+Table responses_side_by_side(const Dataset& data, ResponseKind kind, const std::vector<RotorStation>& stations,
+                             std::size_t speeds) {
+  const auto rows_at = [&](std::size_t station) {
+    std::vector<std::vector<std::size_t>> rows = first_rows(speeds);
+    for (std::vector<std::size_t>& row : rows) row.insert(row.end(), {static_cast<std::size_t>(kind), station});
+    return rows;
+  };
+  const std::vector<std::string> over{"speed", "kind", "station"};
+  Table table = table_of(data, {.over = over, .columns = {"speed"}, .rows = rows_at(0)});
+  for (std::size_t i = 0; i < std::min(stations.size(), most_stations_shown); ++i) {
+    Table one = table_of(
+        data, {.over = over, .columns = {"amplitude_x", "phase_x", "amplitude_y", "phase_y"}, .rows = rows_at(i)});
+    for (TableColumn& column : one.columns) {
+      column.meaning.label = fmt::format("{}: {}", stations[i].name, column.meaning.label);
+      table.columns.push_back(std::move(column));
     }
   }
-  out += '\n';
-  const std::size_t listed = std::min(result.points.size(), most_responses_shown);
-  for (std::size_t i = 0; i < listed; ++i) {
-    const UnbalancePoint& point = result.points[i];
-    out += response_cell(point.speed, shown::revolutions.size);
-    const Status status = status_of(point, kind);
-    if (status != Status::converged) {
-      out += fmt::format("  {}\n", name_of(status));
-      continue;
-    }
-    for (std::size_t k = 0; k < stations.size(); ++k) {
-      const StationResponse response = response_at(result, point, kind, k);
-      for (const std::string_view name : {"amplitude_x", "phase_x", "amplitude_y", "phase_y"}) {
-        const auto all = response_quantities();
-        const auto quantity =
-            std::find_if(all.begin(), all.end(), [name](const ResponseQuantity& one) { return one.name == name; });
-        out += response_cell(response.motion ? quantity->value(response) : absent, quantity->shown.size);
-      }
-    }
-    out += '\n';
-  }
-  if (listed < result.points.size()) {
-    out += fmt::format("speeds {} to {} are in the files only\n", listed + 1, result.points.size());
-  }
-  return out;
+  table.columns.push_back(
+      table_of(data, {.over = over, .columns = {"response_status"}, .rows = rows_at(0)}).columns.front());
+  return table;
 }
 
-/// Results of the bearings in a turn: the worst, or the sum of all.
-std::string orbit_lines(const UnbalanceResult& result) {
-  const auto row = [](std::initializer_list<std::string_view> cells) {
-    std::string line;
-    for (const std::string_view cell : cells) line += fmt::format("{:>{}}", cell, response_cell_width);
-    return line + '\n';
+/// Orbits at the first speeds: the thinnest film of the bearings, and the sum of their losses.
+Table orbits_of_bearings(const UnbalanceResult& result, const Dataset& data, std::size_t speeds) {
+  Table table = table_of(data, {.over = {"speed"}, .columns = {"speed", "orbit_h_min"}, .rows = first_rows(speeds)});
+  const auto add_sum = [&](VariableMeaning meaning, double BearingTurn::*loss) {
+    std::vector<double> sums(speeds, absent);
+    for (std::size_t i = 0; i < speeds; ++i) {
+      const auto& orbit = result.points[i].orbit;
+      if (!orbit || orbit->turn.empty()) continue;
+      sums[i] = 0.0;
+      for (const BearingTurn& turn : orbit->turn) sums[i] += turn.*loss;
+    }
+    table.add(std::move(meaning), std::move(sums));
   };
-  std::string out = row({"speed", "min. film", "friction", "power", "multiplier", "lasts", "turns"});
-  out += row({"rpm", "um", "uJ", "W", "", "", ""});
-  const std::size_t listed = std::min(result.points.size(), most_responses_shown);
-  for (std::size_t i = 0; i < listed; ++i) {
-    const UnbalancePoint& point = result.points[i];
-    out += response_cell(point.speed, shown::revolutions.size);
-    if (!point.orbit || point.orbit->turn.empty()) {
-      out += fmt::format("  {}\n", name_of(status_of(point, ResponseKind::orbit)));
-      continue;
-    }
-    BearingTurn all{.thinnest = point.orbit->turn.front().thinnest, .power = 0.0, .friction = 0.0};
-    for (const BearingTurn& turn : point.orbit->turn) {
-      all.thinnest = std::min(all.thinnest, turn.thinnest);
-      all.power += turn.power;
-      all.friction += turn.friction;
-    }
-    const auto& multipliers = point.orbit->multipliers;
-    out += response_cell(all.thinnest, 1e-6) + response_cell(all.friction, 1e-6) + response_cell(all.power, 1.0);
-    out += response_cell(multipliers.empty() ? absent : std::abs(multipliers.front()), 1.0);
-    const std::optional<bool> lasts = lasting(*point.orbit);
-    out += fmt::format("{:>{}}", !lasts ? "-" : *lasts ? "yes" : "no", response_cell_width);
-    out += fmt::format("{:>{}}\n", point.orbit->turns, response_cell_width);
-  }
-  return out;
+  add_sum(shown_column("friction loss", {"uJ", 1e-6}), &BearingTurn::friction);
+  add_sum(shown_column("power", shown::watts), &BearingTurn::power);
+  Table orbits = table_of(data, {.over = {"speed"},
+                                 .columns = {"largest_multiplier", "orbit_lasts", "orbit_turns", "orbit_status"},
+                                 .rows = first_rows(speeds)});
+  std::move(orbits.columns.begin(), orbits.columns.end(), std::back_inserter(table.columns));
+  return table;
 }
 
 }  // namespace
 
 std::string unbalance_table(const UnbalanceResult& result) {
+  const Dataset data = unbalance_dataset(result);
+  const std::vector<RotorStation> stations = result.machine.places();
+  const std::size_t listed = std::min(result.points.size(), most_responses_shown);
+  const std::string more = left_out("speeds", listed, result.points.size());
   std::string out;
-  for (const ResponseKind kind : kinds_of(result)) out += response_lines(result, kind) + '\n';
-  if (kinds_of(result).back() == ResponseKind::orbit) out += orbit_lines(result) + '\n';
+  for (const ResponseKind kind : kinds_of(result)) {
+    out += fmt::format("{}\n{}{}\n", heading_of(kind),
+                       table_lines(responses_side_by_side(data, kind, stations, listed)), more);
+  }
+  if (result.with_orbits) out += table_lines(orbits_of_bearings(result, data, listed)) + more + '\n';
   const std::vector<ResponsePeak> peaks = peaks_of(result);
   for (const ResponsePeak& peak : peaks) {
     out += fmt::format("peak, {}: orbit of {:.4g} um at {:.6g} rpm, {}\n", name_of(peak.kind), 1e6 * peak.amplitude,

@@ -23,7 +23,7 @@ class VibrationDataset {
       : settings_(*input.vibration),
         pads_(count_pads(input) > 1 ? count_pads(input) : 0),
         result_(result),
-        motion_(settings_.orbits() ? "sense" : "direction") {
+        motion_(motion_dimension(settings_)) {
     add_coordinates();
   }
 
@@ -137,18 +137,22 @@ class VibrationDataset {
   void add_coordinates() {
     data_.add_dimension({"load", "1", "static load, in the order of the case", {Form::whole}},
                         numbers_from(1.0, settings_.loads.size()));
-    data_.add_coordinate({"load_x", "N", "static load, X"}, {"load"},
+    data_.add_coordinate({"load_x", "N", "static load, X", {}, "load X", shown::newtons}, {"load"},
                          each(settings_.loads, [](const auto& load) { return load.x(); }));
-    data_.add_coordinate({"load_y", "N", "static load, Y"}, {"load"},
+    data_.add_coordinate({"load_y", "N", "static load, Y", {}, "load Y", shown::newtons}, {"load"},
                          each(settings_.loads, [](const auto& load) { return load.y(); }));
     if (settings_.orbits()) {
-      data_.add_dimension({"sense", "", "sense of the orbit, seen with X to the right and Y up", flags<Sense>},
+      data_.add_dimension({"sense", "", "sense of the orbit, seen with X to the right and Y up", flags<Sense>, "sense",
+                           shown::unitless},
                           {0.0, 1.0});
     } else {
-      data_.add_dimension({"direction", "degree", "direction of the vibration, from X towards Y"},
-                          each(settings_.directions, to_degrees));
+      data_.add_dimension(
+          {"direction", "degree", "direction of the vibration, from X towards Y", {}, "direction", shown::degrees},
+          each(settings_.directions, to_degrees));
     }
-    data_.add_dimension({"amplitude", "m", "displacement from the middle to a turning point"}, settings_.amplitudes);
+    data_.add_dimension(
+        {"amplitude", "m", "displacement from the middle to a turning point", {}, "amplitude", shown::micrometres},
+        settings_.amplitudes);
     data_.add_dimension({"frequency", "rad/s", "angular frequency of the vibration"}, settings_.frequencies);
     if (pads_ > 0) {
       data_.add_dimension({"pad", "1", "pad, in the order of the case", {Form::whole}}, numbers_from(1.0, pads_));

@@ -4,10 +4,10 @@
 
 #include "bumpfoil/experiments/case_warnings.hpp"
 #include "experiments/vibration/ross_toml.hpp"
-#include "experiments/vibration/vibration_csv.hpp"
 #include "experiments/vibration/vibration_dataset.hpp"
 #include "experiments/vibration/vibration_quantities.hpp"
 #include "experiments/vibration/vibration_summary.hpp"
+#include "experiments/vibration/vibration_tables.hpp"
 #include "results/result_files.hpp"
 
 namespace bumpfoil {
@@ -26,25 +26,26 @@ std::vector<ResultFile> vibration_files(const Case& input, const VibrationResult
                                         const Provenance& provenance) {
   const VibrationSettings& settings = *input.vibration;
   const std::vector<LinearFoils> all = linear_foils(settings, result);
-  return make_result_files({.input = input,
-                            .command = "vibration",
-                            .status = status,
-                            .message = message_of(failure_lines(settings, result), status),
-                            .warnings = warning_lines(input, result),
-                            .provenance = provenance},
-                           "result.nc", "use fewer steps, loads or amplitudes", [&](const std::string& run_id) {
-                             return ResultContents{.texts = {{"vibration.csv", vibration_csv(settings, result)},
-                                                             {"coefficients.csv", coefficients_csv(settings, all)},
-                                                             {"coefficients.toml", ross_toml(settings, all, run_id)}},
-                                                   .dataset = vibration_dataset(input, result, all),
-                                                   .lists = [&] {
-                                                     nlohmann::ordered_json json{
-                                                         {"failures", failure_lines(settings, result)},
-                                                         {"warnings", warning_lines(input, result)}};
-                                                     json.update(vibration_lists(input, result, all));
-                                                     return json;
-                                                   }};
-                           });
+  const Dataset data = vibration_dataset(input, result, all);
+  return make_result_files(
+      {.input = input,
+       .command = "vibration",
+       .status = status,
+       .message = message_of(failure_lines(settings, result), status),
+       .warnings = warning_lines(input, result),
+       .provenance = provenance},
+      "result.nc", "use fewer steps, loads or amplitudes", [&](const std::string& run_id) {
+        return ResultContents{
+            .tables = {{"vibration.csv", loop_table(data, settings)}, {"coefficients.csv", coefficient_table(data)}},
+            .texts = {{"coefficients.toml", ross_toml(settings, all, run_id)}},
+            .dataset = data,
+            .lists = [&] {
+              nlohmann::ordered_json json{{"failures", failure_lines(settings, result)},
+                                          {"warnings", warning_lines(input, result)}};
+              json.update(vibration_lists(input, result, data));
+              return json;
+            }};
+      });
 }
 
 std::vector<std::string> failure_lines(const Case& input, const VibrationResult& result) {

@@ -5,10 +5,10 @@
 
 #include "bumpfoil/experiments/vibration/vibration_files.hpp"
 #include "case/case_json.hpp"
-#include "experiments/vibration/vibration_csv.hpp"
 #include "experiments/vibration/vibration_dataset.hpp"
 #include "experiments/vibration/vibration_quantities.hpp"
 #include "experiments/vibration/vibration_summary.hpp"
+#include "experiments/vibration/vibration_tables.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -27,10 +27,11 @@ VibrationResult not_begun(const VibrationSettings& settings) {
 SweptResult swept_vibrations(const Case& input, const VibrationResult& result, bool with_loops) {
   const VibrationSettings& settings = *input.vibration;
   const std::vector<LinearFoils> all = linear_foils(settings, result);
-  SweptResult swept{.dataset = vibration_dataset(input, result, all, with_loops),
+  const Dataset data = vibration_dataset(input, result, all, with_loops);
+  SweptResult swept{.dataset = data,
                     .parts = {},
-                    .rows = vibration_csv(settings, result),
-                    .lists = dump_json(vibration_lists(input, result, all), -1)};
+                    .rows = loop_table(data, settings),
+                    .lists = dump_json(vibration_lists(input, result, data), -1)};
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     swept.parts.push_back({name_of_vibration(settings, i), i});
   }

@@ -33,9 +33,9 @@ std::vector<std::string> failure_lines(const VibrationSettings& settings, const 
 /// Limitations of the results, with advice.
 std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result);
 
-/// Name of the direction of a vibration, or of the sense of an orbit, in files.
-inline std::string_view motion_key(const VibrationSettings& settings) {
-  return settings.orbits() ? "sense" : "direction_deg";
+/// Dimension of the directions of vibrations, or of the senses of orbits.
+inline std::string motion_dimension(const VibrationSettings& settings) {
+  return settings.orbits() ? "sense" : "direction";
 }
 
 /// Indices of a vibration in a result.

@@ -4,11 +4,12 @@
 
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/dataset.hpp"
 
 namespace bumpfoil {
 
 /// Entries of summary.json for vibrations: `loads`, `vibrations` and `coefficients`.
-nlohmann::ordered_json vibration_lists(const Case& input, const VibrationResult& result,
-                                       const std::vector<LinearFoils>& all);
+/// @param data  vibration_dataset() of the result
+nlohmann::ordered_json vibration_lists(const Case& input, const VibrationResult& result, const Dataset& data);
 
 }  // namespace bumpfoil

@@ -64,7 +64,7 @@ TEST(EnsembleTable, TellsHowManyRotorsWhirlNowhereAndHowManyFromTheBegin) {
     statistics.places[0].columns.push_back(statistics_of(values));
   }
   const std::string table = ensemble_table(rotors, statistics);
-  EXPECT_NE(table.find("\nonset of whirl                rpm          13100 "), std::string::npos) << table;
+  EXPECT_NE(table.find("\nonset of whirl              rpm        13100 "), std::string::npos) << table;
   EXPECT_TRUE(
       table.ends_with("\nstable at all speeds: 1 of 4 samples, 25.0 %\n"
                       "unstable at the lowest speed: 1 of 4 samples, 25.0 %\n"))

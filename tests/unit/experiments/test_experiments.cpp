@@ -71,11 +71,11 @@ TEST(Experiments, GiveASweepRowsAndLists) {
     const Case input = parse_case(case_template("gen1"), "gen1.toml",
                                   {.overrides = experiment.small_runs.front(), .commands = {command}});
     const SweptResult swept = experiment.run(input, {}).swept(false);
-    const std::string header = swept.rows.substr(0, swept.rows.find('\n'));
-    const auto columns = std::count(header.begin(), header.end(), ',');
-    EXPECT_GT(columns, 3);
-    std::istringstream lines(swept.rows);
-    for (std::string line; std::getline(lines, line);) EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns);
+    EXPECT_GT(swept.rows.columns.size(), 3U);
+    EXPECT_GT(swept.rows.rows(), 0U);
+    for (const TableColumn& column : swept.rows.columns) {
+      EXPECT_EQ(column.values.size() + column.texts.size(), swept.rows.rows()) << column.meaning.name;
+    }
     EXPECT_TRUE(nlohmann::json::parse(swept.lists).is_object());
     EXPECT_FALSE(swept.dataset.variables.empty());
   }

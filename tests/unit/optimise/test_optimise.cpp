@@ -9,6 +9,7 @@
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "optimise/optimise_output.hpp"
 #include "support/rig_loops.hpp"
 
@@ -135,7 +136,7 @@ TEST(Optimise, KeepsPointsThatFailWhichNeverWin) {
   const std::vector<std::string> warnings = optimise_warnings(result);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
                           [](const std::string& line) { return line.find("make no bearing") != std::string::npos; }));
-  EXPECT_NE(points_csv(result).find(",not_physical,false,"), std::string::npos);
+  EXPECT_NE(csv_text(point_table(result)).find(",not_physical,false,"), std::string::npos);
 }
 
 TEST(Optimise, DoesNotConvergeWithoutEvaluations) {
@@ -155,7 +156,7 @@ TEST(Optimise, DoesNotDependOnThreads) {
                                 .keys = {friction, any_clearance}});
   const OptimiseResult one = run_optimise(input, {}, 1);
   const OptimiseResult two = run_optimise(input, {}, 2);
-  EXPECT_EQ(points_csv(one), points_csv(two));
+  EXPECT_EQ(csv_text(point_table(one)), csv_text(point_table(two)));
   EXPECT_EQ(optimise_lists(one), optimise_lists(two));
 }
 

@@ -13,9 +13,9 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
-#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/cycle/increment_rows.hpp"
 #include "bumpfoil/experiments/cycle/sampled_cycles.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
@@ -25,6 +25,7 @@
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/pages/report.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "experiments/equilibrium/equilibrium_json.hpp"
 #include "pages/shown_run.hpp"
@@ -128,7 +129,7 @@ TEST(DesignerAnswer, ComputesTheCaseItIsGiven) {
     EXPECT_EQ(answer["run"]["summary"]["cycles"][i]["max_force_N"], result.cycles[i].turning_point->max_force);
   }
   const auto csv = ask({{"what", "csv"}, {"text", case_text()}})["csv"].get<std::string>();
-  EXPECT_EQ(csv, cycle_csv(result));
+  EXPECT_EQ(csv, csv_text(increment_rows(result)));
   const json properties = ask({{"what", "properties"}, {"text", case_text()}});
   const Case input = parse_case(case_text(), "case");
   EXPECT_EQ(properties, json::parse(properties_json(input, compute_properties(input))));

@@ -200,7 +200,7 @@ TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
   const json& summary = run.at("summary").at("cycles")[0];
   EXPECT_EQ(summary.at("max_force_N"), 100.0);
   EXPECT_NEAR(summary.at("loop_energy_J").get<double>(), 1e-4, 1e-18);
-  EXPECT_NEAR(summary.at("clearances")[0].at("displacement_m").get<double>(), 0.5e-6, 1e-18);
+  EXPECT_NEAR(summary.at("clearance_5N_m").get<double>(), 0.5e-6, 1e-18);
   for (const json& quantity : run.at("quantities")) EXPECT_TRUE(summary.contains(quantity.at("key"))) << quantity;
 
   const auto refusal = [&](const std::string& text) -> std::string {

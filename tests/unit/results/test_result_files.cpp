@@ -95,10 +95,14 @@ TEST(ResultFiles, LeaveOutTimes) {
                               .provenance = provenance},
                              "result.nc", "", [](const std::string& run_id) {
                                ResultContents contents;
-                               contents.texts = {{"loops.csv", "a,wall_time_s,b\n1,0.5,word\n,,\n"},
-                                                 {"last.csv", "a,b,wall_time_s\n1,2,0.5\n"},
-                                                 {"other.csv", "a,b\n1,2\n"},
-                                                 {"case.toml", "a,wall_time_s\n" + run_id}};
+                               Table timed;
+                               timed.add({"a", "1", ""}, {1.0, absent});
+                               timed.add({"wall_time", "s", ""}, {0.5, absent});
+                               timed.add({"b", "", ""}, std::vector<std::string>{"word", "x, y"});
+                               Table other;
+                               other.add({"a", "1", ""}, std::vector<double>{1.0});
+                               contents.tables = {{"loops.csv", timed}, {"other.csv", other}};
+                               contents.texts = {{"case.toml", "a,wall_time_s\n" + run_id}};
                                contents.dataset.add({"wall_time", "s", "time"}, {}, std::vector<double>{0.5});
                                contents.dataset.add({"force", "N", "force"}, {}, std::vector<double>{3.0});
                                contents.lists = [] {
@@ -109,16 +113,16 @@ TEST(ResultFiles, LeaveOutTimes) {
   };
   const std::vector<ResultFile> files = make(false);
   const std::vector<ResultFile> timed = make(true);
-  ASSERT_EQ(files.size(), 6U);
-  EXPECT_EQ(files[0].contents, "a,b\n1,word\n,\n");
-  EXPECT_EQ(files[1].contents, "a,b\n1,2\n");
-  EXPECT_EQ(files[2].contents, "a,b\n1,2\n");
-  const auto summary = nlohmann::json::parse(files[5].contents);
+  ASSERT_EQ(files.size(), 5U);
+  EXPECT_EQ(files[0].contents, "a,b\n1,word\n,\"x, y\"\n");
+  EXPECT_EQ(timed[0].contents, "a,wall_time_s,b\n1,0.5,word\n,,\"x, y\"\n");
+  EXPECT_EQ(files[1].contents, "a\n1\n");
+  const auto summary = nlohmann::json::parse(files[4].contents);
   EXPECT_EQ(summary.at("loops").at(0), nlohmann::json({{"force_N", 3.0}}));
-  EXPECT_EQ(nlohmann::json::parse(timed[5].contents).at("loops").at(0).at("wall_time_s"), 0.5);
-  EXPECT_EQ(files[3].contents, "a,wall_time_s\n" + summary.at("run_id").get<std::string>());
-  const NetcdfImage file(files[4].contents, "result.nc");
-  const NetcdfImage with_times(timed[4].contents, "result.nc");
+  EXPECT_EQ(nlohmann::json::parse(timed[4].contents).at("loops").at(0).at("wall_time_s"), 0.5);
+  EXPECT_EQ(files[2].contents, "a,wall_time_s\n" + summary.at("run_id").get<std::string>());
+  const NetcdfImage file(files[3].contents, "result.nc");
+  const NetcdfImage with_times(timed[3].contents, "result.nc");
   EXPECT_EQ(file.numbers(file.variable("force", {})), std::vector<double>{3.0});
   EXPECT_FALSE(file.variables().contains("wall_time"));
   EXPECT_TRUE(with_times.variables().contains("wall_time"));
@@ -127,8 +131,8 @@ TEST(ResultFiles, LeaveOutTimes) {
     EXPECT_TRUE(with_times.texts().contains(told)) << told;
   }
   EXPECT_EQ(file.texts().at("case_text"), "text");
-  EXPECT_EQ(make(false)[5].contents, files[5].contents);
-  EXPECT_NE(make(true)[5].contents, timed[5].contents);
+  EXPECT_EQ(make(false)[4].contents, files[4].contents);
+  EXPECT_NE(make(true)[4].contents, timed[4].contents);
 }
 
 TEST_F(StagedResultFiles, AreRefusedWhereTheDiskHasNoRoom) {

@@ -64,7 +64,7 @@ TEST(Sweep, PointsAreTheSameAsBytes) {
                    .variables = {"a", "b", "c"},
                    .values = {{0.1, absent}, {}, {-0.0, 1.0 / 3.0, 5e-324, 7.0}},
                    .rows = "a,b\n1,2\n",
-                   .coefficients = "k\n",
+                   .more = {"k\n"},
                    .lists = R"({"x": 1})",
                    .failures = {"one"},
                    .warnings = {"two", "three"}};
@@ -78,7 +78,7 @@ TEST(Sweep, PointsAreTheSameAsBytes) {
   EXPECT_TRUE(std::isnan(same.values[0][1]));
   EXPECT_EQ(same.values[2], point.values[2]);
   EXPECT_TRUE(std::signbit(same.values[2][0]));
-  EXPECT_EQ(same.rows + same.coefficients + same.lists, point.rows + point.coefficients + point.lists);
+  EXPECT_EQ(same.rows + same.more.at(0) + same.lists, point.rows + point.more[0] + point.lists);
   EXPECT_EQ(same.failures, point.failures);
   EXPECT_EQ(same.warnings, point.warnings);
 }

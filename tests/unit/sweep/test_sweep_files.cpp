@@ -411,8 +411,8 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
     // Coordinates are those of the states.
     EXPECT_EQ(written.at("points").at(1).at("states").at(1).at("load_x_N"), path == "load_ramp" ? 40.0 : 30.0);
     const std::string table = sweep_table(sweep, points);
-    EXPECT_EQ(table.find(path + " from rest, 44881.7 rpm, load (30, 0) N\nbearing.radial_clearance  eccentricity"), 0U)
-        << table;
+    EXPECT_EQ(table.find(path + " from rest, 44881.7 rpm, load (30, 0) N\n"), 0U) << table;
+    EXPECT_NE(table.find("\nbearing.radial_clearance  eccentricity"), std::string::npos) << table;
 
     const json run = json::parse(report_json({folder.path()})).at("runs").at(0);
     EXPECT_EQ(run.at("variables").at("h_min").at("dims"), (json{"bearing_radial_clearance", "speed", "load"}));

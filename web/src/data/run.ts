@@ -1,4 +1,3 @@
-import { quantitiesOf, withClearances } from './clearances';
 import { padQuantitiesOf, withPadForces } from './pad_forces';
 import { kinds, type Kind } from './kinds';
 import { countedFromWeld, numberText, type Counted } from './counted';
@@ -172,11 +171,11 @@ export class Run extends Result<RunData> {
     const kind = kinds[data.kind];
     if (!kind) throw new Error(`results of the kind ${data.kind} cannot be shown`);
     this.kind = kind;
-    this.quantities = [...quantitiesOf(data), ...padQuantitiesOf(data)];
+    this.quantities = [...data.quantities, ...padQuantitiesOf(data)];
     const settings = data.summary.case[data.kind] as { amplitude?: number; steps?: number } | undefined;
     this.cycles = data.cycles.map((cycle, i) => {
       const cycleSummary = data.summary.cycles[i];
-      const summary = cycleSummary && withPadForces(withClearances(cycleSummary));
+      const summary = cycleSummary && withPadForces(cycleSummary);
       const steps = summary?.steps ?? settings?.steps ?? 0;
       return new Cycle(cycle, data.nodes, data.last_increment, kind.cycles.name(cycle.at), summary, steps, summary?.amplitude_m ?? settings?.amplitude ?? 0);
     });

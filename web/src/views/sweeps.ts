@@ -71,33 +71,18 @@ function partsOf(grid: Grid): Coordinate[] {
   return kind && name ? [{ name, title: kind.cycles.title, texts: numbersOf(grid, name).map(kind.cycles.name), unit: '' }] : [];
 }
 
-/** Each force makes a quantity of its own. */
-function clearancesOf(grid: Grid): SweptQuantity[] {
-  const variable = grid.variable('clearance');
-  if (!variable) return [];
-  return numbersOf(grid, 'clearance_force').map((force, i) => ({
-    name: 'clearance',
-    key: `clearance_${force}N_m`,
-    label: `clearance at ${formatQuantity(force, 'N').replace(/\.?0+ /, ' ')}`,
-    unit: 'm',
-    whole: false,
-    of_solver: false,
-    first: false,
-    meaning: variable.text,
-    variable,
-    value: (place) => variable.at({ ...place, clearance_force: i }),
-  }));
-}
-
 function quantitiesOf(grid: Grid): SweptQuantity[] {
   const keys = keysOf(grid).map(({ name }) => name);
-  const quantities = grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
-    const variable = grid.variable(quantity.name);
+  const clearances = grid.data.quantities.filter(({ name }) => name.startsWith('clearance_'));
+  return grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
+    // Clearances are a list, over its forces.
+    const force = clearances.indexOf(quantity);
+    const variable = grid.variable(force < 0 ? quantity.name : 'clearance');
     // What is the same at all points is a coordinate.
-    return variable?.dims.some((name) => keys.includes(name)) ? [{ ...(isOfRotors(grid) ? inRevolutions(quantity) : quantity), variable, value: (place) => variable.at(place) }] : [];
+    if (!variable?.dims.some((name) => keys.includes(name))) return [];
+    const shown = isOfRotors(grid) ? inRevolutions(quantity) : quantity;
+    return [{ ...shown, variable, value: (place) => variable.at(force < 0 ? place : { ...place, clearance_force: force }) }];
   });
-  const ofFoils = quantities.filter((one) => !one.of_solver);
-  return [...ofFoils, ...clearancesOf(grid), ...quantities.filter((one) => one.of_solver)];
 }
 
 /** Of every quantity that is a number and known somewhere; what charts begin with first. */

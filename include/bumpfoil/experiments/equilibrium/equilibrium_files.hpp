@@ -6,6 +6,7 @@
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/results/table.hpp"
 
 namespace bumpfoil {
 
@@ -27,12 +28,12 @@ RunStatus status_of(const EquilibriumResult& result);
 std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
                                           const Provenance& provenance);
 
-/// One row for each state.
-std::string equilibrium_csv(const EquilibriumResult& result);
+/// Rows of equilibrium.csv or film.csv: one for each state.
+Table state_table(const EquilibriumResult& result);
 
-/// Stiffness and damping of every state that was found at each of its frequencies, a row for each: those of further
-/// motion, and with all closed contacts stuck.
-std::string film_coefficients_csv(const EquilibriumResult& result);
+/// Rows of coefficients.csv: stiffness and damping of every state that was found at each of its frequencies, those of
+/// further motion, and with all closed contacts stuck.
+Table film_coefficient_table(const EquilibriumResult& result);
 
 /// The states side by side, for the terminal; of states that several paths led to, how far these lie apart.
 std::string equilibrium_table(const EquilibriumResult& result);

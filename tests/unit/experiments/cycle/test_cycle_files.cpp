@@ -5,9 +5,10 @@
 #include <netcdf>
 #include <nlohmann/json.hpp>
 
-#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
+#include "bumpfoil/experiments/cycle/increment_rows.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
 #include "bumpfoil/results/checksum.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -33,7 +34,7 @@ TEST(CycleFiles, SummaryKnowsTheOthersByTheirChecksums) {
   const std::vector<ResultFile> files = files_of(filed_run());
   ASSERT_EQ(files.size(), 3U);
   EXPECT_EQ(files[0].name, "cycle.csv");
-  EXPECT_EQ(files[0].contents, cycle_csv(filed_run()));
+  EXPECT_EQ(files[0].contents, csv_text(increment_rows(filed_run())));
   EXPECT_EQ(files[1].name, "result.nc");
   ASSERT_EQ(files[2].name, "summary.json");
   const json summary = json::parse(files[2].contents);

@@ -15,6 +15,7 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/checksum.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "core/number_text.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
@@ -76,7 +77,7 @@ TEST(EquilibriumFiles, AreOneSet) {
 }
 
 TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
-  const std::vector<std::string> lines = rows_of_csv(equilibrium_csv(example(true)));
+  const std::vector<std::string> lines = rows_of_csv(csv_text(state_table(example(true))));
   ASSERT_EQ(lines.size(), 3U);
   const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
   EXPECT_EQ(commas(lines[0]), 35);
@@ -86,7 +87,7 @@ TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
 }
 
 TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
-  const std::vector<std::string> lines = rows_of_csv(film_coefficients_csv(example(true)));
+  const std::vector<std::string> lines = rows_of_csv(csv_text(film_coefficient_table(example(true))));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
             "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s,kxx_N_per_m,kxy_N_per_m,kyx_N_per_m,"
@@ -185,8 +186,7 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
     EXPECT_EQ(motions[i].at("kxy_N_per_m"), stiffness[3 + i]);
     EXPECT_EQ(motions[i].at("cyx_stuck_N_s_per_m"), damping[3 + i]);
     const std::string rpm = number_text(whirls[i].frequency, std::numbers::pi / 30.0);
-    EXPECT_NE(table.find("whirl frequency           rpm   " + fmt::format("{:>14}{:>14}", rpm, rpm)), std::string::npos)
-        << table;
+    EXPECT_NE(table.find(fmt::format("rpm  {:>13}{:>13}\n", rpm, rpm)), std::string::npos) << table;
   }
   // The axis of the other file rises.
   EXPECT_NE(files[2].contents.find("\nfrequency = [1000"), std::string::npos) << files[2].contents;
@@ -328,7 +328,8 @@ TEST(EquilibriumTable, TellsPads) {
 
 TEST(EquilibriumTable, ShowsTheStates) {
   const std::string table = equilibrium_table(example(true));
-  EXPECT_NE(table.find("minimum film thickness    um"), std::string::npos) << table;
+  EXPECT_NE(table.find("\nminimum film thickness     um   "), std::string::npos) << table;
+  EXPECT_NE(table.find("\n  at, from the weld        deg  "), std::string::npos) << table;
   EXPECT_NE(table.find("fold"), std::string::npos);
   EXPECT_NE(table.find("45000"), std::string::npos);
   EXPECT_EQ(table.find("paths to"), std::string::npos);
@@ -342,7 +343,8 @@ TEST(EquilibriumTable, ComparesPaths) {
   const std::vector<PathSpread> spreads = path_spreads(two);
   ASSERT_EQ(spreads.size(), 1U);
   EXPECT_EQ(spreads[0].states, (std::vector<std::size_t>{0, 1}));
-  EXPECT_NE(equilibrium_table(two).find("2 paths to 45000 rpm, load (30, 0) N"), std::string::npos);
+  EXPECT_NE(equilibrium_table(two).find("2 paths to 45000 rpm, load (30, 0) N\n"), std::string::npos);
+  EXPECT_NE(equilibrium_table(two).find("     smallest      largest\n"), std::string::npos);
 }
 
 TEST(EquilibriumLines, SayWhatFailedAndWhatToKnow) {
@@ -428,7 +430,7 @@ TEST(EquilibriumFiles, TellWhatBoundsALimitAndWhatIsUnstable) {
                     .unstable = {{31.0, 40.0}, {50.0, 60.0}}}};
   result.states[0].lift_off_speed = result.limits[0];
   result.states[0].load_capacity = result.limits[1];
-  const std::string csv = equilibrium_csv(result);
+  const std::string csv = csv_text(state_table(result));
   std::vector<std::string> lines(3);
   std::istringstream rows(csv);
   for (std::string& line : lines) std::getline(rows, line);

@@ -44,7 +44,7 @@ TEST(RunningQuantities, HaveNamesOfTheirOwnAndUnitsOfNetcdf) {
     EXPECT_TRUE(names.insert(quantity.name).second) << quantity.name;
     EXPECT_FALSE(quantity.long_name.empty());
     EXPECT_EQ(quantity.unit.empty(), !quantity.form.words.empty()) << quantity.name;
-    EXPECT_TRUE(quantity.label.empty() || quantity.shown.size > 0.0) << quantity.name;
+    EXPECT_TRUE(!quantity.label.empty() || quantity.shown.size == 0.0) << quantity.name;
   }
 }
 

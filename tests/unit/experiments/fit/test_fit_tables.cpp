@@ -17,6 +17,7 @@
 #include "bumpfoil/experiments/fit/fit.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/results/csv_text.hpp"
 #include "experiments/fit/fit_output.hpp"
 #include "experiments/fit/measured_table_csv.hpp"
 #include "support/film_bearing_cases.hpp"
@@ -179,7 +180,8 @@ TEST(FitTables, FindClearanceAndOriginFromEquilibria) {
   EXPECT_EQ(measured.series, std::vector<std::string>{"45000 rpm, load towards 0 deg"});
   ASSERT_EQ(measured.points.size(), 10U);
   EXPECT_EQ(measured.points[3].at, 50.0);
-  EXPECT_NE(fit_csv(result).find("1,0,\"45000 rpm, load towards 0 deg\",h_min,m,Load,N,1,40,"), std::string::npos);
+  EXPECT_NE(csv_text(fitted_points(result)).find("1,0,\"45000 rpm, load towards 0 deg\",h_min,m,Load,N,1,40,"),
+            std::string::npos);
   const std::string table = fit_table(result);
   const std::size_t torque = table.find("equilibrium 1, torque: residual");
   ASSERT_NE(torque, std::string::npos) << table;

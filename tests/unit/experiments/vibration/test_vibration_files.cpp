@@ -291,7 +291,7 @@ TEST(VibrationFiles, OfOrbitsHaveASenseForADirection) {
   EXPECT_TRUE(file.getDim("direction").isNull());
   EXPECT_EQ(file.getVar("loop_energy").getDim(1).getName(), "sense");
   EXPECT_EQ(file.getDim("point").getSize(), 32U);
-  EXPECT_NE(vibration_table(input, result).find("  ccw"), std::string::npos);
+  EXPECT_NE(vibration_table(input, result).find("  counterclockwise"), std::string::npos);
   EXPECT_NE(warning_lines(input, result).front().find("counterclockwise, 1 um"), std::string::npos);
 }
 

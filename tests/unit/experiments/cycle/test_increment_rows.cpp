@@ -1,4 +1,4 @@
-#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
+#include "bumpfoil/experiments/cycle/increment_rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/results/csv_text.hpp"
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -26,8 +27,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-TEST(CycleCsv, HasOneLinePerDirectionAndIncrement) {
-  const std::vector<std::string> lines = split(cycle_csv(tabulated_run()), '\n');
+TEST(IncrementRows, HasOneLinePerDirectionAndIncrement) {
+  const std::vector<std::string> lines = split(csv_text(increment_rows(tabulated_run())), '\n');
   ASSERT_EQ(lines.size(), 1U + 2U * 7U);
   EXPECT_EQ(lines[0],
             "direction_deg,increment,branch,displacement_m,x_m,y_m,force_x_N,force_y_N,force_direct_N,force_cross_N,"
@@ -41,9 +42,9 @@ TEST(CycleCsv, HasOneLinePerDirectionAndIncrement) {
   }
 }
 
-TEST(CycleCsv, NumbersReadBackToTheLastBit) {
+TEST(IncrementRows, NumbersReadBackToTheLastBit) {
   const CycleResult result = tabulated_run();
-  const std::vector<std::string> cells = split(split(cycle_csv(result), '\n')[1 + 7 + 3], ',');
+  const std::vector<std::string> cells = split(split(csv_text(increment_rows(result)), '\n')[1 + 7 + 3], ',');
   const Increment& increment = result.cycles[1].increments[3];
   EXPECT_EQ(std::stod(cells[3]), increment.displacement);
   EXPECT_EQ(std::stod(cells[4]), increment.x);
@@ -60,17 +61,17 @@ TEST(CycleCsv, NumbersReadBackToTheLastBit) {
   EXPECT_EQ(std::stoi(cells[15]), increment.substeps);
 }
 
-TEST(CycleCsv, LeavesOutWhatIsNotFinite) {
+TEST(IncrementRows, LeavesOutWhatIsNotFinite) {
   CycleResult result = tabulated_run();
   result.cycles[0].increments[0].force_x = std::numeric_limits<double>::quiet_NaN();
-  const std::string text = cycle_csv(result);
+  const std::string text = csv_text(increment_rows(result));
   EXPECT_EQ(text.find("nan"), std::string::npos);
   EXPECT_EQ(split(split(text, '\n')[1], ',')[6], "");
 }
 
-TEST(CycleCsv, AFailedIncrementHasItsPlaceAndStatusButNoNumbers) {
+TEST(IncrementRows, AFailedIncrementHasItsPlaceAndStatusButNoNumbers) {
   const CycleResult result = failed_at_increment_three(tabulated_run());
-  const std::vector<std::string> lines = split(cycle_csv(result), '\n');
+  const std::vector<std::string> lines = split(csv_text(increment_rows(result)), '\n');
   ASSERT_EQ(lines.size(), 1U + 4U);
   const std::vector<std::string> cells = split(lines[4], ',');
   EXPECT_EQ(cells[1], "3");
