@@ -58,7 +58,7 @@ def table_rows(name, experiments):
         "formed": over_none,
         "run": over_none,
         "speeds": lambda one: one["dims"] in (["speed"], ["bearing"], ["speed", "bearing"]) and not is_dimension(one),
-        "motions": lambda one: {"mode", "station"} & set(one["dims"]) and not is_dimension(one),
+        "motions": lambda one: {"mode", "station", "kind"} & set(one["dims"]) and not is_dimension(one),
         "steps": lambda one: one["dims"][:1] == ["step"],
         "revolutions": lambda one: one["dims"][:1] == ["revolution"] and not is_dimension(one),
         "spectra": lambda one: "spectrum" in one["dims"] and not is_dimension(one),

@@ -38,7 +38,7 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
   EnsembleLayout layout = sampling_of(input.montecarlo->command).layout(input);
   layout.bumps = static_cast<std::size_t>(total_bumps(input));
   for (EnsembleColumn& column : layout.columns) {
-    if (!is_on_the_terminal(column.meaning)) column.meaning.label.clear();
+    if (!is_on_the_terminal(column.meaning)) column.meaning.shown = shown::in_files;
   }
   VariableMeaning& status = layout.columns.front().meaning;
   BUMPFOIL_ASSERT(status.name == "status" && layout.column(layout.target) < layout.columns.size());

@@ -106,10 +106,10 @@ std::string key_lines(const OptimiseResult& result, const OptimisePoint& point, 
   const std::vector<ReadUnit> units = each(result.key_units, read_unit_of);
   Table table;
   table.add(shown_column("key"), each(keys, [](const OptimisedKey& key) { return key.key; }));
-  const auto add = [&](std::string label, const auto& text_of) {
+  const auto add = [&](const std::string& label, const auto& text_of) {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < keys.size(); ++i) texts.push_back(text_of(i));
-    table.add(shown_column(std::move(label)), std::move(texts));
+    table.add(shown_column(label), std::move(texts));
   };
   add("value", [&](std::size_t i) { return number_text(point.values[i], units[i].size); });
   add("start", [&](std::size_t i) { return number_text(result.points[0].values[i], units[i].size); });

@@ -53,6 +53,15 @@ std::string meaning_of(const Json& result, const std::string& name) {
   return variables.contains(name) ? variables[name]["text"].get<std::string>() : "";
 }
 
+/// The case of a result; nothing for one of a version with other keys.
+std::optional<Case> case_of(const Json& result) {
+  try {
+    return parse_case(result["attributes"].value("case_understood", ""), "");
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 /// A quantity as described in its file.
 Json quantity_json(VariableMeaning meaning, const Json& result) {
   meaning.long_name = meaning_of(result, meaning.name);
@@ -82,24 +91,8 @@ std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment
   return meanings;
 }
 
-/// Forces of all clearances of cycles, at the points of a sweep, too.
-std::vector<double> clearance_forces_of(const Json& summary) {
-  std::vector<double> forces;
-  const auto add = [&forces](const Json& run) {
-    for (const Json& cycle : run.value("cycles", Json::array())) {
-      for (const Json& clearance : cycle.value("clearances", Json::array())) {
-        const auto force = clearance["force_N"].get<double>();
-        if (std::find(forces.begin(), forces.end(), force) == forces.end()) forces.push_back(force);
-      }
-    }
-  };
-  add(summary);
-  for (const Json& point : summary.value("points", Json::array())) add(point);
-  return forces;
-}
-
 /// Those of the experiment of a result; a sweep has those of its command.
-Json quantities_json(const Json& result, const Json& summary) {
+Json quantities_json(const Json& result) {
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
   const auto found = std::find_if(experiments().begin(), experiments().end(),
                                   [&](const ExperimentInfo& experiment) { return experiment.name == command; });
@@ -113,7 +106,9 @@ Json quantities_json(const Json& result, const Json& summary) {
     if (of_cycles && (meaning.tags & tag::of_width_alone) != 0 && meaning_of(result, meaning.name).empty()) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
-  if (of_cycles) add_clearances(clearance_forces_of(summary), json);
+  if (has_cycles(experiment.name)) {
+    if (const std::optional<Case> input = case_of(result)) add_clearances(input->cycle.clearance_forces, json);
+  }
   return json;
 }
 
@@ -166,18 +161,14 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
   return json;
 }
 
-/// Deviations of the bearing of a result; null if it is round, for a strip, and for a case of a version with other
-/// keys.
+/// Deviations of the bearing of a result; null if it is round, for a strip, and where its case is not known.
 Json deviations_json(const Json& result) {
   const Json& attributes = result["attributes"];
   for (const std::string& command : {result["kind"].get<std::string>(), attributes.value("swept_command", "")}) {
     if (command == name_of(Experiment::strip)) return nullptr;
   }
-  try {
-    return shown_deviations(parse_case(attributes.value("case_understood", ""), ""));
-  } catch (const Error&) {
-    return nullptr;
-  }
+  const std::optional<Case> input = case_of(result);
+  return input ? shown_deviations(*input) : Json();
 }
 
 /// The part of a summary that a report shows.
@@ -236,8 +227,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   if (has_distributions(kind)) {
     run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
   } else {
-    run["quantities"] =
-        has_points(kind) ? optimised_quantities_json(summary.json) : quantities_json(result, summary.json);
+    run["quantities"] = has_points(kind) ? optimised_quantities_json(summary.json) : quantities_json(result);
   }
   return run;
 }

@@ -20,8 +20,8 @@ std::string shown_label(std::string_view label, std::string_view name);
 /// The quantity with that label.
 VariableMeaning labelled(VariableMeaning meaning);
 
-/// Inserts clearances at these forces among the quantities of cycles, after the other displacements. Summaries have
-/// them by their keys, netCDF files in a list.
+/// Inserts clearances at these forces among the quantities of cycles, after the other displacements. Cycles in
+/// summaries have them by their keys, netCDF files in a list.
 void add_clearances(const std::vector<double>& forces, nlohmann::ordered_json& quantities);
 
 /// Fields that the page omits; gaps follow from displacements.

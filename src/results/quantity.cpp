@@ -6,8 +6,8 @@ std::string key_of(std::string_view name, std::string_view unit) {
   for (const std::string_view prefix : {"total_", "increment_"}) {
     if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
   }
-  for (const std::string_view row : {"load", "point", "response", "speed"}) {
-    if (name.starts_with(row) && name.substr(row.size()) == "_status") name.remove_prefix(row.size() + 1);
+  for (const std::string_view status : {"load_status", "point_status", "response_status", "speed_status"}) {
+    if (name == status) name = "status";
   }
   std::string key(name);
   if (unit.empty() || unit == "1") return key;

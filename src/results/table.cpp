@@ -1,7 +1,6 @@
 #include "bumpfoil/results/table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
@@ -56,10 +55,6 @@ std::vector<std::size_t> places_in(const Dataset& dataset, const Variable& varia
   });
 }
 
-std::vector<double> values_of(const Dataset& dataset, const Variable& variable) {
-  return variable.values ? variable.values() : variable.rows(0, dataset.size_of(variable.dims.front()));
-}
-
 }  // namespace
 
 std::size_t Table::rows() const {
@@ -79,14 +74,7 @@ void Table::erase(std::string_view key) {
   std::erase_if(columns, [key](const TableColumn& column) { return column.meaning.key() == key; });
 }
 
-void Table::erase_unknown() {
-  std::erase_if(columns, [](const TableColumn& column) {
-    return column.texts.empty() &&
-           std::all_of(column.values.begin(), column.values.end(), [](double value) { return !std::isfinite(value); });
-  });
-}
-
-VariableMeaning shown_column(std::string label, const ShownUnit& shown) {
+VariableMeaning shown_column(const std::string& label, const ShownUnit& shown) {
   return {label, "", "", {}, label, shown};
 }
 
@@ -103,10 +91,12 @@ Table table_of(const Dataset& dataset, const TableView& view) {
     const Variable& variable = variable_named(dataset, name);
     const std::vector<std::size_t> places = places_in(dataset, variable, view, rows);
     if (!variable.names.empty()) {
-      table.add(variable.meaning, each(places, [&variable](std::size_t place) { return variable.names[place]; }));
+      table.add(variable.meaning, each(places, [&variable](std::size_t place) {
+                  return place == no_entry ? std::string() : variable.names[place];
+                }));
       continue;
     }
-    const std::vector<double> values = values_of(dataset, variable);
+    const std::vector<double> values = variable.values();
     table.add(variable.meaning,
               each(places, [&values](std::size_t place) { return place < values.size() ? values[place] : absent; }));
   }

@@ -4,9 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -21,48 +20,48 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Cells of a line of csv_text().
-std::vector<std::string> cells_of(std::string_view line) {
-  std::vector<std::string> cells(1);
+/// Lines of cells of csv_text().
+std::vector<std::vector<std::string>> cells_of(std::string_view csv) {
+  std::vector<std::vector<std::string>> lines{{""}};
   bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && quoted && line.substr(i + 1).starts_with('"')) {
-      cells.back() += line[i++];
-    } else if (line[i] == '"') {
+  for (std::size_t i = 0; i < csv.size(); ++i) {
+    std::string& cell = lines.back().back();
+    if (csv[i] == '"' && quoted && csv.substr(i + 1).starts_with('"')) {
+      cell += csv[i++];
+    } else if (csv[i] == '"') {
       quoted = !quoted;
-    } else if (line[i] == ',' && !quoted) {
-      cells.emplace_back();
+    } else if (csv[i] == ',' && !quoted) {
+      lines.back().emplace_back();
+    } else if (csv[i] == '\n' && !quoted) {
+      lines.push_back({""});
     } else {
-      cells.back() += line[i];
+      cell += csv[i];
     }
   }
-  return cells;
+  lines.pop_back();
+  return lines;
 }
 
-/// Lines of csv_text(): those of the columns first.
-std::vector<std::vector<std::string>> lines_of(const std::string& csv) {
-  std::vector<std::vector<std::string>> lines;
-  std::istringstream in(csv);
-  for (std::string line; std::getline(in, line);) lines.push_back(cells_of(line));
-  return lines;
+/// Keys of the columns of csv_text().
+std::vector<std::string> header_of(std::string_view csv) {
+  return cells_of(csv.substr(0, csv.find('\n') + 1)).front();
 }
 
 /// Rows of every point preceded by its keys, under the union of all columns; missing values are blank.
 /// @param csv_of  point -> its rows
 template <typename CsvOf>
 Table table_of_points(const Sweep& sweep, const std::vector<SweepPoint>& points, const CsvOf& csv_of) {
-  auto all = each(points, [&](const SweepPoint& point) { return lines_of(csv_of(point)); });
   std::vector<std::string> names;
-  for (const auto& lines : all) merge_names(lines.front(), names);
+  for (const SweepPoint& point : points) merge_names(header_of(csv_of(point)), names);
   std::vector<std::vector<double>> keys(sweep.axes.size());
   std::vector<std::vector<std::string>> columns(names.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::vector<std::size_t> indices = indices_of(sweep, i);
-    const std::vector<std::string>& own = all[i].front();
-    const auto places = each(names, [&own](const std::string& name) {
+    std::vector<std::vector<std::string>> lines = cells_of(csv_of(points[i]));
+    const auto places = each(names, [&own = lines.front()](const std::string& name) {
       return static_cast<std::size_t>(std::find(own.begin(), own.end(), name) - own.begin());
     });
-    for (auto line = all[i].begin() + 1; line != all[i].end(); ++line) {
+    for (auto line = lines.begin() + 1; line != lines.end(); ++line) {
       for (std::size_t k = 0; k < keys.size(); ++k) keys[k].push_back(sweep.axes[k].values[indices[k]]);
       for (std::size_t k = 0; k < names.size(); ++k) {
         columns[k].push_back(places[k] < line->size() ? std::move((*line)[places[k]]) : std::string());

@@ -204,7 +204,8 @@ TEST_F(SweepProgram, FindsLimitsOverTheSpeed) {
       run(sweep + std::vector<std::string>{"--set", "film.h_lift_off=8 um", "top_foil.formed_radius=seated"});
   ASSERT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find("load_ramp from rest, load (30, 0) N\n"), std::string::npos) << done.output;
-  EXPECT_NE(done.output.find(" capacity "), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find(" capacity  "), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find("rpm         N\n"), std::string::npos) << done.output;
   const json points = summary().at("points");
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points.at(0).at("states").size(), 1U);

@@ -129,35 +129,6 @@ it('finds the numbers of the case in which runs differ', () => {
   expect(runs.map((one) => keys[0]?.values.get(one))).toEqual([0.1, 0.2, 0.1]);
 });
 
-describe('clearances', () => {
-  const quantity = (name: string): Quantity => ({ name, key: name, label: name, unit: 'm', whole: false, of_solver: false, first: false, meaning: '' });
-  const data = (cycle: object, meanings: RunData['meanings']): RunData => ({
-    name: 'a',
-    kind: 'cycle',
-    attributes: {},
-    summary: { case: {}, version: '', commit: '', solver: '', status: 'complete', cycles: [{ at: 0, amplitude_m: 1, steps: 1, converged: true, ...cycle }] },
-    meanings,
-    geometry: {},
-    nodes: { bump: 1, foot: 1 },
-    last_increment: 2,
-    quantities: [quantity('first_contact'), quantity('take_up'), quantity('max_compression')],
-    cycles: [{ at: 0, increments: [0], series: {}, fields: {} }],
-  });
-
-  it('are quantities of their own, beside the take-up point', () => {
-    const clearances = [
-      { force_N: 2.5, displacement_m: 3e-6 },
-      { force_N: 20, displacement_m: null },
-    ];
-    const run = new Run(data({ clearances }, { clearance: { unit: 'm', text: 'where it reaches' } }));
-    expect(run.quantities.map(({ label }) => label)).toEqual(['first_contact', 'take_up', 'clearance at 2.5 N', 'clearance at 20 N', 'max_compression']);
-    expect(run.quantities.slice(2, 4).map(({ key, meaning }) => [run.cycles[0]?.summary?.[key], meaning])).toEqual([
-      [3e-6, 'where it reaches'],
-      [null, 'where it reaches'],
-    ]);
-  });
-});
-
 describe('warnings', () => {
   const runOf = (cycle: object, status: string, increments: number[]): Run =>
     new Run({

@@ -93,8 +93,8 @@ inline constexpr Tags first_of_experiment = 512;
 }  // namespace tag
 
 /// A column of CSV or key of JSON carries its unit at its end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".
-/// What tells variables of one file apart falls away, as rows have one of them: "iterations" for `total_iterations`,
-/// "status" for `increment_status` and `speed_status`.
+/// What tells variables of one netCDF file apart falls away, as each table has one of them: "iterations" for
+/// `total_iterations`, "status" for `increment_status` and `speed_status`.
 std::string key_of(std::string_view name, std::string_view unit);
 
 /// What a variable means.

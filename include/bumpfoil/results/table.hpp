@@ -24,13 +24,12 @@ struct Table {
   [[nodiscard]] std::size_t rows() const;
   void add(VariableMeaning meaning, std::vector<double> values);
   void add(VariableMeaning meaning, std::vector<std::string> texts);
+  /// Erases the column of this key, if there is one.
   void erase(std::string_view key);
-  /// Erases columns whose numbers are all absent.
-  void erase_unknown();
 };
 
 /// Meaning of a column that is shown to people and is in no file.
-VariableMeaning shown_column(std::string label, const ShownUnit& shown = {});
+VariableMeaning shown_column(const std::string& label, const ShownUnit& shown = {});
 
 /// Which part of a dataset makes a table.
 struct TableView {

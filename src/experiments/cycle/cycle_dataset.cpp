@@ -1,9 +1,6 @@
 #include "experiments/cycle/cycle_dataset.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"

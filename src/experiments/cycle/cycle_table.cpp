@@ -85,7 +85,7 @@ class CycleTable {
     };
     add(shown_column("maximum bump load", shown::newtons),
         [known](const Cycle& cycle) { return known(cycle) ? cycle.turning_point->bump_loads.maxCoeff() : absent; });
-    add(shown_column("on bump"), [known, this](const Cycle& cycle) -> std::string {
+    add(shown_column("maximum bump load: on bump"), [known, this](const Cycle& cycle) -> std::string {
       Eigen::Index highest = 0;
       const bool any = known(cycle) && cycle.turning_point->bump_loads.maxCoeff(&highest) > 0.0;
       return any ? bump_text(input_, static_cast<int>(highest)) : "-";

@@ -1,6 +1,5 @@
 #include "bumpfoil/experiments/cycle/increment_rows.hpp"
 
-#include <utility>
 #include <vector>
 
 #include "bumpfoil/core/angle.hpp"
@@ -9,26 +8,27 @@
 namespace bumpfoil {
 
 Table increment_rows(const CycleResult& result) {
-  Table table;
-  const auto add = [&](VariableMeaning meaning, const auto& value) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < result.cycles.size(); ++i) {
-      for (const Increment& increment : result.cycles[i].increments) values.push_back(value(i, increment));
-    }
-    table.add(std::move(meaning), std::move(values));
+  struct Row {
+    std::size_t cycle;  ///< from 0
+    const Increment& increment;
   };
-  if (result.experiment == Experiment::strip) {
-    add({"cycle", "1", "cycle of the plate", whole_number},
-        [](std::size_t cycle, const Increment&) { return static_cast<double>(cycle + 1); });
-  } else if (result.experiment == Experiment::cycle) {
-    add({"direction", "degree", "direction of the push, from X towards Y"},
-        [&](std::size_t cycle, const Increment&) { return to_degrees(result.cycles[cycle].direction); });
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < result.cycles.size(); ++i) {
+    for (const Increment& increment : result.cycles[i].increments) rows.push_back({i, increment});
   }
-  add({"increment", "1", "increment; 0 is the start of the cycle", whole_number},
-      [](std::size_t, const Increment& increment) { return static_cast<double>(increment.index); });
+  Table table;
+  if (result.experiment == Experiment::strip) {
+    table.add({"cycle", "1", "", whole_number},
+              each(rows, [](const Row& row) { return static_cast<double>(row.cycle + 1); }));
+  } else if (result.experiment == Experiment::cycle) {
+    table.add({"direction", "degree", ""},
+              each(rows, [&](const Row& row) { return to_degrees(result.cycles[row.cycle].direction); }));
+  }
+  table.add({"increment", "1", "", whole_number},
+            each(rows, [](const Row& row) { return static_cast<double>(row.increment.index); }));
   for (const IncrementQuantity& quantity : increment_quantities(result.experiment, result.over_width)) {
     if (!quantity.is(tag::csv)) continue;
-    add(quantity.meaning(), [&quantity](std::size_t, const Increment& increment) { return quantity.value(increment); });
+    table.add(quantity.meaning(), each(rows, [&quantity](const Row& row) { return quantity.value(row.increment); }));
   }
   return table;
 }

@@ -515,7 +515,7 @@ std::vector<VariableMeaning> clearance_quantities(const std::vector<double>& for
         {.name = fmt::format("clearance_{:.6g}N", force),
          .unit = "m",
          .long_name = fmt::format("displacement at which the direct force first reaches {:.6g} N", force),
-         .label = fmt::format("clearance at {:.4g} N", force),
+         .label = fmt::format("clearance at {:.6g} N", force),
          .shown = shown::micrometres});
   }
   return quantities;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <type_traits>
-#include <utility>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -82,30 +80,31 @@ Table state_table(const EquilibriumResult& result) {
 }
 
 Table film_coefficient_table(const EquilibriumResult& result) {
-  Table table;
-  const auto add = [&](VariableMeaning meaning, const auto& value) {
-    std::vector<std::decay_t<decltype(value(RunningState{}, FilmWhirl{}))>> rows;
-    for (const RunningState& state : result.states) {
-      if (!state.found()) continue;
-      for (const FilmWhirl& whirl : state.whirls) rows.push_back(value(state, whirl));
-    }
-    table.add(std::move(meaning), std::move(rows));
+  struct Row {
+    const RunningState& state;
+    const FilmWhirl& whirl;
   };
-  add({"speed", "rad/s", ""}, [](const RunningState& state, const FilmWhirl&) { return state.requested.speed; });
+  std::vector<Row> rows;
+  for (const RunningState& state : result.states) {
+    if (!state.found()) continue;
+    for (const FilmWhirl& whirl : state.whirls) rows.push_back({state, whirl});
+  }
+  Table table;
+  table.add({"speed", "rad/s", ""}, each(rows, [](const Row& row) { return row.state.requested.speed; }));
   for (const int axis : {0, 1}) {
-    add({axis == 0 ? "load_x" : "load_y", "N", ""}, [axis](const RunningState& state, const FilmWhirl&) {
-      return state.requested.by_load() ? state.requested.journal[axis] : absent;
-    });
+    table.add({axis == 0 ? "load_x" : "load_y", "N", ""}, each(rows, [axis](const Row& row) {
+                return row.state.requested.by_load() ? row.state.requested.journal[axis] : absent;
+              }));
   }
   for (const int axis : {0, 1}) {
-    add({axis == 0 ? "x" : "y", "m", ""},
-        [axis](const RunningState& state, const FilmWhirl&) { return state.last->position[axis]; });
+    table.add({axis == 0 ? "x" : "y", "m", ""},
+              each(rows, [axis](const Row& row) { return row.state.last->position[axis]; }));
   }
-  add({"path", "", ""}, [](const RunningState& state, const FilmWhirl&) { return std::string(name_of(state.path)); });
-  add({"frequency", "rad/s", ""}, [](const RunningState&, const FilmWhirl& whirl) { return whirl.frequency; });
+  table.add({"path", "", ""}, each(rows, [](const Row& row) { return std::string(name_of(row.state.path)); }));
+  table.add({"frequency", "rad/s", ""}, each(rows, [](const Row& row) { return row.whirl.frequency; }));
   for (const WhirlQuantity& quantity : whirl_quantities(result.bearing->motions())) {
-    add({quantity.name(), quantity.unit, quantity.long_name},
-        [&quantity](const RunningState&, const FilmWhirl& whirl) { return quantity.value(whirl); });
+    table.add({quantity.name(), quantity.unit, quantity.long_name},
+              each(rows, [&quantity](const Row& row) { return quantity.value(row.whirl); }));
   }
   return table;
 }

@@ -53,7 +53,7 @@ void add_quantity(const EquilibriumResult& result, const RunningQuantity& quanti
 void add_pads(const EquilibriumResult& result, std::span<const RunningState> states, Table& table) {
   const std::size_t pads = result.bearing->pads.size();
   for (std::size_t k = 0; pads > 1 && k < pads; ++k) {
-    table.add(shown_column(fmt::format("force, Y: of pad {}, magnitude", k + 1), shown::newtons),
+    table.add(shown_column(fmt::format("force of pad {}", k + 1), shown::newtons),
               each(states, [k](const RunningState& state) {
                 return state.found() ? state.outcome->pad_forces.col(static_cast<Eigen::Index>(k)).norm() : absent;
               }));
@@ -78,7 +78,7 @@ std::size_t add_whirls(std::span<const RunningState> states, Table& table) {
            quantity.unit,
            "",
            {},
-           fmt::format("  {}, {}", quantity.damping ? "damping" : "stiffness", quantity.axes),
+           fmt::format("whirl frequency: {}, {}", quantity.damping ? "damping" : "stiffness", quantity.axes),
            quantity.damping ? shown::damping : shown::stiffness},
           k, quantity.value);
     }

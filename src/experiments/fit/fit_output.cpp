@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <type_traits>
 #include <utility>
 
 #include "bumpfoil/case/case_writer.hpp"
@@ -336,27 +335,29 @@ Dataset fit_dataset(const FitResult& result) {
 }
 
 Table fitted_points(const FitResult& result) {
+  struct Row {
+    std::size_t number;  ///< of the data, from 0
+    std::size_t place;   ///< among its points
+    const FittedData& data;
+    const FittedPoint& point;
+
+    [[nodiscard]] FitColumn column() const { return data.quantities[point.quantity].column; }
+  };
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < result.data.size(); ++i) {
+    const FittedData& data = result.data[i];
+    for (std::size_t k = 0; k < data.points.size(); ++k) rows.push_back({i, k, data, data.points[k]});
+  }
   Table table;
-  const auto add = [&](VariableMeaning meaning, const auto& value) {
-    std::vector<std::decay_t<decltype(value(std::size_t{}, std::size_t{}))>> rows;
-    for (std::size_t i = 0; i < result.data.size(); ++i) {
-      for (std::size_t k = 0; k < result.data[i].points.size(); ++k) rows.push_back(value(i, k));
-    }
-    table.add(std::move(meaning), std::move(rows));
-  };
-  const auto column_of = [&](std::size_t i, std::size_t k) {
-    return result.data[i].quantities[result.data[i].points[k].quantity].column;
-  };
-  add({"data", "1", ""}, [](std::size_t i, std::size_t) { return static_cast<double>(i + 1); });
-  add({"point", "1", ""}, [](std::size_t, std::size_t k) { return static_cast<double>(k); });
-  add({"series", "", ""},
-      [&](std::size_t i, std::size_t k) { return result.data[i].series[result.data[i].points[k].series]; });
-  add({"quantity", "", ""}, [&](std::size_t i, std::size_t k) { return std::string(name_of(column_of(i, k))); });
-  add({"unit", "", ""}, [&](std::size_t i, std::size_t k) { return std::string(unit_of(column_of(i, k))); });
-  add({"axis", "", ""}, [&](std::size_t i, std::size_t) { return std::string(result.data[i].axis); });
-  add({"axis_unit", "", ""}, [&](std::size_t i, std::size_t) { return std::string(result.data[i].axis_unit); });
+  table.add({"data", "1", ""}, each(rows, [](const Row& row) { return static_cast<double>(row.number + 1); }));
+  table.add({"point", "1", ""}, each(rows, [](const Row& row) { return static_cast<double>(row.place); }));
+  table.add({"series", "", ""}, each(rows, [](const Row& row) { return row.data.series[row.point.series]; }));
+  table.add({"quantity", "", ""}, each(rows, [](const Row& row) { return std::string(name_of(row.column())); }));
+  table.add({"unit", "", ""}, each(rows, [](const Row& row) { return std::string(unit_of(row.column())); }));
+  table.add({"axis", "", ""}, each(rows, [](const Row& row) { return std::string(row.data.axis); }));
+  table.add({"axis_unit", "", ""}, each(rows, [](const Row& row) { return std::string(row.data.axis_unit); }));
   for (const auto& quantity : fit_point_quantities) {
-    add(quantity.meaning(), [&](std::size_t i, std::size_t k) { return quantity.value(result.data[i].points[k]); });
+    table.add(quantity.meaning(), each(rows, [&quantity](const Row& row) { return quantity.value(row.point); }));
   }
   return table;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -76,12 +77,12 @@ void add_shapes(const StabilityResult& result, Dataset& data) {
           [places, axis, phase](const SpeedMotion& motion, double* out) {
             std::complex<double> largest;
             for (const RotorStation& place : places) {
-              for (const std::complex<double> one : place.orbit(motion.whirl->shape)) {
+              for (const std::complex<double> one : place.orbit(motion.whirl.shape)) {
                 if (std::abs(one) > std::abs(largest)) largest = one;
               }
             }
             for (std::size_t i = 0; i < places.size(); ++i) {
-              const std::complex<double> here = places[i].orbit(motion.whirl->shape)[axis] / largest;
+              const std::complex<double> here = places[i].orbit(motion.whirl.shape)[axis] / largest;
               out[i] = phase ? to_degrees(std::arg(here)) : std::abs(here);
             }
           },
@@ -125,12 +126,24 @@ std::vector<std::vector<std::size_t>> motion_rows(const StabilityResult& result,
   return rows;
 }
 
+std::vector<std::string> motion_columns() {
+  std::vector<std::string> columns{"mode"};
+  for (const MotionQuantity& quantity : motion_quantities()) {
+    columns.emplace_back(quantity.name);
+    if (quantity.name == "direction") columns.emplace_back("contacts");
+  }
+  return columns;
+}
+
 Table motion_table(const StabilityResult& result) {
+  std::vector<std::string> columns = motion_columns();
+  for (const MotionQuantity& quantity : motion_quantities()) {
+    if (!quantity.is(tag::csv)) std::erase(columns, quantity.name);
+  }
+  columns.insert(columns.begin(), "speed");
+  columns.insert(std::find(columns.begin(), columns.end(), "contacts") + 1, "speed_status");
   return table_of(stability_dataset(result),
-                  {.over = motion_dimensions(),
-                   .columns = {"speed", "mode", "real", "imag", "log_decrement", "damping_ratio", "direction",
-                               "contacts", "speed_status", "directivity", "rotor_share", "of_foils"},
-                   .rows = motion_rows(result, true)});
+                  {.over = motion_dimensions(), .columns = std::move(columns), .rows = motion_rows(result, true)});
 }
 
 }  // namespace bumpfoil

@@ -21,6 +21,9 @@ std::vector<std::string> motion_dimensions();
 /// @param with_all_speeds  whether speeds without a motion have a row, too
 std::vector<std::vector<std::size_t>> motion_rows(const StabilityResult& result, bool with_all_speeds);
 
+/// Columns of motions in summary.json.
+std::vector<std::string> motion_columns();
+
 /// Rows of stability.csv: one for each motion at each speed, and one for each speed without motions.
 Table motion_table(const StabilityResult& result);
 

@@ -10,11 +10,7 @@
 #include "results/summary_json.hpp"
 
 namespace bumpfoil {
-namespace {
-
 using Json = nlohmann::ordered_json;
-
-}  // namespace
 
 Json stability_lists(const StabilityResult& result) {
   const Dataset data = stability_dataset(result);
@@ -31,10 +27,8 @@ Json stability_lists(const StabilityResult& result) {
   }
   std::vector<Json> speeds =
       rows_json(table_of(data, {.over = {"speed"}, .columns = names_of(speed_quantities(), {"speed"})}));
-  const std::vector<Json> motions =
-      rows_json(table_of(data, {.over = motion_dimensions(),
-                                .columns = names_of(motion_quantities(), {"mode", "contacts"}),
-                                .rows = motion_rows(result, false)}));
+  const std::vector<Json> motions = rows_json(
+      table_of(data, {.over = motion_dimensions(), .columns = motion_columns(), .rows = motion_rows(result, false)}));
   auto motion = motions.begin();
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     const auto last = motion + std::ssize(motions_at(result.map.points[i]));

@@ -211,35 +211,35 @@ constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
 
 constexpr auto motion_quantity_table = std::to_array<MotionQuantity>({
     {"real", "rad/s", "growth rate: real part of s in exp(s t)",
-     [](const SpeedMotion& motion) { return motion.whirl->rate.real(); }, none, "growth rate"},
+     [](const SpeedMotion& motion) { return motion.whirl.rate.real(); }, csv, "growth rate"},
     {"imag", "rad/s", "damped frequency: imaginary part of s",
-     [](const SpeedMotion& motion) { return motion.whirl->rate.imag(); }, none, "damped frequency"},
+     [](const SpeedMotion& motion) { return motion.whirl.rate.imag(); }, csv, "damped frequency"},
     {"log_decrement", "1", "logarithmic decrement",
-     [](const SpeedMotion& motion) { return log_decrement(*motion.whirl, 1.0); }, none, "log. decrement"},
+     [](const SpeedMotion& motion) { return log_decrement(motion.whirl, 1.0); }, csv, "log. decrement"},
     {"damping_ratio", "1", "damping ratio: -Re s over the modulus of s",
-     [](const SpeedMotion& motion) { return motion.whirl->damping_ratio(); }},
+     [](const SpeedMotion& motion) { return motion.whirl.damping_ratio(); }, csv},
     {"direction",
      "",
      "sense of the whirl relative to the rotation",
-     [](const SpeedMotion& motion) { return static_cast<double>(sense_of(*motion.whirl)); },
-     none,
+     [](const SpeedMotion& motion) { return static_cast<double>(sense_of(motion.whirl)); },
+     csv,
      "",
      {},
      flags<WhirlSense>},
     {"directivity", "1", "1: forward circle, 0: line, -1: backward circle; mean of all journals",
-     [](const SpeedMotion& motion) { return motion.whirl->direction; }},
+     [](const SpeedMotion& motion) { return motion.whirl.direction; }, csv},
     {"rotor_share", "1", "part that the inertia of the rotor has in the motion; 0: foils and film alone",
-     [](const SpeedMotion& motion) { return motion.whirl->rotor_share; }},
+     [](const SpeedMotion& motion) { return motion.whirl.rotor_share; }, csv},
     {"of_foils",
      "1",
      "whether the motion is one of foils and film, in which the rotor takes little part",
-     [](const SpeedMotion& motion) { return belongs_to_foils(*motion.whirl, 1.0); },
-     none,
+     [](const SpeedMotion& motion) { return belongs_to_foils(motion.whirl, 1.0); },
+     csv,
      "motion of the foils",
      {},
      yes_or_no},
     {"residual", "1", "smallest singular value of the dynamic stiffness over the largest one",
-     [](const SpeedMotion& motion) { return motion.whirl->residual; }, of_solver},
+     [](const SpeedMotion& motion) { return motion.whirl.residual; }, of_solver},
 });
 
 }  // namespace
@@ -284,7 +284,7 @@ std::vector<SpeedMotion> motions_at(const SpeedPoint& point) {
     const auto& motions = point.motions(contacts == ContactMotion::stuck);
     if (!motions) continue;
     for (std::size_t i = 0; i < motions->whirls.size(); ++i) {
-      all.push_back({point, contacts, &motions->whirls[i], motions->numbers[i]});
+      all.push_back({contacts, motions->whirls[i], motions->numbers[i]});
     }
   }
   return all;

@@ -42,9 +42,8 @@ std::span<const SpeedQuantity> speed_quantities();
 
 /// A motion at one speed.
 struct SpeedMotion {
-  const SpeedPoint& point;
   ContactMotion contacts{};
-  const Whirl* whirl{};
+  const Whirl& whirl;
   std::size_t number{};  ///< index from 0
 };
 

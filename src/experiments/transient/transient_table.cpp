@@ -31,8 +31,9 @@ Table table_of_turns(const std::vector<const TransientTurn*>& turns) {
     table.add(std::move(meaning),
               each(turns, [&value](const TransientTurn* turn) { return static_cast<double>(value(*turn)); }));
   };
-  const auto add_worst = [&](std::string label, const ShownUnit& unit, double sign, double BearingRecord::*member) {
-    add(shown_column(std::move(label), unit), [sign, member](const TransientTurn& turn) {
+  const auto add_worst = [&](const std::string& label, const ShownUnit& unit, double sign,
+                             double BearingRecord::*member) {
+    add(shown_column(label, unit), [sign, member](const TransientTurn& turn) {
       double worst = sign * turn.bearings.front().*member;
       for (const BearingRecord& bearing : turn.bearings) worst = std::max(worst, sign * bearing.*member);
       return sign * worst;

@@ -31,7 +31,7 @@ inline constexpr auto enum_names<ResponseKind> = std::to_array<std::string_view>
                                                                                   "orbit"});
 
 namespace tag {
-inline constexpr Tags of_orbits = 2 * first_of_experiment;  ///< of results with periodic orbits
+inline constexpr Tags of_orbits = first_of_experiment;  ///< of results with periodic orbits
 }
 
 /// A quantity of the whole run.

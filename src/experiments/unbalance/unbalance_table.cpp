@@ -61,10 +61,14 @@ Table orbits_of_bearings(const UnbalanceResult& result, const Dataset& data, std
   };
   add_sum(shown_column("friction loss", {"uJ", 1e-6}), &BearingTurn::friction);
   add_sum(shown_column("power", shown::watts), &BearingTurn::power);
-  Table orbits = table_of(data, {.over = {"speed"},
-                                 .columns = {"largest_multiplier", "orbit_lasts", "orbit_turns", "orbit_status"},
-                                 .rows = first_rows(speeds)});
+  Table orbits = table_of(
+      data,
+      {.over = {"speed"}, .columns = {"largest_multiplier", "orbit_lasts", "orbit_turns"}, .rows = first_rows(speeds)});
   std::move(orbits.columns.begin(), orbits.columns.end(), std::back_inserter(table.columns));
+  std::vector<std::vector<std::size_t>> rows = first_rows(speeds);
+  for (std::vector<std::size_t>& row : rows) row.push_back(static_cast<std::size_t>(ResponseKind::orbit));
+  Table ends = table_of(data, {.over = {"speed", "kind"}, .columns = {"response_status"}, .rows = std::move(rows)});
+  table.columns.push_back(std::move(ends.columns.front()));
   return table;
 }
 

@@ -26,26 +26,26 @@ std::vector<ResultFile> vibration_files(const Case& input, const VibrationResult
                                         const Provenance& provenance) {
   const VibrationSettings& settings = *input.vibration;
   const std::vector<LinearFoils> all = linear_foils(settings, result);
-  const Dataset data = vibration_dataset(input, result, all);
-  return make_result_files(
-      {.input = input,
-       .command = "vibration",
-       .status = status,
-       .message = message_of(failure_lines(settings, result), status),
-       .warnings = warning_lines(input, result),
-       .provenance = provenance},
-      "result.nc", "use fewer steps, loads or amplitudes", [&](const std::string& run_id) {
-        return ResultContents{
-            .tables = {{"vibration.csv", loop_table(data, settings)}, {"coefficients.csv", coefficient_table(data)}},
-            .texts = {{"coefficients.toml", ross_toml(settings, all, run_id)}},
-            .dataset = data,
-            .lists = [&] {
-              nlohmann::ordered_json json{{"failures", failure_lines(settings, result)},
-                                          {"warnings", warning_lines(input, result)}};
-              json.update(vibration_lists(input, result, data));
-              return json;
-            }};
-      });
+  return make_result_files({.input = input,
+                            .command = "vibration",
+                            .status = status,
+                            .message = message_of(failure_lines(settings, result), status),
+                            .warnings = warning_lines(input, result),
+                            .provenance = provenance},
+                           "result.nc", "use fewer steps, loads or amplitudes", [&](const std::string& run_id) {
+                             const Dataset totals = vibration_dataset(input, result, all, false);
+                             return ResultContents{.tables = {{"vibration.csv", loop_table(totals, settings)},
+                                                              {"coefficients.csv", coefficient_table(totals)}},
+                                                   .texts = {{"coefficients.toml", ross_toml(settings, all, run_id)}},
+                                                   .dataset = vibration_dataset(input, result, all),
+                                                   .lists = [&, totals] {
+                                                     nlohmann::ordered_json json{
+                                                         {"failures", failure_lines(settings, result)},
+                                                         {"warnings", warning_lines(input, result)}};
+                                                     json.update(vibration_lists(input, result, totals));
+                                                     return json;
+                                                   }};
+                           });
 }
 
 std::vector<std::string> failure_lines(const Case& input, const VibrationResult& result) {

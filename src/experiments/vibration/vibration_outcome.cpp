@@ -27,11 +27,11 @@ VibrationResult not_begun(const VibrationSettings& settings) {
 SweptResult swept_vibrations(const Case& input, const VibrationResult& result, bool with_loops) {
   const VibrationSettings& settings = *input.vibration;
   const std::vector<LinearFoils> all = linear_foils(settings, result);
-  const Dataset data = vibration_dataset(input, result, all, with_loops);
-  SweptResult swept{.dataset = data,
+  const Dataset totals = vibration_dataset(input, result, all, false);
+  SweptResult swept{.dataset = vibration_dataset(input, result, all, with_loops),
                     .parts = {},
-                    .rows = loop_table(data, settings),
-                    .lists = dump_json(vibration_lists(input, result, data), -1)};
+                    .rows = loop_table(totals, settings),
+                    .lists = dump_json(vibration_lists(input, result, totals), -1)};
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     swept.parts.push_back({name_of_vibration(settings, i), i});
   }

@@ -51,7 +51,10 @@ TEST(EnsembleTable, TellsHowManySamplesAreStable) {
 
   const EnsembleLayout cycles = make_ensemble_layout(test_support::ensemble_case(3));
   for (PlaceStatistics& place : statistics.places) place.columns.assign(cycles.columns.size(), statistics_of({1.0}));
-  EXPECT_EQ(ensemble_table(cycles, statistics).find("stable"), std::string::npos);
+  const std::string of_cycles = ensemble_table(cycles, statistics);
+  EXPECT_EQ(of_cycles.find("stable"), std::string::npos);
+  EXPECT_EQ(of_cycles.find("residual"), std::string::npos) << of_cycles;  // of the solver
+  EXPECT_EQ(of_cycles.find("\n "), std::string::npos) << "a row without a label: " << of_cycles;
 }
 
 TEST(EnsembleTable, TellsHowManyRotorsWhirlNowhereAndHowManyFromTheBegin) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "bumpfoil/case/case_reader.hpp"
@@ -65,13 +64,14 @@ TEST(Experiments, EndWhenTheirProgressSaysSo) {
 
 /// A point of a sweep has the same columns in all of its rows, and lists in JSON.
 TEST(Experiments, GiveASweepRowsAndLists) {
-  for (const char* const command : {"stability", "unbalance", "transient", "vibration"}) {
+  for (const char* const command : {"stability", "unbalance", "transient", "vibration", "equilibrium", "cycle"}) {
     SCOPED_TRACE(command);
     const ExperimentInfo& experiment = experiment_named(command);
     const Case input = parse_case(case_template("gen1"), "gen1.toml",
                                   {.overrides = experiment.small_runs.front(), .commands = {command}});
     const SweptResult swept = experiment.run(input, {}).swept(false);
     EXPECT_GT(swept.rows.columns.size(), 3U);
+    EXPECT_EQ(swept.more.size(), experiment.sweeping->more_tables.size());
     EXPECT_GT(swept.rows.rows(), 0U);
     for (const TableColumn& column : swept.rows.columns) {
       EXPECT_EQ(column.values.size() + column.texts.size(), swept.rows.rows()) << column.meaning.name;

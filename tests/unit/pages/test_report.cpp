@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -182,6 +183,24 @@ TEST(Report, ComparesSeveralFolders) {
   EXPECT_EQ(report.at("runs").at(0).at("name"), a.path().filename().string());
   EXPECT_EQ(report.at("runs").at(1).at("name"), b.path().filename().string());
   EXPECT_EQ(report.at("runs").at(1).at("nodes").at("foot"), 52);
+}
+
+TEST(Report, HasAQuantityForEachClearance) {
+  Case input = short_case();
+  input.cycle.clearance_forces = {2.5, 20000.0};
+  const Results results(run_cycles(input), input);
+  const json run = json::parse(report_json({results.path()})).at("runs").at(0);
+  std::vector<std::string> labels;
+  for (const json& quantity : run.at("quantities")) {
+    labels.push_back(quantity.at("label"));
+    if (quantity.at("name") == "clearance_20000N") {
+      EXPECT_TRUE(run.at("summary").at("cycles").at(0).at(quantity.at("key").get<std::string>()).is_null());
+    }
+  }
+  const auto place = std::find(labels.begin(), labels.end(), "take-up point");
+  ASSERT_LT(place + 2, labels.end());
+  EXPECT_EQ(place[1], "clearance at 2.5 N");
+  EXPECT_EQ(place[2], "clearance at 20000 N");
 }
 
 TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {

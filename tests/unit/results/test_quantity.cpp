@@ -11,6 +11,8 @@ TEST(Quantity, KeysCarryTheirUnits) {
   EXPECT_EQ(key_of("loss_factor", "1"), "loss_factor");
   EXPECT_EQ(key_of("total_iterations", "1"), "iterations");
   EXPECT_EQ(key_of("increment_status", ""), "status");
+  EXPECT_EQ(key_of("speed_status", ""), "status");
+  EXPECT_EQ(key_of("orbit_status", ""), "orbit_status");
 }
 
 }  // namespace

@@ -334,6 +334,19 @@ TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
   }
 }
 
+/// Texts with commas and lines of their own stay one cell, columns that a point lacks are blank.
+TEST(SweepFilesOfVibrations, HaveTheRowsOfAllPointsUnderAllColumns) {
+  const Sweep sweep = parse_sweep(case_template("gen1"), "case.toml",
+                                  {.command = "cycle", .over = {"friction.coefficient=[0.1, 0.2]"}, .overrides = {}});
+  std::vector<SweepPoint> points(2);
+  complete(sweep, points);
+  points[0].rows = "station,x_m\n\"a, \"\"b\"\"\nc\",1\n";
+  points[1].rows = "station,y_m,x_m\nd,,2\n";
+  EXPECT_EQ(sweep_files(sweep, points, {}).front().contents,
+            "friction_coefficient,station,y_m,x_m\n0.10000000000000001,\"a, \"\"b\"\"\nc\",,1\n"
+            "0.20000000000000001,d,,2\n");
+}
+
 TEST(SweepFilesOfVibrations, HaveRoomForTheLongestLoop) {
   const Sweep sweep = sweep_of_vibrations({"vibration.steps=[3, 5]"}, {});
   std::vector<SweepPoint> points{run_point(sweep, 0), run_point(sweep, 1)};

@@ -74,7 +74,7 @@ function partsOf(grid: Grid): Coordinate[] {
 function quantitiesOf(grid: Grid): SweptQuantity[] {
   const keys = keysOf(grid).map(({ name }) => name);
   const clearances = grid.data.quantities.filter(({ name }) => name.startsWith('clearance_'));
-  return grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
+  const quantities = grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
     // Clearances are a list, over its forces.
     const force = clearances.indexOf(quantity);
     const variable = grid.variable(force < 0 ? quantity.name : 'clearance');
@@ -83,6 +83,7 @@ function quantitiesOf(grid: Grid): SweptQuantity[] {
     const shown = isOfRotors(grid) ? inRevolutions(quantity) : quantity;
     return [{ ...shown, variable, value: (place) => variable.at(force < 0 ? place : { ...place, clearance_force: force }) }];
   });
+  return [...quantities.filter((one) => !one.of_solver), ...quantities.filter((one) => one.of_solver)];
 }
 
 /** Of every quantity that is a number and known somewhere; what charts begin with first. */

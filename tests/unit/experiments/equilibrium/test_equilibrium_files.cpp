@@ -316,7 +316,7 @@ TEST(EquilibriumFiles, HaveThePadsInARow) {
 
 TEST(EquilibriumTable, TellsPads) {
   const std::string table = equilibrium_table(padded_example());
-  for (const char* row : {"\n  of pad 1, magnitude", "\n  of pad 3, magnitude", "\n  of pad  "}) {
+  for (const char* row : {"\nforce of pad 1 ", "\nforce of pad 3 ", "\n  of pad  "}) {
     EXPECT_NE(table.find(row), std::string::npos) << row;
   }
   const Vector loads = bump_loads(*padded_example().bearing, *padded_example().states[0].last);

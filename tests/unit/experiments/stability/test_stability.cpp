@@ -86,6 +86,8 @@ TEST(Stability, WritesALineForEachMotion) {
   EXPECT_FALSE(summary.at("onsets").at(0).at("by_coefficients"));
   ASSERT_EQ(summary.at("speeds").size(), 3U);
   EXPECT_EQ(summary.at("speeds").at(1).at("status"), "converged");
+  EXPECT_EQ(summary.at("speeds").at(1).at("fastest_direction"), "forward");
+  EXPECT_TRUE(summary.at("speeds").at(1).at("motions").at(0).contains("residual"));  // which the table leaves out
   const auto& motion = summary.at("speeds").at(0).at("motions").at(0);
   EXPECT_EQ(motion.at("mode"), 1);
   // The decrement is that of the rate, by its definition.
