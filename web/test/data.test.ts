@@ -4,7 +4,7 @@ import { labelOffsets } from '../src/charts/label_offsets';
 import { flatten, labelOf, sweptKeys, titleOf, unitOf, valueText } from '../src/data/case_values';
 import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
-import type { CycleData, Quantity, RunData } from '../src/data/format';
+import type { CycleData } from '../src/data/format';
 import { directionName } from '../src/data/kinds';
 import { thinningOf, warningsOf } from '../src/data/outcome';
 import { Cycle, Run, largest } from '../src/data/run';
