@@ -92,7 +92,7 @@ std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment
 }
 
 /// Those of the experiment of a result; a sweep has those of its command.
-Json quantities_json(const Json& result) {
+Json quantities_json(const Json& result, const std::optional<Case>& input) {
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
   const auto found = std::find_if(experiments().begin(), experiments().end(),
                                   [&](const ExperimentInfo& experiment) { return experiment.name == command; });
@@ -106,9 +106,7 @@ Json quantities_json(const Json& result) {
     if (of_cycles && (meaning.tags & tag::of_width_alone) != 0 && meaning_of(result, meaning.name).empty()) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
-  if (has_cycles(experiment.name)) {
-    if (const std::optional<Case> input = case_of(result)) add_clearances(input->cycle.clearance_forces, json);
-  }
+  if (has_cycles(experiment.name) && input) add_clearances(input->cycle.clearance_forces, json);
   return json;
 }
 
@@ -162,12 +160,11 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
 }
 
 /// Deviations of the bearing of a result; null if it is round, for a strip, and where its case is not known.
-Json deviations_json(const Json& result) {
+Json deviations_json(const Json& result, const std::optional<Case>& input) {
   const Json& attributes = result["attributes"];
   for (const std::string& command : {result["kind"].get<std::string>(), attributes.value("swept_command", "")}) {
     if (command == name_of(Experiment::strip)) return nullptr;
   }
-  const std::optional<Case> input = case_of(result);
   return input ? shown_deviations(*input) : Json();
 }
 
@@ -223,11 +220,13 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   const auto kind = result["kind"].get<std::string>();
   Json run{{"summary", summary_shown(summary.json, kind)}};
   run.update(result);
-  if (Json deviations = deviations_json(result); !deviations.is_null()) run["deviations"] = std::move(deviations);
+  const std::optional<Case> input = case_of(result);
+  if (Json deviations = deviations_json(result, input); !deviations.is_null())
+    run["deviations"] = std::move(deviations);
   if (has_distributions(kind)) {
     run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
   } else {
-    run["quantities"] = has_points(kind) ? optimised_quantities_json(summary.json) : quantities_json(result);
+    run["quantities"] = has_points(kind) ? optimised_quantities_json(summary.json) : quantities_json(result, input);
   }
   return run;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -48,7 +47,12 @@ Table responses_side_by_side(const Dataset& data, ResponseKind kind, const std::
 
 /// Orbits at the first speeds: the thinnest film of the bearings, and the sum of their losses.
 Table orbits_of_bearings(const UnbalanceResult& result, const Dataset& data, std::size_t speeds) {
-  Table table = table_of(data, {.over = {"speed"}, .columns = {"speed", "orbit_h_min"}, .rows = first_rows(speeds)});
+  std::vector<std::vector<std::size_t>> rows = first_rows(speeds);
+  for (std::vector<std::size_t>& row : rows) row.push_back(static_cast<std::size_t>(ResponseKind::orbit));
+  Table table = table_of(
+      data, {.over = {"speed", "kind"},
+             .columns = {"speed", "response_status", "orbit_turns", "orbit_lasts", "largest_multiplier", "orbit_h_min"},
+             .rows = std::move(rows)});
   const auto add_sum = [&](VariableMeaning meaning, double BearingTurn::*loss) {
     std::vector<double> sums(speeds, absent);
     for (std::size_t i = 0; i < speeds; ++i) {
@@ -61,14 +65,6 @@ Table orbits_of_bearings(const UnbalanceResult& result, const Dataset& data, std
   };
   add_sum(shown_column("friction loss", {"uJ", 1e-6}), &BearingTurn::friction);
   add_sum(shown_column("power", shown::watts), &BearingTurn::power);
-  Table orbits = table_of(
-      data,
-      {.over = {"speed"}, .columns = {"largest_multiplier", "orbit_lasts", "orbit_turns"}, .rows = first_rows(speeds)});
-  std::move(orbits.columns.begin(), orbits.columns.end(), std::back_inserter(table.columns));
-  std::vector<std::vector<std::size_t>> rows = first_rows(speeds);
-  for (std::vector<std::size_t>& row : rows) row.push_back(static_cast<std::size_t>(ResponseKind::orbit));
-  Table ends = table_of(data, {.over = {"speed", "kind"}, .columns = {"response_status"}, .rows = std::move(rows)});
-  table.columns.push_back(std::move(ends.columns.front()));
   return table;
 }
 
