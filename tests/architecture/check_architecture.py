@@ -53,7 +53,7 @@ FOREIGN_WORDS = {
 MAY_USE_FILES = {"case", "results", "experiments", "ensemble", "sweep", "optimise", "readers", "pages", "studies"}
 IO_HEADERS = re.compile(
     r"iostream|fstream|cstdio|filesystem|print|fmt/(?:os|ostream|color)\.h|nlohmann/.*|toml\+\+/.*|toml\.hpp|"
-    r"netcdf.*|CLI/.*"
+    r"netcdf.*|hdf5.*|CLI/.*"
 )
 # Everything that is printed goes through one place, which keeps texts of others from steering the terminal. The progress
 # bar has no such texts; the message of a failed assertion is the last thing a broken program says.
