@@ -17,7 +17,7 @@ from .figure_sheet import Sheet, arranged, save, styled
 from .paper_figures import paper
 from .places import Places
 from .plots import _style, _words, demand, demand_fields, draw_states, known, places_of, running_lines
-from .tables import of_csv, place_of
+from .tables import of_csv, place_of, sampled_command, target_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -281,9 +281,9 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     demand(result, "distributions")
     data = result.to_xarray()
     shown = [(name, f"{words} ({unit.replace('um', 'µm')})" if unit else words, size)
-             for name, _, words, unit, size in _native.headlines(result.summary["sampled_command"])
+             for name, _, words, unit, size in _native.headlines(sampled_command(result.summary))
              if name in data and np.isfinite(data[name]).any()]
-    target = str(data.attrs["target_quantity"])
+    target = target_of(data)
     shown.sort(key=lambda one: one[0] != target)
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):

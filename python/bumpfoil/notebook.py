@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _native
+from .tables import sampled_command
 
 if TYPE_CHECKING:
     from .cycle import Cycle
@@ -55,7 +56,7 @@ def of_ensemble(summary: Mapping[str, Any]) -> str:
     """Means and standard deviations, a column for each direction, state or rotor."""
     statistics: Mapping[str, Mapping[str, Any]] = summary["statistics"]
     rows = [["mean ± standard deviation", *statistics]]
-    for _, key, words, unit, size in _native.headlines(summary["sampled_command"]):
+    for _, key, words, unit, size in _native.headlines(sampled_command(summary)):
         found = [one.get(key) for one in statistics.values()]
         if any(found):
             rows.append([_words(words, unit), *(_mean(entry, size) for entry in found)])

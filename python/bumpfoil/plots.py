@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .places import Places
-from .tables import place_of
+from .tables import place_of, target_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -198,7 +198,7 @@ def ensemble(result: Result, quantity: str | None, ax: Axes | None) -> Axes:
     demand(result, "distributions")
     every = result.to_xarray()
     place = place_of(every)
-    data = _quantity(result, quantity or str(every.attrs["target_quantity"]), [place, "sample"])
+    data = _quantity(result, quantity or target_of(every), [place, "sample"])
     ax = _axes(ax)
     edges = np.histogram_bin_edges(data.values[np.isfinite(data.values)], min(40, int(np.sqrt(data.sizes["sample"])) + 1))
     for number, (label, samples) in enumerate(zip(places_of(result, every), data)):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -32,6 +33,16 @@ def of_csv(result: Result, name: str) -> pandas.DataFrame:
 def place_of(ensemble: xarray.Dataset) -> str:
     """The second dimension of an ensemble besides its samples: directions of cycles, states of running bearings, or the rotor."""
     return next(place for place in ("rotor", "state", "direction") if place in ensemble.dims)
+
+
+def sampled_command(summary: Mapping[str, Any]) -> str:
+    """The command that was run for each bearing of an ensemble. Version 0.2.0 ran cycles alone, without saying so."""
+    return str(summary.get("sampled_command", "cycle"))
+
+
+def target_of(ensemble: xarray.Dataset) -> str:
+    """The quantity whose mean ``--target-error`` refers to, also of ensembles by version 0.2.0."""
+    return str(ensemble.attrs.get("target_quantity", "max_force"))
 
 
 def of_samples(ensemble: xarray.Dataset) -> pandas.DataFrame:

@@ -1,5 +1,6 @@
 """Results are written, read and shown as those of the program."""
 
+import json
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -11,6 +12,7 @@ import pytest
 import xarray
 
 import bumpfoil
+from bumpfoil import figures
 from conftest import EXAMPLES, PROGRAM
 
 GEN1 = EXAMPLES / "gen1.toml"
@@ -223,6 +225,23 @@ def test_samples_are_a_table():
     means = table.groupby("direction_deg").max_force_N.mean()
     np.testing.assert_allclose(means[0], result.summary["statistics"]["+X"]["max_force_N"]["mean"], rtol=1e-12)
     assert f"<td>{means[0]:.4g} ± " in result._repr_html_()
+
+
+def test_ensembles_of_version_0_2_0_are_shown(tmp_path):
+    new = bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=3, cycle={"steps": 5, "directions": ["+X"]})
+    files = dict(new.files)
+    summary = json.loads(files["summary.json"])
+    del summary["sampled_command"]
+    path = tmp_path / "ensemble.nc"
+    path.write_bytes(files["ensemble.nc"])
+    with netCDF4.Dataset(path, "a") as data:
+        data.delncattr("sampled_command")
+        data.delncattr("target_quantity")
+    old = bumpfoil.Result("montecarlo", [], files={"summary.json": json.dumps(summary).encode(), "ensemble.nc": path.read_bytes()})
+    assert old._repr_html_() == new._repr_html_()
+    assert old.plot_ensemble().get_xlabel() == new.plot_ensemble().get_xlabel()
+    shown, same = ([ax.get_xlabel() for ax in figures.ensemble(one).axes] for one in (old, new))
+    assert shown == same
 
 
 FILM = {"film": {"rows": 4}, "equilibrium": {"loads": [["10 N", "0 N"]]}}
