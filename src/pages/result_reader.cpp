@@ -189,7 +189,7 @@ Json meanings_of(const NetcdfImage& file, const std::string& cycle) {
   return meanings;
 }
 
-/// The command that wrote the file; reports must be able to show it.
+/// The command that wrote the file: one that this version has.
 std::string kind_of(const NetcdfImage& file) {
   const std::map<std::string, std::string>& texts = file.texts();
   const auto text = [&texts](const char* name) {
@@ -203,8 +203,8 @@ std::string kind_of(const NetcdfImage& file) {
                 fmt::format("is \"{}\", which this version cannot read: use the one that wrote it", printable(schema)));
   }
   std::string kind = text("bumpfoil_command");
-  if (!is_shown(kind)) {
-    file.refuse("", fmt::format("is a result of `bumpfoil {}`, which reports cannot show", printable(kind)));
+  if (!is_known(kind)) {
+    file.refuse("", fmt::format("is a result of `bumpfoil {}`, which this version does not have", printable(kind)));
   }
   return kind;
 }

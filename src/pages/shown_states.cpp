@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "core/base64.hpp"
 #include "experiments/equilibrium/running_dataset.hpp"
@@ -57,7 +57,8 @@ Json running_quantities_json(const FilmBearing& bearing) {
 }
 
 Json rotor_quantities_json() {
-  return each(stability_meanings(), [](const VariableMeaning& meaning) { return shown_quantity(labelled(meaning)); });
+  return each(meanings_of(stability_quantities(), speed_quantities(), motion_quantities()),
+              [](const VariableMeaning& meaning) { return shown_quantity(labelled(meaning)); });
 }
 
 /// Numbers of a run. @param summary  the common header of summary.json, and further entries

@@ -1,11 +1,15 @@
 #include "readers/result_kinds.hpp"
 
+#include <algorithm>
+
+#include "bumpfoil/experiments/experiments.hpp"
+
 namespace bumpfoil {
 
-bool is_shown(std::string_view kind) {
-  return has_cycles(kind) || has_distributions(kind) || has_states(kind) || has_onsets(kind) || has_peaks(kind) ||
-         has_revolutions(kind) || has_parameters(kind) || has_points(kind) || kind == "path" || kind == "sweep" ||
-         kind == "vibration";
+bool is_known(std::string_view kind) {
+  const auto& known = experiments();
+  return has_axes(kind) || has_distributions(kind) ||
+         std::any_of(known.begin(), known.end(), [&](const ExperimentInfo& info) { return info.name == kind; });
 }
 
 bool has_cycles(std::string_view kind) {
@@ -14,6 +18,10 @@ bool has_cycles(std::string_view kind) {
 
 bool has_distributions(std::string_view kind) {
   return kind == "montecarlo";
+}
+
+bool has_axes(std::string_view kind) {
+  return kind == "sweep";
 }
 
 bool has_states(std::string_view kind) {

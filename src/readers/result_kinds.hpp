@@ -4,8 +4,8 @@
 
 namespace bumpfoil {
 
-/// Whether reports show the results of the command of this name.
-bool is_shown(std::string_view command);
+/// Whether a command of this name writes results: an experiment, a sweep or an ensemble.
+bool is_known(std::string_view command);
 
 /// Whether the results are cycles, increment by increment.
 bool has_cycles(std::string_view command);
@@ -13,6 +13,9 @@ bool has_cycles(std::string_view command);
 /// Whether the results are numbers of many samples, shown as distributions; those of all other commands are numbers
 /// over some dimensions.
 bool has_distributions(std::string_view command);
+
+/// Whether the results are of a grid of cases, with its keys in the summary.
+bool has_axes(std::string_view command);
 
 /// Whether the results are states of a running bearing, with drawings of single bumps and feet.
 bool has_states(std::string_view command);

@@ -147,6 +147,14 @@ class SummaryChecker {
     }
   }
 
+  /// Keys of a sweep, with the names of their variables.
+  void check_axes(const Json& summary) const {
+    if (!at(summary, "axes").is_array()) refuse("axes", "is not a list");
+    for (const Json& axis : summary["axes"]) {
+      for (const char* key : {"key", "name"}) static_cast<void>(text(axis, key));
+    }
+  }
+
   /// Names of the stations of a rotor.
   void check_stations(const Json& summary) const {
     const auto is_text = [](const Json& one) { return one.is_string(); };
@@ -286,8 +294,8 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   }
   for (const char* key : {"version", "commit", "solver", "status"}) static_cast<void>(checker.text(json, key));
   const std::string command = checker.text(json, "command");
-  if (!is_shown(command)) {
-    checker.refuse("command", fmt::format("is \"{}\", whose results reports cannot show", printable(command)));
+  if (!is_known(command)) {
+    checker.refuse("command", fmt::format("is \"{}\", a command that this version does not have", printable(command)));
   }
   if (!checker.at(json, "case").is_object()) checker.refuse("case", "is not a table");
   if (has_cycles(command)) {
@@ -297,6 +305,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   }
   if (has_distributions(command)) checker.check_ensemble(json);
   if (has_states(command) && json.contains("limits")) checker.check_running_limits(json["limits"]);
+  if (has_axes(command)) checker.check_axes(json);
   if (has_onsets(command)) checker.check_onsets(checker.at(json, "onsets"));
   if (has_peaks(command) || has_revolutions(command)) checker.check_stations(json);
   if (has_peaks(command)) checker.check_peaks(json);

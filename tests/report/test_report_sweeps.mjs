@@ -1,7 +1,7 @@
 // Reports of sweeps in a browser: charts, loops and tables show the numbers of sweep.csv, points are chosen and searched.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { assertAccessible, assertFits, axeFindings, caseFile, folder, near, paper, placeOf, plotsIn, print, quantity, report, rotorFile, rowsOf, run, saved, stripFile, unfold, withReport } from './support.mjs';
@@ -30,6 +30,8 @@ before(() => {
   const spinning = ['film.rows=4', 'film.columns_per_pitch=4', 'transient.steps_per_revolution=30', 'transient.revolutions_per_spectrum=2', 'transient.speed=[{to="9000 rpm", time="30 ms"}]'];
   run(['sweep', rotorFile, '-o', join(folder, 'spinning'), '--command', 'transient', '--over', 'transient.speed[1].to=9000 rpm:12000 rpm:1500 rpm', ...spinning.flatMap((pair) => ['--set', pair])]);
   report('spinning.html', 'spinning');
+  sweep('yields', caseFile, ['top_foil.yield_stress=[1 GPa, 2 GPa]', 'friction.coefficient=[0.1, 0.2]'], ['--set', 'cycle.steps=5']);
+  report('yields.html', 'yields');
   report('grid.html', 'grid');
   report('friction.html', 'friction');
   report('strips.html', 'strips');
@@ -77,6 +79,22 @@ test('the chart shows the quantity chosen over the key, a line for each value of
     assert.deepEqual(legend, [60, 70, 80, 90].map((size) => `Amplitude ${size} µm`));
     await page.getByRole('combobox', { name: 'Lines' }).selectOption('Direction');
     assert.deepEqual(await page.getByRole('region', { name: over }).locator('.legend li').allTextContents(), directions);
+  }));
+
+test('of a command without a view of its own the parts of the points are told by their dimensions', () => {
+  const page = readFileSync(join(folder, 'grid.html'), 'utf8');
+  assert.equal(page.split('"swept_command":"cycle"').length, 2);
+  writeFileSync(join(folder, 'other.html'), page.replace('"swept_command":"cycle"', '"swept_command":"hold"'));
+  return withReport('other.html', async (page) => {
+    assert.deepEqual(await chooser(page, 'Direction').locator('option').allTextContents(), directions);
+    await chooser(page, 'Direction').selectOption('−X');
+  });
+});
+
+test('a limit that is swept itself is no limit of the maps', () =>
+  withReport('yields.html', async (page) => {
+    const limit = page.getByRole('group', { name: 'Feasible region' }).getByLabel('Feasible where');
+    assert.equal(await limit.locator('option:checked').textContent(), 'none');
   }));
 
 test('maps over two keys come first, and pale is what misses a limit', () =>

@@ -1,7 +1,7 @@
 // Reports of vibrations in a browser: coefficients, loss factors and loops are those of the files, warnings are told.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { assertAccessible, assertFits, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
@@ -127,6 +127,56 @@ test('what failed or did not settle is told', () =>
     assert.equal(await page.locator('.plot svg').count(), 5);
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
   }));
+
+/** A report as that of a command without a view of its own. */
+function asOther(file, other) {
+  const page = readFileSync(join(folder, file), 'utf8');
+  assert.ok(page.includes('"kind":"vibration"'));
+  writeFileSync(join(folder, other), page.replaceAll('"kind":"vibration"', '"kind":"hold"'));
+}
+
+test('results without a view of their own have charts, and a table for each set of dimensions', async () => {
+  asOther('vib.html', 'other.html');
+  await withReport('other.html', async (page) => {
+    assert.deepEqual(await page.locator('h2').allTextContents(), ['Results of hold', 'Case and origin', 'Glossary']);
+    const by = 'Results by load and amplitude';
+    const table = rowsOf((await saved(page, 'Results by load, amplitude and frequency', /CSV/)).bytes.toString());
+    const expected = csvOf('vib', 'coefficients.csv');
+    assert.equal(table.length, expected.length);
+    table.forEach((row, i) => {
+      assert.equal(Number(row.load), expected[i].load_y_N === '-50' ? 1 : 2);
+      for (const name of ['amplitude_m', 'frequency_rad_per_s', 'cyy_N_s_per_m']) near(Number(row[name]), Number(expected[i][name]), 1e-6, `${name} of row ${i}`);
+    });
+    // Stiffness is the same at every frequency.
+    const first = expected.filter((row) => Math.abs(row.frequency_rad_per_s - omega) < 1);
+    const stiffness = rowsOf((await saved(page, by, /CSV/)).bytes.toString());
+    assert.equal(stiffness.length, first.length);
+    stiffness.forEach((row, i) => near(Number(row.kyy_N_per_m), Number(first[i].kyy_N_per_m), 1e-6, `Kyy of row ${i}`));
+    await page.getByRole('combobox', { name: `Quantity: ${by}: chart` }).selectOption('Kyy');
+    await page.getByRole('combobox', { name: `${by}: chart, over` }).selectOption('Amplitude');
+    await page.getByRole('combobox', { name: `${by}: chart, Load shown` }).selectOption('1');
+    const drawn = rowsOf((await saved(page, `${by}: chart`, /CSV/)).bytes.toString()).filter((row) => Number(row.load) === 1);
+    assert.equal(drawn.length, 3);
+    drawn.forEach((row, i) => near(Number(row.kyy_N_per_m), Number(first[i].kyy_N_per_m), 1e-6, `amplitude ${i}`));
+    const directions = await page.getByRole('region', { name: 'Results by load, direction and amplitude', exact: true }).locator('tbody tr').evaluateAll((rows) => rows.map((row) => row.children[1].textContent));
+    assert.deepEqual([...new Set(directions)], ['+X', '+Y']);
+    await assertAccessible(page);
+    await assertFits(page);
+  });
+});
+
+test('of several results without a view one that failed is shown as far as it is known', async () => {
+  report('several.html', 'vib', 'failed');
+  asOther('several.html', 'others.html');
+  await withReport('others.html', async (page) => {
+    assert.deepEqual(await page.locator('h2').allTextContents(), ['Results of hold, vib', 'Case and origin, vib', 'Results of hold, failed', 'Case and origin, failed', 'Glossary']);
+    const told = await page.locator('.warnings').textContent();
+    for (const text of summaryOf('failed').failures) assert.ok(told.includes(text), text);
+    assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined|Infinity/);
+    const ids = await page.locator('[id]').evaluateAll((all) => all.map(({ id }) => id));
+    assert.equal(new Set(ids).size, ids.length);
+  });
+});
 
 test('axe finds nothing, and the page fits screens and paper', async () => {
   await withReport('vib.html', async (page) => {

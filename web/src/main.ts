@@ -9,6 +9,7 @@ import { equilibriumView } from './views/equilibria';
 import { fitView } from './views/fits';
 import { loopView } from './views/loops';
 import { optimiseView } from './views/optimisations';
+import { otherView } from './views/others';
 import { pathView } from './views/paths';
 import { stabilityView } from './views/stability';
 import { sweepView } from './views/sweeps';
@@ -24,7 +25,7 @@ import './style/tables.css';
 import './style/player.css';
 import './style/print.css';
 
-/** One view per kind of result. */
+/** Views of the kinds of results that have one of their own, in the order of the page. */
 const views: Record<string, MakeView> = {
   cycle: loopView,
   strip: loopView,
@@ -144,8 +145,8 @@ function start(): void {
   const report = JSON.parse(document.getElementById('bumpfoil-data')?.textContent ?? '') as ReportData;
   const runs = report.runs.map((data) => new Result(data));
   startTheme();
-  const kinds = Object.entries(views)
-    .map(([kind, make]) => ({ make, members: report.runs.filter((data) => data.kind === kind) }))
+  const kinds = [...new Set([...Object.keys(views), ...report.runs.map(({ kind }) => kind)])]
+    .map((kind) => ({ make: views[kind] ?? otherView, members: report.runs.filter((data) => data.kind === kind) }))
     .filter(({ members }) => members.length > 0);
   const parts = kinds.map(({ make, members }) => ({ members, view: make(members, report.keys, kinds.length === 1) }));
   const warned = parts.flatMap(({ members, view }) =>

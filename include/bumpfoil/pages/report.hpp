@@ -58,11 +58,10 @@ struct ReadingOptions {
 /// `series` has the largest at every increment. Measured loops have `measured`: true, series of displacement, force and
 /// work, and no fields.
 ///
-/// Grids (`equilibrium`, `film`, `fit`, `optimise`, `path`, `stability`, `sweep`, `transient`, `unbalance`,
-/// `vibration`): `summary` is what summary.json begins with, up to the status, and its `limits`, `onsets`, or
-/// `stations` and `peaks`, or of `fit` and `optimise` summary.json as it is; `dimensions` (sizes by name), `variables`
-/// (by name: `key` in tables, `dims`, the last running fastest, `unit`, `text`, `words` of flags, `values`, all
-/// binary32) and `left_out` (names of those that were too large).
+/// Grids (`sweep` and all other experiments): `summary` is what summary.json begins with, up to the status, and its
+/// `axes`, `limits`, `onsets`, or `stations` and `peaks`, or of `fit` and `optimise` summary.json as it is;
+/// `dimensions` (sizes by name), `variables` (by name: `key` in tables, `dims`, the last running fastest, `unit`,
+/// `text`, `words` of flags, `values`, all binary32) and `left_out` (names of those that were too large).
 ///
 /// Runs in time (`transient`) are grids as well: the summary has `stations`, `revolutions`, `energy`, the first `rubs`
 /// and `rub_count` of all. Of many revolutions and spectra every n-th is there, and of the steps those of some

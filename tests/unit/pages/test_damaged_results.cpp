@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "support/bearing_cases.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -279,7 +279,7 @@ TEST(DamagedResult, FilesThatAreNoResult) {
   EXPECT_EQ(error_of([](SmallFile& file) { file.texts["schema"] = "bumpfoil-result/9"; }),
             "/result.nc: schema: is \"bumpfoil-result/9\", which this version cannot read: use the one that wrote it");
   EXPECT_EQ(error_of([](SmallFile& file) { file.texts["bumpfoil_command"] = "orbit\x1b[2J"; }),
-            "/result.nc: is a result of `bumpfoil orbit\\x1b[2J`, which reports cannot show");
+            "/result.nc: is a result of `bumpfoil orbit\\x1b[2J`, which this version does not have");
   SmallResult result;
   for (const std::string bytes : {"", "CDF\001", "no netCDF at all", "\x89HDF\r\n\x1a\n"}) {
     result.folder().write("result.nc", bytes);
@@ -416,7 +416,7 @@ TEST(DamagedResult, HundredsOfDamagedFilesAreTold) {
   input.cycle.steps = 3;
   const TemporaryFolder folder;
   std::map<std::string, std::string> files;
-  for (const ResultFile& file : cycle_files(input, run_cycles(input), RunStatus::complete, {})) {
+  for (const ResultFile& file : test_support::files_of("cycle", input)) {
     if (file.name == "result.nc" || file.name == "summary.json") files[file.name] = file.contents;
   }
   const auto write_all = [&] {

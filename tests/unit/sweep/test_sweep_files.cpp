@@ -16,12 +16,15 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
-#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "bumpfoil/experiments/vibration/vibration_table.hpp"
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/sweep/sweep_table.hpp"
 #include "experiments/cycle/cycle_outcome.hpp"
+#include "experiments/vibration/vibration_outcome.hpp"
+#include "readers/summary_reader.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -163,12 +166,30 @@ TEST_F(SweepFiles, NetcdfHasTheKeysAsDimensions) {
   EXPECT_EQ(text, "cycle.amplitude");
 }
 
+TEST_F(SweepFiles, NeedTheirKeysInReports) {
+  const auto error_of = [](const json& changed) -> std::string {
+    try {
+      static_cast<void>(read_summary(changed.dump(), "summary.json"));
+    } catch (const Error& error) {
+      return error.errors().front().key + " " + error.errors().front().what;
+    }
+    return "";
+  };
+  json changed = summary();
+  EXPECT_EQ(error_of(changed), "");
+  changed["axes"][1].erase("key");
+  EXPECT_EQ(error_of(changed), "key is missing");
+  changed["axes"] = 2;
+  EXPECT_EQ(error_of(changed), "axes is not a list");
+}
+
 TEST_F(SweepFiles, AreReadByReports) {
   const json report = json::parse(report_json({folder_.path()}));
   const json& run = report.at("runs").at(0);
   EXPECT_EQ(run.at("kind"), "sweep");
   EXPECT_EQ(run.at("attributes").at("swept_command"), "cycle");
   EXPECT_EQ(run.at("summary").at("status"), "interrupted");
+  EXPECT_EQ(run.at("summary").at("axes"), summary().at("axes"));
   EXPECT_FALSE(run.at("summary").contains("points"));  // stored only once, as variables
   const json sizes{{"cycle_amplitude", 2}, {"direction", 2}, {"friction_coefficient", 3}, {"increment", 7}};
   for (const auto& [name, size] : sizes.items()) EXPECT_EQ(run.at("dimensions").at(name), size);
@@ -284,7 +305,7 @@ TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
 
   const Case& input = sweep.cases[2];
   const VibrationResult result = run_vibration(input);
-  for (const ResultFile& one : vibration_files(input, result, status_of(result), {})) {
+  for (const ResultFile& one : test_support::files_of("vibration", input, vibration_outcome(input, result))) {
     folder.write("alone/" + one.name, one.contents);
   }
   const netCDF::NcFile single((folder.path() / "alone/result.nc").string(), netCDF::NcFile::read);

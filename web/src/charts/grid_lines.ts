@@ -1,5 +1,6 @@
 /** How lines over a grid are told apart: few by colour and marker, many by a scale of colours. */
 import type { Coordinate } from '../data/grid';
+import { fractionIn, rangeOf } from '../data/range';
 import { at } from '../data/run';
 import { svg } from '../ui/dom';
 import { named } from '../ui/grid_selection';
@@ -37,8 +38,7 @@ export function lookOf(coordinate: Coordinate, index: number): LineLook {
   const { numbers } = coordinate;
   const plain = plainLook(index);
   if (!numbers) return plain;
-  const [least, most] = [Math.min(...numbers), Math.max(...numbers)];
-  const fraction = most > least ? (at(numbers, index) - least) / (most - least) : 0;
+  const fraction = fractionIn(rangeOf(numbers), at(numbers, index));
   return { ...plain, colour: (current) => rampColour(current, fraction) };
 }
 

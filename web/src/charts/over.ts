@@ -1,6 +1,7 @@
 import { axisScale, columnNameOf, type Place } from '../data/grid';
 import { at, largest } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
+import { rangeOf } from '../data/range';
 import { axisTitle, formatNumber, formatQuantity, scaleFor, type Scale } from '../data/units';
 import { dropDown } from '../ui/dom';
 import { named, type GridSelection } from '../ui/grid_selection';
@@ -146,7 +147,7 @@ export class OverPanel {
   private description(): string {
     const ends = this.lines.slice(0, 8).map(({ text, part, places }) => {
       const values = places.map((place) => part.value(place)).filter(Number.isFinite);
-      const range = [Math.min(...values), Math.max(...values)].map((value) => this.valueText(value));
+      const range = rangeOf(values).map((value) => this.valueText(value));
       return values.length === 0 ? `${text}: not known` : `${text} from ${range[0] ?? ''} to ${range[1] ?? ''}`;
     });
     return `${this.subject()}: ${ends.join('; ')}${this.lines.length > 8 ? '; and more' : ''}`;
@@ -178,8 +179,7 @@ export class OverPanel {
   private option(current: Look): Option {
     const { along } = this.selection;
     const points = this.points();
-    const upwards = points.flatMap((line) => line.map(([, y]) => y)).filter(Number.isFinite);
-    const [least, most] = [Math.min(...upwards), Math.max(...upwards)];
+    const [least, most] = rangeOf(points.flatMap((line) => line.map(([, y]) => y)));
     const few = along.texts.length <= mostMarkers;
     return {
       grid: { left: 66, right: 24, top: 16, bottom: 48 },

@@ -1,7 +1,7 @@
 /** Spectra of a rotor in time, one above the other, as a map: of one run, or of the ends of runs over a swept key. */
 import { bandsOf, isMonotonous, type Band } from '../data/bands';
 import { toCsv } from '../data/csv';
-import { axisScale, numbersOf, type Coordinate, type Grid } from '../data/grid';
+import { axisScale, columnNameOf, numbersOf, type Coordinate, type Grid } from '../data/grid';
 import { at, largest } from '../data/run';
 import { speedText } from '../data/states';
 import type { TimeRun } from '../data/time_run';
@@ -111,7 +111,7 @@ export function sweptWaterfall(grid: Grid, selection: GridSelection): HTMLElemen
       return [{ choice: '', title: axisTitle(along().title, scale), places: (along().numbers ?? []).map((number) => number * scale.factor) }];
     },
     where,
-    column: () => ({ name: [along().name, along().unit].filter((text) => text !== '').join('_'), values: along().numbers ?? [] }),
+    column: () => ({ name: columnNameOf(along()), values: along().numbers ?? [] }),
     more: (spectrum) => [[shortTitle(along().title), along().texts[spectrum] ?? '']],
     show: (spectrum) => selection.show({ place: { [along().name]: spectrum } }),
   };

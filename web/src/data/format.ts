@@ -167,6 +167,11 @@ export interface StatesSummary extends SummaryHead {
   limits?: LimitData[];
 }
 
+/** A sweep, with its keys and the names of their variables. */
+export interface SweepSummary extends SummaryHead {
+  axes: { key: string; name: string }[];
+}
+
 /** Where a motion of a rotor begins to grow, or ends. */
 export interface OnsetData {
   speed_rad_per_s: number;

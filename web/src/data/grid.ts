@@ -1,6 +1,7 @@
 import { decodeNumbers } from './decode';
 import type { GridData, VariableData } from './format';
 import { Result } from './result';
+import { largest } from './run';
 import { scaleFor, type Scale } from './units';
 
 /** Index along each dimension, by its name. */
@@ -114,7 +115,7 @@ export interface Coordinate {
 
 /** What its column in files is called. */
 export function columnNameOf({ name, numbers, unit }: Coordinate): string {
-  return numbers && unit !== '' ? `${name}_${unit}` : name;
+  return numbers && unit !== '' ? `${name}_${unit.replace('degree', 'deg').replaceAll(' ', '_').replaceAll('/', '_per_')}` : name;
 }
 
 /** Places of all combinations of their values, the last fastest. */
@@ -129,7 +130,7 @@ export function placesOf(coordinates: Coordinate[]): Place[] {
 export function axisScale({ numbers = [], unit }: Coordinate): Scale {
   if (unit === 'rad') return { factor: 180 / Math.PI, unit: '°' };
   if (unit === 'rpm') return { factor: 1, unit };
-  return scaleFor(Math.max(...numbers.map(Math.abs)), unit);
+  return scaleFor(largest(numbers), unit);
 }
 
 /** The values of a coordinate. */

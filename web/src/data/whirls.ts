@@ -1,4 +1,4 @@
-import type { GridData, OnsetData, Quantity, StabilitySummary } from './format';
+import type { GridData, OnsetData, StabilitySummary } from './format';
 import { Grid, numbersOf, type Coordinate, type Place } from './grid';
 import { speedText } from './states';
 
@@ -20,7 +20,7 @@ export interface Mode {
 }
 
 /** Speeds are in rpm, whatever else of their unit is a frequency. */
-export function inRevolutions(quantity: Quantity): Quantity {
+export function inRevolutions<T extends { name: string; unit: string }>(quantity: T): T {
   return quantity.unit === 'rad/s' && /speed|stable_up_to/.test(quantity.name) ? { ...quantity, unit: 'rpm' } : quantity;
 }
 

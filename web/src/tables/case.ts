@@ -64,15 +64,15 @@ function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys, wo
   return tables;
 }
 
-/** Whether a result is of bearings with a film; the others have nothing of gas and film. */
-function hasFilm({ data }: Result): boolean {
-  const of = [data.kind, data.attributes['swept_command']];
-  return ['equilibrium', 'film', 'stability', 'unbalance'].some((one) => of.includes(one)) || ('states' in data && Array.isArray(data.states) && data.states.length > 0);
+/** Whether a result is of foils without a film: it has nothing of gas and film. */
+function isDry({ data }: Result): boolean {
+  const ofStates = 'states' in data && Array.isArray(data.states) && data.states.length > 0;
+  return ['cycle', 'strip', 'path', 'vibration', 'montecarlo', 'fit', 'optimise'].includes(data.attributes['swept_command'] ?? data.kind) && !ofStates;
 }
 
 function keysOf(runs: Result[]): string[] {
   const keys = [...new Set(runs.flatMap((run) => [...flatten(run.data.summary.case).keys()]))];
-  const dry = !runs.some(hasFilm);
+  const dry = runs.every(isDry);
   return keys.filter((key) => key !== 'title' && !(dry && /^(gas|film)\./.test(key)));
 }
 

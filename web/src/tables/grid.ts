@@ -31,6 +31,11 @@ export function columnOf(grid: Grid, name: string, label: string): GridColumn[] 
   return [{ key, name, label, unit, whole: variable.isWhole, meaning: text, words, value: (place) => variable.at(place) }];
 }
 
+/** A column in degrees says so in its label: angles take no prefixes. */
+export function inDegrees(column: GridColumn): GridColumn {
+  return column.unit === 'degree' ? { ...column, unit: '', label: `${column.label} (°)` } : column;
+}
+
 export interface GridTableContents {
   title: string;
   label: string;

@@ -2,14 +2,15 @@ import { FamilyPanel, type Loops } from '../charts/family';
 import { OverPanel, type Measure } from '../charts/over';
 import { Limit, mapPanel } from '../charts/map';
 import { sweptWaterfall } from '../charts/waterfall';
-import { flatten, isSpeed, valueText } from '../data/case_values';
-import type { CaseKeys, GridData, Quantity, ResultData } from '../data/format';
+import { flatten } from '../data/case_values';
+import { coordinateOf } from '../data/coordinates';
+import type { CaseKeys, GridData, Quantity, ResultData, SweepSummary } from '../data/format';
 import { Grid, numbersOf, placesOf, vectorText, type Coordinate, type Place, type Variable } from '../data/grid';
 import { kinds } from '../data/kinds';
 import { mainQuantities } from '../data/main_quantities';
 import { gridWarnings } from '../data/outcome';
 import { at, capital } from '../data/run';
-import { formatQuantity, scaleFor } from '../data/units';
+import { formatQuantity } from '../data/units';
 import { inRevolutions } from '../data/whirls';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
@@ -27,19 +28,13 @@ interface SweptQuantity extends Quantity {
   value: (place: Place) => number;
 }
 
-/** Dimensions of the results that tell their parts apart: those of `status` after the keys. */
-const partDimensions = ['direction', 'cycle', 'sense', 'load', 'amplitude', 'speed', 'position'];
+function axesOf(grid: Grid): SweepSummary['axes'] {
+  return (grid.data.summary as SweepSummary).axes;
+}
 
 /** The swept keys. */
 function keysOf(grid: Grid): Coordinate[] {
-  const names = (grid.variable('status')?.dims ?? []).filter((name) => !partDimensions.includes(name));
-  return names.map((name) => {
-    const numbers = numbersOf(grid, name);
-    const { text = name, unit: si = '' } = grid.variable(name) ?? {};
-    const unit = si === 'rad/s' && isSpeed(name) ? 'rpm' : si;
-    const { factor } = unit === 'rpm' ? scaleFor(1, unit) : { factor: 1 };
-    return { name, title: text, numbers: numbers.map((number) => number * factor), texts: numbers.map((number) => valueText(number, unit)), unit };
-  });
+  return axesOf(grid).map(({ name }) => ({ ...coordinateOf(grid, name), title: grid.variable(name)?.text ?? name }));
 }
 
 function isOfRotors(grid: Grid): boolean {
@@ -68,11 +63,14 @@ function partsOf(grid: Grid): Coordinate[] {
   if (grid.variable('speed')) return operatingPointsOf(grid);
   const kind = kinds[grid.attribute('swept_command')];
   const name = ['direction', 'cycle'].find((one) => grid.variable(one));
-  return kind && name ? [{ name, title: kind.cycles.title, texts: numbersOf(grid, name).map(kind.cycles.name), unit: '' }] : [];
+  if (kind && name) return [{ name, title: kind.cycles.title, texts: numbersOf(grid, name).map(kind.cycles.name), unit: '' }];
+  const dims = new Set(grid.data.quantities.flatMap((quantity) => grid.variable(quantity.name)?.dims ?? []));
+  for (const key of axesOf(grid)) dims.delete(key.name);
+  return [...dims].map((dim) => coordinateOf(grid, dim));
 }
 
 function quantitiesOf(grid: Grid): SweptQuantity[] {
-  const keys = keysOf(grid).map(({ name }) => name);
+  const keys = axesOf(grid).map(({ name }) => name);
   const clearances = grid.data.quantities.filter(({ name }) => name.startsWith('clearance_'));
   const quantities = grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
     // Clearances are a list, over its forces.
@@ -111,7 +109,7 @@ function limitOf(grid: Grid, quantities: SweptQuantity[], measures: Measure[]): 
     const key = quantities.find((quantity) => quantity.name === name)?.key;
     const measure = measures.find(({ parts }) => at(parts, 0).key === key);
     const bound = given.get(path);
-    return measure && typeof bound === 'number' && !keysOf(grid).some((swept) => swept.name === path) ? [{ measure, least, bound }] : [];
+    return measure && typeof bound === 'number' && !axesOf(grid).some(({ key }) => key === path) ? [{ measure, least, bound }] : [];
   })[0];
 }
 
@@ -160,9 +158,9 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const quantities = quantitiesOf(grid);
   const loops = loopsOf(grid);
   const measures = measuresOf(quantities);
-  const over = new OverPanel('Result vs. parameter', measures, selection, grid.label);
+  const over = measures.length > 0 ? [new OverPanel('Result vs. parameter', measures, selection, grid.label).root] : [];
   const spectra = grid.variable('last_spectrum_speed')?.values.some(Number.isFinite) ? [sweptWaterfall(grid, selection)] : [];
-  const charts = [over.root, ...(loops ? [new FamilyPanel(loops, selection, grid.label).root] : []), ...spectra];
+  const charts = [...over, ...(loops ? [new FamilyPanel(loops, selection, grid.label).root] : []), ...spectra];
   const compared = { several: false, focus: [grid], shown: [grid], names: grid.label, onChange: () => undefined };
   const tableOf = (name: string, those: SweptQuantity[], along: Coordinate[]): HTMLElement =>
     gridTable({ title: name, label: grid.label, coordinates: along, columns: those.map((quantity) => ({ ...quantity, words: quantity.variable.words })), main: namesOfFirst(those) });

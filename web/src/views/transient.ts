@@ -12,7 +12,7 @@ import { formatNumber, formatQuantity } from '../data/units';
 import { caseSection } from '../tables/case';
 import { energyTable } from '../tables/energy';
 import { entryOf, term } from '../tables/glossary';
-import { columnOf, gridTable, type GridColumn } from '../tables/grid';
+import { columnOf, gridTable, inDegrees, type GridColumn } from '../tables/grid';
 import { rubTable } from '../tables/rubs';
 import { choice, el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
@@ -137,10 +137,7 @@ function columnsOf(run: TimeRun): GridColumn[] {
   return run.data.quantities.flatMap(({ name, label }): GridColumn[] => {
     const variable = run.variable(name);
     if (!variable?.has('revolution')) return [];
-    return columnOf(run, name, label).map((column) => {
-      if (column.unit === 'degree') return { ...column, unit: '', label: `${label} (°)` };
-      return column.unit === 'rad/s' ? { ...column, unit: 'rpm' } : column;
-    });
+    return columnOf(run, name, label).map((column) => (column.unit === 'rad/s' ? { ...column, unit: 'rpm' } : inDegrees(column)));
   });
 }
 

@@ -8,7 +8,7 @@ import { periodic, Responses } from '../data/responses';
 import { capital } from '../data/run';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
-import { columnOf, gridTable, type GridColumn } from '../tables/grid';
+import { columnOf, gridTable, inDegrees, type GridColumn } from '../tables/grid';
 import { peakTable } from '../tables/peaks';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
@@ -72,7 +72,7 @@ function speedColumns(responses: Responses): GridColumn[] {
 function responseColumns(responses: Responses): GridColumn[] {
   return responses.data.quantities.flatMap(({ name, label }): GridColumn[] => {
     const columns = responses.variable(name)?.has('station') ? columnOf(responses, name, label) : [];
-    return columns.map((column) => (column.unit === 'degree' ? { ...column, unit: '', label: `${label} (°)` } : column));
+    return columns.map(inDegrees);
   });
 }
 
