@@ -93,8 +93,8 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
 
   const std::string place = printable(options.folder, longest_path);
   std::vector<std::string> written = experiment.files;
-  if (outcome.files) {
-    const std::vector<ResultFile> files = outcome.files(provenance);
+  if (outcome.contents) {
+    const std::vector<ResultFile> files = result_files(experiment, input, outcome, provenance);
     for (const ResultFile& file : files) folder.stage(file.name, file.contents);
     // Some files are written only with a result: the case of a fit.
     std::erase_if(written, [&files](const std::string& name) {

@@ -16,8 +16,7 @@
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/ensemble/parallel_runs.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/results/made_folder.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
@@ -70,7 +69,7 @@ class StudyWriter {
  public:
   StudyWriter(Study study, const std::filesystem::path& path, Existing existing)
       : study_(std::move(study)), folder_(path, existing, file_names(study_)) {
-    std::vector<std::string> run_names = cycle_file_names("cycle");
+    std::vector<std::string> run_names = cycle_.files;
     run_names.emplace_back("case.toml");
     for (const StudyRun& run : study_.runs) {
       const Case& input = cases_.emplace_back(study_case(run));
@@ -84,34 +83,35 @@ class StudyWriter {
 
   /// Executes all runs. @return false if interrupted
   bool run(const ProgressCallback& progress) {
-    results_.resize(cases_.size());
+    outcomes_.resize(cases_.size());
     return run_in_parallel(
         cases_.size(), available_threads(),
         [this](std::size_t i, const ProgressCallback& progress_of_run) {
-          CycleResult result = run_cycles(cases_[i], progress_of_run);
-          const RunStatus status = status_of(result);
-          results_[i] = {cases_[i], std::move(result), status};
+          outcomes_[i] = cycle_.run(cases_[i], progress_of_run);
         },
         progress);
   }
 
   /// Writes the results of all runs, the tables and the picture.
   PlotStatus write(const Session& session) {
-    std::size_t index = 0;
+    std::vector<StudyRunResult> results;
     for (ResultFolder& folder : run_folders_) {
-      const auto& [input, result, status] = results_[index++];
+      const Case& input = cases_[results.size()];
+      // One outcome at a time: all results together take hundreds of megabytes.
+      const Outcome outcome = std::move(outcomes_[results.size()]);
       const std::string case_text = case_to_toml(input);
       folder.stage("case.toml", case_text);
-      const Provenance provenance = provenance_of(session, case_text);
-      for (const ResultFile& file : cycle_files(input, result, status, provenance)) {
+      for (const ResultFile& file : result_files(cycle_, input, outcome, provenance_of(session, case_text))) {
         folder.stage(file.name, file.contents);
       }
       folder.publish();
+      results.push_back({input, *outcome.cycles, outcome.status});
     }
+    outcomes_.clear();
     std::vector<StudyTable> tables;
     std::map<std::string, std::string> plot_files;
     for (const StudyTableKind kind : study_.tables) {
-      const StudyTable& table = tables.emplace_back(make_study_table(kind, study_, results_));
+      const StudyTable& table = tables.emplace_back(make_study_table(kind, study_, results));
       plot_files[table.name] = folder_.stage(table.name + ".csv", table_csv(table)).string();
     }
     for (const StudyData& data : study_.data) {
@@ -120,10 +120,9 @@ class StudyWriter {
     plot_files["picture"] = folder_.stage("picture.svg").string();
     const PlotStatus plotted = run_gnuplot(folder_.stage("picture.gp", study_.plot_script), plot_files);
     if (plotted != PlotStatus::drawn) folder_.discard("picture.svg");
-    folder_.stage("study.json", study_json(study_, results_, tables));
+    folder_.stage("study.json", study_json(study_, results, tables));
     folder_.publish();
-    outcome_ = outcome_of(study_, results_);
-    results_.clear();  // all studies together take hundreds of megabytes
+    outcome_ = outcome_of(study_, results);
     return plotted;
   }
 
@@ -139,11 +138,12 @@ class StudyWriter {
     return names;
   }
 
+  const ExperimentInfo& cycle_{experiment_named("cycle")};
   Study study_;
   std::vector<Case> cases_;
   ResultFolder folder_;
   std::list<ResultFolder> run_folders_;  ///< inside folder_, so removed before it if they are empty
-  std::vector<StudyRunResult> results_;
+  std::vector<Outcome> outcomes_;
   StudyOutcome outcome_;
   double increments_{};
 };

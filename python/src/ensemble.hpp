@@ -9,7 +9,6 @@
 
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/ensemble/ensemble_yield.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"

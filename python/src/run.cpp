@@ -57,10 +57,11 @@ Provenance provenance_of(const std::string& command, const std::string& case_tex
 
 Run run_command(const std::string& command, const Case& input, const std::string& case_text,
                 const ProgressCallback& progress) {
-  return {.command = command,
-          .input = input,
-          .outcome = experiment_named(command).run(input, progress),
-          .provenance = provenance_of(command, case_text)};
+  const ExperimentInfo& experiment = experiment_named(command);
+  Outcome outcome = experiment.run(input, progress);
+  return {.command = command, .input = input, .outcome = outcome, .files = [=, &experiment] {
+            return result_files(experiment, input, outcome, provenance_of(command, case_text));
+          }};
 }
 
 Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress) {
@@ -70,15 +71,14 @@ Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads
       [&](std::size_t i, const ProgressCallback& point_progress) { points[i] = run_point(sweep, i, point_progress); },
       progress);
   complete(sweep, points);
-  Outcome outcome{
-      .status = status_of(points), .warnings = warning_lines(sweep, points), .failures = failure_lines(sweep, points)};
-  outcome.files = [=, points = std::move(points)](const Provenance& provenance) {
-    return sweep_files(sweep, points, provenance);
-  };
   return {.command = "sweep",
           .input = sweep.cases.front(),
-          .outcome = std::move(outcome),
-          .provenance = provenance_of("sweep", case_text)};
+          .outcome = {.status = status_of(points),
+                      .warnings = warning_lines(sweep, points),
+                      .failures = failure_lines(sweep, points)},
+          .files = [=, points = std::move(points)] {
+            return sweep_files(sweep, points, provenance_of("sweep", case_text));
+          }};
 }
 
 }  // namespace bumpfoil

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,7 @@ struct Run {
   std::string command;
   Case input;
   Outcome outcome;
-  Provenance provenance;
-
-  /// Made when they are requested; netCDF is not thread-safe.
-  [[nodiscard]] std::vector<ResultFile> files() const { return outcome.files(provenance); }
+  std::function<std::vector<ResultFile>()> files;  ///< made when they are requested; netCDF is not thread-safe
 };
 
 /// The grid of a sweep.

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "bumpfoil/ensemble/ensemble_table.hpp"
-#include "bumpfoil/experiments/case_warnings.hpp"
 #include "ensemble/ensemble_dataset.hpp"
 #include "ensemble/ensemble_summary.hpp"
 #include "results/result_files.hpp"
@@ -16,19 +15,15 @@ namespace bumpfoil {
 namespace {
 
 constexpr const char* netcdf_name = "ensemble.nc";
-/// Number of failures listed in the message of ensemble.nc.
-constexpr std::size_t most_ensemble_messages = 5;
+/// Number of failed samples that are named.
+constexpr std::size_t most_named_samples = 5;
 
-std::string message_of(const EnsembleLayout& layout, const EnsembleStatistics& statistics, bool interrupted,
-                       std::size_t due) {
-  std::vector<std::string> parts;
-  if (!statistics.failures.empty()) {
-    std::vector<std::string> lines = failure_lines(layout, statistics);
-    lines.resize(std::min(lines.size(), most_ensemble_messages));
-    parts.push_back(fmt::format("{} {} failed: {}", statistics.failures.size(), layout.plural, fmt::join(lines, "; ")));
-  }
-  if (interrupted) parts.push_back(fmt::format("{} of {} samples are there", statistics.samples, due));
-  return fmt::format("{}", fmt::join(parts, "; "));
+/// How many samples failed, and the first of them.
+std::vector<std::string> failures_of(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
+  if (statistics.failures.empty()) return {};
+  std::vector<std::string> lines = failure_lines(layout, statistics);
+  lines.resize(std::min(lines.size(), most_named_samples));
+  return {fmt::format("{} {} failed: {}", statistics.failures.size(), layout.plural, fmt::join(lines, "; "))};
 }
 
 }  // namespace
@@ -45,13 +40,18 @@ RunStatus status_of(const EnsembleStatistics& statistics, bool stopped) {
 void stage_ensemble(const Case& input, const EnsembleLayout& layout, const RowLog& log,
                     const EnsembleStatistics& statistics, const EnsembleYields& yields, RunStatus status,
                     const Provenance& provenance, ResultFolder& folder) {
-  const auto due = static_cast<std::size_t>(input.montecarlo->samples);
+  const std::vector<std::string> failures = failures_of(layout, statistics);
+  std::vector<std::string> message = failures;
+  if (status == RunStatus::interrupted) {
+    message.push_back(fmt::format("{} of {} samples are there", statistics.samples, input.montecarlo->samples));
+  }
   stage_result_files({.input = input,
                       .command = "montecarlo",
                       .status = status,
-                      .message = message_of(layout, statistics, status == RunStatus::interrupted, due),
-                      .warnings = case_warnings(input),
-                      .provenance = provenance},
+                      .failures = failures,
+                      .warnings = warning_lines(input, layout, statistics),
+                      .provenance = provenance,
+                      .message = fmt::format("{}", fmt::join(message, "; "))},
                      netcdf_name, "use fewer samples", ensemble_dataset(input, layout, log),
                      ensemble_lists(input, layout, statistics, yields), folder);
 }

@@ -92,7 +92,6 @@ Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const Ensem
     json["limits"].push_back(std::move(limit));
   }
   if (!yields.limits.empty()) json["yield"] = yield_json(yields.all);
-  json["warnings"] = warning_lines(input, layout, statistics);
   json["failed"] = Json::array();
   for (const SampleFailure& failure : statistics.failures) {
     Json failed{{"sample", failure.sample}};

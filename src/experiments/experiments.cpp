@@ -5,6 +5,8 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "experiments/registry.hpp"
+#include "experiments/run_record.hpp"
+#include "results/result_files.hpp"
 
 namespace bumpfoil {
 
@@ -24,6 +26,19 @@ const ExperimentInfo& experiment_named(std::string_view name) {
                                   [&](const ExperimentInfo& experiment) { return experiment.name == name; });
   BUMPFOIL_ASSERT(found != experiments().end());
   return *found;
+}
+
+std::vector<ResultFile> result_files(const ExperimentInfo& experiment, const Case& input, const Outcome& outcome,
+                                     const Provenance& provenance) {
+  const auto netcdf = std::find_if(experiment.files.begin(), experiment.files.end(),
+                                   [](const std::string& name) { return name.ends_with(".nc"); });
+  BUMPFOIL_ASSERT(netcdf != experiment.files.end() && outcome.contents);
+  return make_result_files(record_of(experiment.name, input, outcome, provenance), *netcdf, experiment.advice,
+                           [&outcome](const std::string& run_id) {
+                             ResultContents contents = outcome.contents(run_id);
+                             contents.dataset = outcome.dataset();
+                             return contents;
+                           });
 }
 
 const std::vector<std::string>& result_names() {

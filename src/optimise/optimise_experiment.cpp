@@ -10,27 +10,10 @@
 namespace bumpfoil {
 namespace {
 
-std::vector<ResultFile> optimise_files(const Case& input, const OptimiseResult& result, RunStatus status,
-                                       const Provenance& provenance) {
-  const std::vector<std::string> failures = optimise_failures(result);
-  const std::vector<std::string> warnings = optimise_warnings(result);
-  return make_result_files(
-      {.input = input,
-       .command = "optimise",
-       .status = status,
-       .message = message_of(failures, status),
-       .warnings = warnings,
-       .provenance = provenance},
-      "result.nc", "use fewer evaluations", [&](const std::string& /*run_id*/) {
-        ResultContents contents{
-            .tables = {{"points.csv", point_table(result)}}, .dataset = optimise_dataset(result), .lists = [&] {
-              nlohmann::ordered_json json{{"failures", failures}, {"warnings", warnings}};
-              json.update(optimise_lists(result));
-              return json;
-            }};
-        if (result.best) contents.texts.push_back({"case.toml", optimised_case_text(result)});
-        return contents;
-      });
+ResultContents optimise_contents(const OptimiseResult& result) {
+  ResultContents contents{.tables = {{"points.csv", point_table(result)}}, .lists = optimise_lists(result)};
+  if (result.best) contents.texts.push_back({"case.toml", optimised_case_text(result)});
+  return contents;
 }
 
 }  // namespace
@@ -43,6 +26,7 @@ ExperimentInfo optimise_experiment() {
               "  bumpfoil optimise examples/optimise.toml -o more --set optimise.evaluations=300 optimise.starts=8\n"
               "  bumpfoil equilibrium optimised/case.toml -o running\n",
           .files = {"summary.json", "points.csv", "result.nc", "case.toml"},
+          .advice = "use fewer evaluations",
           .run =
               [](const Case& input, const ProgressCallback& progress) {
                 const auto result = std::make_shared<const OptimiseResult>(run_optimise(input, progress));
@@ -55,10 +39,7 @@ ExperimentInfo optimise_experiment() {
                                .failures = failures,
                                .table = [=] { return optimise_table(*result); },
                                .dataset = [=] { return optimise_dataset(*result); },
-                               .files =
-                                   [=](const Provenance& provenance) {
-                                     return optimise_files(input, *result, status, provenance);
-                                   }};
+                               .contents = [=](const std::string& /*run_id*/) { return optimise_contents(*result); }};
               },
           .check = optimise_errors,
           .small_runs = {{"optimise.command=cycle", "optimise.maximise=[\"loss_factor\"]",

@@ -17,9 +17,6 @@
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "case/case_json.hpp"
-#include "experiments/stability/stability_quantities.hpp"
-#include "experiments/transient/transient_quantities.hpp"
-#include "experiments/unbalance/unbalance_quantities.hpp"
 #include "pages/ensemble_reader.hpp"
 #include "pages/measured_run.hpp"
 #include "pages/report_names.hpp"
@@ -71,23 +68,10 @@ Json quantity_json(VariableMeaning meaning, const Json& result) {
 /// Maximum number of rubs in a report; a rotor that rubs in every revolution has many.
 constexpr std::size_t most_shown_rubs = 1000;
 
-/// Table quantities of an experiment; for a rotor, of the whole run, of each speed or revolution, and of each motion or
-/// orbit.
+/// Table quantities of an experiment, and of its parts.
 std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment) {
-  if (has_onsets(experiment.name)) return stability_meanings();
   std::vector<VariableMeaning> meanings = experiment.quantities;
-  const auto add = [&meanings](const auto& quantities) {
-    for (const auto& quantity : quantities) meanings.push_back(quantity.meaning());
-  };
-  if (has_peaks(experiment.name)) {
-    add(response_quantities());
-    add(point_quantities());
-    add(orbit_quantities());
-  }
-  if (has_revolutions(experiment.name)) {
-    add(whole_turn_quantities());
-    add(turn_quantities());
-  }
+  meanings.insert(meanings.end(), experiment.part_quantities.begin(), experiment.part_quantities.end());
   return meanings;
 }
 
@@ -174,6 +158,7 @@ Json summary_shown(const Json& summary, const std::string& kind) {
   Json shown = Json::object();
   for (const char* key : shown_of_summary) shown[key] = summary[key];
   if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];
+  if (has_axes(kind)) shown["axes"] = summary["axes"];
   if (has_onsets(kind)) shown["onsets"] = summary["onsets"];
   if (has_peaks(kind)) {
     for (const char* key : {"stations", "peaks"}) shown[key] = summary[key];
@@ -192,11 +177,11 @@ Json summary_shown(const Json& summary, const std::string& kind) {
   return shown;
 }
 
-/// The data file in a folder: each command has one.
-const char* result_name_in(const fs::path& folder) {
+/// The data file in a folder: each command has one, most of them result.nc.
+std::string result_name_in(const fs::path& folder) {
   std::error_code code;
-  for (const char* name : {"ensemble.nc", "sweep.nc", "fit.nc"}) {
-    if (fs::exists(published_file(folder, name), code)) return name;
+  for (const std::string& name : result_names()) {
+    if (name.ends_with(".nc") && fs::exists(published_file(folder, name), code)) return name;
   }
   return "result.nc";
 }
@@ -209,7 +194,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   std::error_code code;
   if (!fs::exists(folder, code)) refuse("does not exist");
   if (!fs::is_directory(folder, code)) refuse("is not a folder");
-  const char* result_name = result_name_in(folder);
+  const std::string result_name = result_name_in(folder);
   const fs::path result_path = folder / result_name;
   auto [summary, bytes] = read_stored_result(folder, result_name, {options.checked, advice_on_damage});
   Json result = read_result(std::move(bytes), result_path.string(), most_values);

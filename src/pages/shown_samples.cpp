@@ -9,8 +9,7 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "pages/result_reader.hpp"
 #include "readers/summary_reader.hpp"
@@ -29,8 +28,8 @@ const std::string& contents_of(const std::vector<ResultFile>& files, const char*
 
 /// Identical to a separate run whose files are read back.
 Json run_json(const Case& sampled, const std::string& name, std::size_t most_values) {
-  const CycleResult result = run_cycles(sampled);
-  const std::vector<ResultFile> files = cycle_files(sampled, result, status_of(result), {});
+  const ExperimentInfo& cycle = experiment_named("cycle");
+  const std::vector<ResultFile> files = result_files(cycle, sampled, cycle.run(sampled, {}), {});
   const StoredSummary summary = read_summary(contents_of(files, "summary.json"), name);
   Json cycles = read_result(contents_of(files, "result.nc"), name, most_values);
   match_runs(summary, cycles, name, "result.nc");

@@ -124,6 +124,8 @@ std::size_t count_numbers(const Dataset& dataset) {
 
 std::string summary_text(const RunRecord& run, const Manifest& manifest, const nlohmann::ordered_json& lists) {
   nlohmann::ordered_json summary = summary_head(run.command, run.input, run.status, manifest);
+  summary["failures"] = run.failures;
+  summary["warnings"] = run.warnings;
   summary.update(lists_of(run, lists));
   return sealed_summary(summary);
 }
@@ -151,7 +153,7 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
                      dataset.append(made.dataset);
                      return file.close();
                    })});
-  files.push_back({"summary.json", summary_text(run, make_manifest(run_id, files), made.lists())});
+  files.push_back({"summary.json", summary_text(run, make_manifest(run_id, files), made.lists)});
   return files;
 } catch (const std::bad_alloc&) {
   throw Error(ErrorKind::file,

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,25 +22,26 @@ namespace bumpfoil {
 class DatasetNetcdf;
 class NewNetcdf;
 
+/// The message of a run with these failures.
+std::string message_of(std::vector<std::string> failures, RunStatus status);
+
 /// A run, in the form common to all of its files.
 struct RunRecord {
   const Case& input;  ///< the case that was run, or one of several
   std::string_view command;
   RunStatus status;
-  std::string message;  ///< why the results are incomplete
+  std::vector<std::string> failures{};
   std::vector<std::string> warnings{};
   const Provenance& provenance;
+  std::string message = message_of(failures, status);  ///< why the results are incomplete
 };
-
-/// The message of a run with these failures.
-std::string message_of(std::vector<std::string> failures, RunStatus status);
 
 /// The files of a run.
 struct ResultContents {
   std::vector<TableFile> tables{};  ///< CSV files
   std::vector<ResultFile> texts{};  ///< additional text files
-  Dataset dataset;
-  std::function<nlohmann::ordered_json()> lists;  ///< of summary.json, after the common header
+  nlohmann::ordered_json lists;     ///< of summary.json, after what all have
+  Dataset dataset{};                ///< of experiments that of their Outcome
 };
 
 /// The files of a run, with one new run id: its tables as CSV, its texts, its dataset as netCDF-4 with CF conventions,

@@ -134,9 +134,10 @@ std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepP
       {.input = sweep.cases.front(),
        .command = "sweep",
        .status = status_of(points),
-       .message = message_of(sweep, points),
+       .failures = failure_lines(sweep, points),
        .warnings = warning_lines(sweep, points),
-       .provenance = provenance},
+       .provenance = provenance,
+       .message = message_of(sweep, points)},
       "sweep.nc", "use fewer points", [&](const std::string& /*run_id*/) {
         std::vector<TableFile> tables{
             {"sweep.csv", table_of_points(sweep, points, [](const SweepPoint& point) { return point.rows; })}};
@@ -145,9 +146,8 @@ std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepP
           tables.push_back(
               {more[i], table_of_points(sweep, points, [i](const SweepPoint& point) { return point.more[i]; })});
         }
-        return ResultContents{.tables = std::move(tables), .dataset = sweep_dataset(sweep, points), .lists = [&] {
-                                return sweep_lists(sweep, points);
-                              }};
+        return ResultContents{
+            .tables = std::move(tables), .lists = sweep_lists(sweep, points), .dataset = sweep_dataset(sweep, points)};
       });
 }
 

@@ -6,7 +6,6 @@
 
 #include "bumpfoil/ensemble/ensemble_statistics.hpp"
 #include "bumpfoil/ensemble/ensemble_yield.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
 

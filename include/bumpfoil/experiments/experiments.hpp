@@ -35,6 +35,8 @@ struct SweptResult {
   std::string lists;          ///< of summary.json: a JSON object
 };
 
+struct ResultContents;  // private to the library: result_files() takes it
+
 /// What a run has to show.
 struct Outcome {
   RunStatus status{};
@@ -42,8 +44,8 @@ struct Outcome {
   std::vector<std::string> failures;     ///< a line each
   std::function<std::string()> table{};  ///< for the terminal
   std::function<Dataset()> dataset{};    ///< of result.nc; lives as long as this
-  /// Of the result set. netCDF is not thread-safe: to be called by one thread at a time.
-  std::function<std::vector<ResultFile>(const Provenance&)> files{};
+  /// What its files have beside that; null if they are staged as the run goes.
+  std::function<ResultContents(const std::string& run_id)> contents{};
   std::function<SweptResult(bool with_loops)> swept{};  ///< of experiments that can be swept; lives as long as this
   std::shared_ptr<const CycleResult> cycles{};          ///< of experiments whose results are cycles
 };
@@ -83,6 +85,7 @@ struct ExperimentInfo {
   std::string_view summary;          ///< what it does, for --help
   std::string_view examples;         ///< for --help
   std::vector<std::string> files{};  ///< names of all that it writes
+  std::string_view advice;           ///< how to reduce the memory that its results take
   std::vector<Switch> switches{};
   ExperimentRun run;
   /// Errors of a valid case that only the run of the experiment can tell; may be left out.
@@ -97,6 +100,8 @@ struct ExperimentInfo {
   std::optional<Sampling> sampling{};  ///< of those that ensembles can run
   /// Quantities of its cycles, vibrations or states, in the order of tables. Long names may leave words open.
   std::vector<VariableMeaning> quantities{};
+  /// Quantities of parts with tables of their own: of each speed, revolution, motion or orbit of a rotor.
+  std::vector<VariableMeaning> part_quantities{};
   /// Small runs of the reference case, each with keys of its own, whose results together have all variables that there
   /// may be: the first plain, others with what adds some.
   std::vector<std::vector<std::string>> small_runs{};
@@ -107,6 +112,15 @@ const std::vector<ExperimentInfo>& experiments();
 
 /// The experiment of this name.
 const ExperimentInfo& experiment_named(std::string_view name);
+
+/// The files of a run, with one new run id: its tables as CSV, its texts, its dataset as netCDF-4 with CF conventions,
+/// and summary.json with their checksums, so that readers can tell a whole set from a damaged or mixed one. What is not
+/// known is the fill value of its variable, and null in summary.json.
+/// | netCDF is not thread-safe: call from one thread at a time.
+/// @param outcome  with contents
+/// @throws Error (file) if memory does not suffice
+std::vector<ResultFile> result_files(const ExperimentInfo& experiment, const Case& input, const Outcome& outcome,
+                                     const Provenance& provenance);
 
 /// What the check of the experiment of this name finds in a case; nothing where there is no such experiment, or it has
 /// no check. A CaseCheck.

@@ -70,10 +70,15 @@ auto each(const List& list, const Value& value) {
   return values;
 }
 
-/// What each of a list of quantities means.
-template <typename Quantities>
-std::vector<VariableMeaning> meanings_of(const Quantities& quantities) {
-  return each(quantities, [](const auto& quantity) { return quantity.meaning(); });
+/// What each quantity of some lists means, one list after the other.
+template <typename... Lists>
+std::vector<VariableMeaning> meanings_of(const Lists&... lists) {
+  std::vector<VariableMeaning> meanings;
+  const auto add = [&meanings](const auto& list) {
+    for (const auto& quantity : list) meanings.push_back(quantity.meaning());
+  };
+  (add(lists), ...);
+  return meanings;
 }
 
 /// Names of a list of quantities, after others.

@@ -12,7 +12,7 @@ namespace bumpfoil {
 std::vector<std::string> sweep_file_names(const Sweep& sweep);
 
 /// The files of a sweep, as docs/results.md describes them: sweep.csv, sweep.nc and summary.json, of running
-/// bearings coefficients.csv, too, with the same run id and checksums as those of cycle_files().
+/// bearings coefficients.csv, too, with one run id and checksums, see result_files().
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 /// @param points  one for each case of the sweep; points and cycles that were not begun are flagged as such

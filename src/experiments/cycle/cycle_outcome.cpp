@@ -7,17 +7,19 @@
 #include <optional>
 #include <utility>
 
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/cycle_table.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/cycle/increment_rows.hpp"
+#include "bumpfoil/experiments/cycle/result_names.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/cycle/warnings.hpp"
 #include "case/case_json.hpp"
 #include "experiments/cycle/cycle_dataset.hpp"
 #include "experiments/cycle/cycle_json.hpp"
-#include "experiments/cycle/cycle_record.hpp"
 #include "experiments/cycle/cycle_sampling.hpp"
 #include "experiments/cycle/result_layout.hpp"
+#include "experiments/run_record.hpp"
+#include "results/result_files.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -49,7 +51,12 @@ Outcome cycle_outcome(const Case& input, CycleResult result) {
           .failures = failure_lines(input, *cycles),
           .table = [=] { return cycle_table(input, *cycles); },
           .dataset = [=] { return cycle_dataset(input, *cycles, status, Extent::everything); },
-          .files = [=](const Provenance& provenance) { return cycle_files(input, *cycles, status, provenance); },
+          .contents =
+              [=](const std::string& /*run_id*/) {
+                return ResultContents{
+                    .tables = {{fmt::format("{}.csv", name_of(cycles->experiment)), increment_rows(*cycles)}},
+                    .lists = cycle_lists(input, *cycles)};
+              },
           .swept = [=](bool with_loops) { return swept_cycles(input, *cycles, status, with_loops); },
           .cycles = cycles};
 }
@@ -65,9 +72,9 @@ Outcome stream_path(const Case& input, const Provenance& provenance, ResultFolde
                       }
                       stream->append();
                     }));
-  outcome.files = {};
+  outcome.contents = {};
   const CycleResult& result = *outcome.cycles;
-  stream->finish(cycle_record(input, result, outcome.status, provenance),
+  stream->finish(record_of(name_of(result.experiment), input, outcome, provenance),
                  cycle_dataset(input, result, outcome.status, Extent::totals), cycle_lists(input, result));
   return outcome;
 }
@@ -102,7 +109,8 @@ ExperimentInfo cycle_experiment() {
               "  bumpfoil cycle case.toml -o frictionless --set friction.coefficient=0\n"
               "  bumpfoil cycle case.toml -o fine --set cycle.steps=400 --set 'cycle.directions=[\"+X\"]'\n"
               "  bumpfoil cycle case.toml -o seventeen --sample tolerances/ensemble.nc:17\n",
-          .files = cycle_file_names("cycle"),
+          .files = {"summary.json", "cycle.csv", "result.nc"},
+          .advice = cycle_advice,
           .run = run,
           .sweeping = cycle_sweeping(Experiment::cycle, run),
           .sampling = cycle_sampling(),

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string_view>
+
 #include "bumpfoil/experiments/experiments.hpp"
 
 namespace bumpfoil {
+
+/// Advice to reduce memory.
+inline constexpr std::string_view cycle_advice = "use fewer steps or directions";
 
 /// Outcome of a run whose results are cycles.
 Outcome cycle_outcome(const Case& input, CycleResult result);

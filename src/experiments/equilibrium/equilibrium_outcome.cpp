@@ -7,8 +7,8 @@
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/case_warnings.hpp"
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 #include "bumpfoil/model/case_names.hpp"
 
 namespace bumpfoil {

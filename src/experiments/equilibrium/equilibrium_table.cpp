@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/equilibrium/whirl_quantities.hpp"
 #include "results/table_lines.hpp"

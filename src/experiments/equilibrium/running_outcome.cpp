@@ -1,24 +1,77 @@
 #include "experiments/equilibrium/running_outcome.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 #include "bumpfoil/experiments/equilibrium/film_limits.hpp"
 #include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
 #include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
 #include "case/case_json.hpp"
 #include "experiments/equilibrium/equilibrium_json.hpp"
 #include "experiments/equilibrium/equilibrium_sampling.hpp"
+#include "experiments/equilibrium/film_ross_toml.hpp"
 #include "experiments/equilibrium/running_dataset.hpp"
+#include "results/result_files.hpp"
+#include "results/summary_json.hpp"
 
 namespace bumpfoil {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
+  const FilmBearing& bearing = *result.bearing;
+  Json json;
+  json["states"] = spread.states;
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
+    if (quantity.form.kind != Form::real && quantity.name != "loaded_bumps") continue;
+    if (quantity.is(tag::requested) && quantity.name == "wall_time") continue;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const std::size_t i : spread.states) {
+      const double value = value_of(quantity, bearing, result.states[i]);
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    json[quantity.key()] = {{"min", value_json(least, {})}, {"max", value_json(most, {})}};
+  }
+  return json;
+}
+
+Json equilibrium_lists(const EquilibriumResult& result) {
+  Json json{{"states", Json::array()}, {"spreads", Json::array()}, {"limits", Json::array()}};
+  for (const RunningState& state : result.states) json["states"].push_back(state_json(*result.bearing, state));
+  for (const PathSpread& spread : path_spreads(result)) json["spreads"].push_back(spread_json(result, spread));
+  for (const FilmLimit& limit : result.limits) json["limits"].push_back(limit_json(limit));
+  return json;
+}
+
+std::vector<TableFile> tables_of(const EquilibriumResult& result) {
+  std::vector<TableFile> tables{{fmt::format("{}.csv", command_of(result)), state_table(result)}};
+  if (result.bearing->has_foils()) tables.push_back({"coefficients.csv", film_coefficient_table(result)});
+  return tables;
+}
+
+std::vector<ResultFile> texts_of(const Case& input, const EquilibriumResult& result, const std::string& run_id) {
+  if (!result.bearing->has_foils()) return {};
+  return {{"coefficients.toml", film_ross_toml(input, result, run_id)}};
+}
+
+/// @param result  checked for rotor dynamics, see StateCheckers: coefficients.toml has no bearing without
+ResultContents running_contents(const Case& input, const EquilibriumResult& result, const std::string& run_id) {
+  return {.tables = tables_of(result), .texts = texts_of(input, result, run_id), .lists = equilibrium_lists(result)};
+}
+
 SweptResult swept_states(const Case& input, const EquilibriumResult& result) {
   const EquilibriumSettings& settings = *input.equilibrium;
-  nlohmann::ordered_json lists{{"states", nlohmann::ordered_json::array()}};
+  Json lists{{"states", Json::array()}};
   SweptResult swept{.dataset = equilibrium_dataset(settings, result),
                     .parts = {},
                     .rows = state_table(result),
@@ -28,7 +81,7 @@ SweptResult swept_states(const Case& input, const EquilibriumResult& result) {
     swept.parts.push_back({name_of_state(result.states[i]), place_of(settings, i)});
     lists["states"].push_back(state_json(*result.bearing, result.states[i]));
   }
-  if (result.with_limits) lists["limits"] = nlohmann::ordered_json::array();
+  if (result.with_limits) lists["limits"] = Json::array();
   for (const FilmLimit& limit : result.limits) lists["limits"].push_back(limit_json(limit));
   swept.lists = dump_json(lists, -1);
   return swept;
@@ -46,13 +99,12 @@ Outcome run_swept(const Case& input, const ProgressCallback& progress) {
 
 Outcome running_outcome(const Case& input, EquilibriumResult result) {
   const auto states = std::make_shared<const EquilibriumResult>(std::move(result));
-  const RunStatus status = status_of(*states);
-  return {.status = status,
+  return {.status = status_of(*states),
           .warnings = warning_lines(input, *states),
           .failures = failure_lines(*states),
           .table = [=] { return equilibrium_table(*states); },
           .dataset = [=] { return state_dataset(input, *states); },
-          .files = [=](const Provenance& provenance) { return equilibrium_files(input, *states, status, provenance); },
+          .contents = [=](const std::string& run_id) { return running_contents(input, *states, run_id); },
           .swept = [=](bool /*with_loops*/) { return swept_states(input, *states); }};
 }
 
@@ -87,7 +139,8 @@ ExperimentInfo equilibrium_experiment() {
           "Several states may exist at one speed and load, even without friction: the path decides which is "
           "found.\n"
           "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
-      .files = equilibrium_file_names("equilibrium"),
+      .files = {"summary.json", "equilibrium.csv", "coefficients.csv", "coefficients.toml", "result.nc"},
+      .advice = running_advice,
       .switches = {{.name = "paths",
                     .help = "Compute every state by every path that leads there, and report the spread",
                     .key = "equilibrium.paths",

@@ -1,5 +1,5 @@
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 #include "bumpfoil/experiments/film/wall_film.hpp"
 #include "experiments/equilibrium/running_outcome.hpp"
 
@@ -15,7 +15,8 @@ ExperimentInfo film_experiment() {
           "  bumpfoil film case.toml -o winkler --set film.wall=springs --set film.wall_stiffness=\"5 GPa/m\" "
           "--set film.closed=true\n"
           "[equilibrium] lists positions, not loads: one film for each.\n",
-      .files = equilibrium_file_names("film"),
+      .files = {"summary.json", "film.csv", "result.nc"},
+      .advice = running_advice,
       .run = [](const Case& input,
                 const ProgressCallback& progress) { return running_outcome(input, run_wall_films(input, progress)); },
       .quantities = meanings_of(all_running_quantities()),

@@ -15,8 +15,6 @@
 namespace bumpfoil {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::vector<std::string> fit_failures(const FitResult& result) {
   switch (result.status) {
     case Status::converged:
@@ -29,29 +27,10 @@ std::vector<std::string> fit_failures(const FitResult& result) {
   }
 }
 
-std::vector<ResultFile> fit_files(const Case& input, const FitResult& result, RunStatus status,
-                                  const Provenance& provenance) {
-  const std::vector<std::string> failures = fit_failures(result);
-  const std::vector<std::string> warnings = fit_warnings(result);
-  return make_result_files({.input = input,
-                            .command = "fit",
-                            .status = status,
-                            .message = message_of(failures, status),
-                            .warnings = warnings,
-                            .provenance = provenance},
-                           "fit.nc", "use fewer points", [&](const std::string& /*run_id*/) {
-                             ResultContents contents{.tables = {{"fit.csv", fitted_points(result)}},
-                                                     .dataset = fit_dataset(result),
-                                                     .lists = [&] {
-                                                       Json json{{"failures", failures}, {"warnings", warnings}};
-                                                       json.update(fit_lists(result));
-                                                       return json;
-                                                     }};
-                             if (!result.parameters.empty()) {
-                               contents.texts.push_back({"case.toml", fitted_case_text(result)});
-                             }
-                             return contents;
-                           });
+ResultContents fit_contents(const FitResult& result) {
+  ResultContents contents{.tables = {{"fit.csv", fitted_points(result)}}, .lists = fit_lists(result)};
+  if (!result.parameters.empty()) contents.texts.push_back({"case.toml", fitted_case_text(result)});
+  return contents;
 }
 
 /// Running bearings use Newton's method, whatever solves loops and vibrations.
@@ -71,32 +50,31 @@ ExperimentInfo fit_experiment() {
   const std::string loop =
       "fit.data=[{displacements=[0, 3e-5, 5e-5, 6e-5, 7e-5, 6.5e-5, 5e-5, 3e-5, 0], "
       "forces=[0, 0, 130, 290, 460, 360, 110, 0, 0], points=8}]";
-  return {
-      .name = "fit",
-      .summary = "Find parameters of the case from measured data, as specified in [fit]",
-      .examples =
-          "  bumpfoil fit examples/fit.toml -o fit\n"
-          "  bumpfoil fit examples/fit.toml -o robust --set fit.huber=1.345\n"
-          "  bumpfoil cycle fit/case.toml -o fitted\n",
-      .files = {"summary.json", "fit.csv", "fit.nc", "case.toml"},
-      .run =
-          [](const Case& input, const ProgressCallback& progress) {
-            const auto result = std::make_shared<const FitResult>(run_fit(input, progress));
-            const std::vector<std::string> failures = fit_failures(*result);
-            const RunStatus status = result->status == Status::interrupted ? RunStatus::interrupted
-                                     : failures.empty()                    ? RunStatus::complete
-                                                                           : RunStatus::failed;
-            return Outcome{
-                .status = status,
-                .warnings = fit_warnings(*result),
-                .failures = failures,
-                .table = [=] { return fit_table(*result); },
-                .dataset = [=] { return fit_dataset(*result); },
-                .files = [=](const Provenance& provenance) { return fit_files(input, *result, status, provenance); }};
-          },
-      .solvers = fit_solvers,
-      .small_runs = {{"bump_foil.bumps=8", "fit.starts=1", "fit.profile=true", loop,
-                      "fit.parameter=[{key=\"friction.coefficient\", start=0.1, lower=0.0, upper=0.5}]"}}};
+  return {.name = "fit",
+          .summary = "Find parameters of the case from measured data, as specified in [fit]",
+          .examples =
+              "  bumpfoil fit examples/fit.toml -o fit\n"
+              "  bumpfoil fit examples/fit.toml -o robust --set fit.huber=1.345\n"
+              "  bumpfoil cycle fit/case.toml -o fitted\n",
+          .files = {"summary.json", "fit.csv", "fit.nc", "case.toml"},
+          .advice = "use fewer points",
+          .run =
+              [](const Case& input, const ProgressCallback& progress) {
+                const auto result = std::make_shared<const FitResult>(run_fit(input, progress));
+                const std::vector<std::string> failures = fit_failures(*result);
+                const RunStatus status = result->status == Status::interrupted ? RunStatus::interrupted
+                                         : failures.empty()                    ? RunStatus::complete
+                                                                               : RunStatus::failed;
+                return Outcome{.status = status,
+                               .warnings = fit_warnings(*result),
+                               .failures = failures,
+                               .table = [=] { return fit_table(*result); },
+                               .dataset = [=] { return fit_dataset(*result); },
+                               .contents = [=](const std::string& /*run_id*/) { return fit_contents(*result); }};
+              },
+          .solvers = fit_solvers,
+          .small_runs = {{"bump_foil.bumps=8", "fit.starts=1", "fit.profile=true", loop,
+                          "fit.parameter=[{key=\"friction.coefficient\", start=0.1, lower=0.0, upper=0.5}]"}}};
 }
 
 }  // namespace bumpfoil

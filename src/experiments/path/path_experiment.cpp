@@ -1,4 +1,3 @@
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
 #include "experiments/cycle/cycle_outcome.hpp"
@@ -14,7 +13,8 @@ ExperimentInfo path_experiment() {
               "  bumpfoil path case.toml -o whirl --set 'path.centre=[\"0 N\",\"-100 N\"]' --set "
               "'path.semi_axes=[\"20 N\",\"20 N\"]'\n"
               "  bumpfoil path case.toml -o measured --set path.file=path.csv\n",
-          .files = cycle_file_names("path"),
+          .files = {"summary.json", "path.csv", "result.nc"},
+          .advice = cycle_advice,
           .run = [](const Case& input,
                     const ProgressCallback& progress) { return cycle_outcome(input, run_path(input, progress)); },
           .staged =

@@ -15,38 +15,18 @@
 namespace bumpfoil {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::vector<ResultFile> stability_files(const Case& input, const StabilityResult& result, RunStatus status,
-                                        const Provenance& provenance) {
-  const std::vector<std::string> failures = failure_lines(result);
-  const std::vector<std::string> warnings = warning_lines(input, result);
-  return make_result_files({.input = input,
-                            .command = "stability",
-                            .status = status,
-                            .message = message_of(failures, status),
-                            .warnings = warnings,
-                            .provenance = provenance},
-                           "result.nc", "use fewer speeds", [&](const std::string& /*run_id*/) {
-                             return ResultContents{.tables = {{"stability.csv", motion_table(result)}},
-                                                   .dataset = stability_dataset(result),
-                                                   .lists = [&] {
-                                                     Json json{{"failures", failures}, {"warnings", warnings}};
-                                                     json.update(stability_lists(result));
-                                                     return json;
-                                                   }};
-                           });
-}
-
 Outcome stability_outcome(const Case& input, StabilityResult made) {
   const auto result = std::make_shared<const StabilityResult>(std::move(made));
-  const RunStatus status = status_of(*result);
-  return {.status = status,
+  return {.status = status_of(*result),
           .warnings = warning_lines(input, *result),
           .failures = failure_lines(*result),
           .table = [=] { return stability_table(*result); },
           .dataset = [=] { return stability_dataset(*result); },
-          .files = [=](const Provenance& provenance) { return stability_files(input, *result, status, provenance); },
+          .contents =
+              [=](const std::string& /*run_id*/) {
+                return ResultContents{.tables = {{"stability.csv", motion_table(*result)}},
+                                      .lists = stability_lists(*result)};
+              },
           .swept =
               [=](bool /*with_loops*/) {
                 return SweptResult{.dataset = stability_dataset(*result, false),
@@ -77,10 +57,12 @@ ExperimentInfo stability_experiment() {
           "Growth is the real part of a rate over the speed of rotation; 1: the motion grows by a factor e per "
           "radian.\n",
       .files = {"summary.json", "stability.csv", "result.nc"},
+      .advice = "use fewer speeds",
       .run = run,
       .sweeping = sweeping,
       .sampling = rotor_sampling("stable_up_to", sweeping),
       .quantities = meanings_of(stability_quantities()),
+      .part_quantities = meanings_of(speed_quantities(), motion_quantities()),
       .small_runs = {speeds}};
 }
 

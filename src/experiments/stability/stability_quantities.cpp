@@ -260,13 +260,6 @@ std::span<const MotionQuantity> motion_quantities() {
   return motion_quantity_table;
 }
 
-std::vector<VariableMeaning> stability_meanings() {
-  std::vector<VariableMeaning> meanings = meanings_of(stability_quantity_table);
-  for (const SpeedQuantity& quantity : speed_quantity_table) meanings.push_back(quantity.meaning());
-  for (const MotionQuantity& quantity : motion_quantity_table) meanings.push_back(quantity.meaning());
-  return meanings;
-}
-
 std::optional<bool> is_stable(const SpeedPoint& point) {
   bool known = true;
   for (const bool stuck : {false, true}) {

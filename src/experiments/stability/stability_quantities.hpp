@@ -51,9 +51,6 @@ struct SpeedMotion {
 using MotionQuantity = Quantity<double (*)(const SpeedMotion&)>;
 std::span<const MotionQuantity> motion_quantities();
 
-/// Columns of tables: of the whole run, of each speed, and of each motion.
-std::vector<VariableMeaning> stability_meanings();
-
 /// Motions at one speed, with sliding contacts first.
 std::vector<SpeedMotion> motions_at(const SpeedPoint& point);
 

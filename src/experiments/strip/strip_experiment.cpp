@@ -1,4 +1,3 @@
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
 #include "experiments/cycle/cycle_outcome.hpp"
@@ -15,7 +14,8 @@ ExperimentInfo strip_experiment() {
               "  bumpfoil strip examples/strip.toml -o strip\n"
               "  bumpfoil strip examples/strip.toml -o pressed --set strip.preload=\"100 N\"\n"
               "  bumpfoil strip examples/strip.toml -o free --set strip.weld=none\n",
-          .files = cycle_file_names("strip"),
+          .files = {"summary.json", "strip.csv", "result.nc"},
+          .advice = cycle_advice,
           .run = run,
           .sweeping = cycle_sweeping(Experiment::strip, run),
           .quantities = meanings_of(cycle_quantities(Experiment::strip)),

@@ -7,6 +7,7 @@
 #include "bumpfoil/model/validation.hpp"
 #include "case/case_json.hpp"
 #include "core/collect_errors.hpp"
+#include "experiments/run_record.hpp"
 #include "experiments/run_sampling.hpp"
 #include "experiments/transient/transient_checkpoint.hpp"
 #include "experiments/transient/transient_quantities.hpp"
@@ -40,32 +41,12 @@ Json transient_lists(const TransientReading& reading) {
   return json;
 }
 
-RunRecord record_of(const Case& input, const TransientReading& reading, const Provenance& provenance) {
-  const RunStatus status = status_of(reading);
-  return {.input = input,
-          .command = "transient",
-          .status = status,
-          .message = message_of(failure_lines(reading), status),
-          .warnings = warning_lines(input, reading),
-          .provenance = provenance};
-}
+constexpr std::string_view advice = "use fewer steps";
 
-Json all_lists(const Case& input, const TransientReading& reading) {
-  Json json{{"failures", failure_lines(reading)},
-            {"warnings", warning_lines(input, reading)},
-            {"stations", each(reading.result.machine.places(), [](const RotorStation& place) { return place.name; })}};
+Json all_lists(const TransientReading& reading) {
+  Json json{{"stations", each(reading.result.machine.places(), [](const RotorStation& place) { return place.name; })}};
   json.update(transient_lists(reading));
   return json;
-}
-
-std::vector<ResultFile> transient_files(const Case& input, const TransientReading& reading,
-                                        const Provenance& provenance) {
-  return make_result_files(record_of(input, reading, provenance), "result.nc", "use fewer steps",
-                           [&](const std::string& /*run_id*/) {
-                             return ResultContents{.tables = {{"transient.csv", revolution_table(reading)}},
-                                                   .dataset = transient_dataset(reading),
-                                                   .lists = [&] { return all_lists(input, reading); }};
-                           });
 }
 
 using SharedReading = std::shared_ptr<const TransientReading>;
@@ -76,7 +57,11 @@ Outcome transient_outcome(const Case& input, const SharedReading& reading) {
           .failures = failure_lines(*reading),
           .table = [=] { return transient_table(*reading); },
           .dataset = [=] { return transient_dataset(*reading); },
-          .files = [=](const Provenance& provenance) { return transient_files(input, *reading, provenance); },
+          .contents =
+              [=](const std::string& /*run_id*/) {
+                return ResultContents{.tables = {{"transient.csv", revolution_table(*reading)}},
+                                      .lists = all_lists(*reading)};
+              },
           .swept =
               [=](bool /*with_loops*/) {
                 return SweptResult{.dataset = swept_dataset(*reading),
@@ -97,10 +82,10 @@ Outcome stage_transient(const Case& input, const StagedRun& staged, const Progre
   kept.run.progress = progress;
   const SharedReading reading = reading_of(run_transient(input, std::move(begun), kept.table, kept.run));
   Outcome outcome = transient_outcome(input, reading);
-  outcome.files = {};
-  stage_result_files(record_of(input, *reading, staged.provenance), "result.nc", "use fewer steps",
-                     transient_dataset(*reading), all_lists(input, *reading), staged.folder,
-                     {{"transient.csv", revolution_table(*reading)}});
+  const ResultContents contents = outcome.contents("");
+  stage_result_files(record_of("transient", input, outcome, staged.provenance), "result.nc", advice, outcome.dataset(),
+                     contents.lists, staged.folder, contents.tables);
+  outcome.contents = {};
   return outcome;
 }
 
@@ -136,6 +121,7 @@ ExperimentInfo transient_experiment() {
               "time=\"0.1 s\"}' --set 'transient.pulse={force=[\"0 N\", \"20 N\"], begin=\"5 ms\", duration=\"1 "
               "ms\"}'\n",
           .files = {"summary.json", "transient.csv", "result.nc"},
+          .advice = advice,
           .run = run,
           .check = transient_errors,
           .staged = stage_transient,
@@ -143,6 +129,7 @@ ExperimentInfo transient_experiment() {
           .sweeping = sweeping,
           .sampling = rotor_sampling("largest_half_peak_to_peak", sweeping),
           .quantities = meanings_of(run_quantities()),
+          .part_quantities = meanings_of(whole_turn_quantities(), turn_quantities()),
           .small_runs = {small}};
 }
 

@@ -71,36 +71,18 @@ Json unbalance_lists(const UnbalanceResult& result) {
   return json;
 }
 
-std::vector<ResultFile> unbalance_files(const Case& input, const UnbalanceResult& result, RunStatus status,
-                                        const Provenance& provenance) {
-  const std::vector<std::string> failures = failure_lines(result);
-  const std::vector<std::string> warnings = warning_lines(input, result);
-  return make_result_files({.input = input,
-                            .command = "unbalance",
-                            .status = status,
-                            .message = message_of(failures, status),
-                            .warnings = warnings,
-                            .provenance = provenance},
-                           "result.nc", "use fewer speeds", [&](const std::string& /*run_id*/) {
-                             return ResultContents{.tables = {{"unbalance.csv", response_table(result)}},
-                                                   .dataset = unbalance_dataset(result),
-                                                   .lists = [&] {
-                                                     Json json{{"failures", failures}, {"warnings", warnings}};
-                                                     json.update(unbalance_lists(result));
-                                                     return json;
-                                                   }};
-                           });
-}
-
 Outcome unbalance_outcome(const Case& input, UnbalanceResult made) {
   const auto result = std::make_shared<const UnbalanceResult>(std::move(made));
-  const RunStatus status = status_of(*result);
-  return {.status = status,
+  return {.status = status_of(*result),
           .warnings = warning_lines(input, *result),
           .failures = failure_lines(*result),
           .table = [=] { return unbalance_table(*result); },
           .dataset = [=] { return unbalance_dataset(*result); },
-          .files = [=](const Provenance& provenance) { return unbalance_files(input, *result, status, provenance); },
+          .contents =
+              [=](const std::string& /*run_id*/) {
+                return ResultContents{.tables = {{"unbalance.csv", response_table(*result)}},
+                                      .lists = unbalance_lists(*result)};
+              },
           .swept =
               [=](bool /*with_loops*/) {
                 return SweptResult{.dataset = unbalance_dataset(*result, false),
@@ -135,6 +117,7 @@ ExperimentInfo unbalance_experiment() {
           "grade_speed=\"24000 rpm\"}]'\n"
           "  bumpfoil sweep examples/rotor.toml --command unbalance --over 'rotor.mass=[1 kg, 2 kg, 4 kg]' -o masses\n",
       .files = {"summary.json", "unbalance.csv", "result.nc"},
+      .advice = "use fewer speeds",
       .switches = {{.name = "orbits",
                     .help = "Also find the periodic orbits with contacts and friction, by steps in time",
                     .key = "unbalance.orbits",
@@ -143,6 +126,7 @@ ExperimentInfo unbalance_experiment() {
       .sweeping = sweeping,
       .sampling = rotor_sampling("largest_amplitude", sweeping),
       .quantities = meanings_of(unbalance_quantities()),
+      .part_quantities = meanings_of(response_quantities(), point_quantities(), orbit_quantities()),
       .small_runs = {speeds, with_orbits}};
 }
 

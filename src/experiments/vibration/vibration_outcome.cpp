@@ -1,14 +1,17 @@
 #include "experiments/vibration/vibration_outcome.hpp"
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "bumpfoil/experiments/vibration/vibration_table.hpp"
 #include "case/case_json.hpp"
+#include "experiments/vibration/ross_toml.hpp"
 #include "experiments/vibration/vibration_dataset.hpp"
 #include "experiments/vibration/vibration_quantities.hpp"
 #include "experiments/vibration/vibration_summary.hpp"
 #include "experiments/vibration/vibration_tables.hpp"
+#include "results/result_files.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -38,19 +41,26 @@ SweptResult swept_vibrations(const Case& input, const VibrationResult& result, b
   return swept;
 }
 
+ResultContents vibration_contents(const Case& input, const VibrationResult& result, const std::string& run_id) {
+  const VibrationSettings& settings = *input.vibration;
+  const std::vector<LinearFoils> all = linear_foils(settings, result);
+  const Dataset totals = vibration_dataset(input, result, all, false);
+  return {.tables = {{"vibration.csv", loop_table(totals, settings)}, {"coefficients.csv", coefficient_table(totals)}},
+          .texts = {{"coefficients.toml", ross_toml(settings, all, run_id)}},
+          .lists = vibration_lists(input, result, totals)};
+}
+
 }  // namespace
 
 Outcome vibration_outcome(const Case& input, VibrationResult result) {
   const auto vibrations = std::make_shared<const VibrationResult>(std::move(result));
-  const RunStatus status = status_of(*vibrations);
-  return {
-      .status = status,
-      .warnings = warning_lines(input, *vibrations),
-      .failures = failure_lines(input, *vibrations),
-      .table = [=] { return vibration_table(input, *vibrations); },
-      .dataset = [=] { return vibration_dataset(input, *vibrations, linear_foils(*input.vibration, *vibrations)); },
-      .files = [=](const Provenance& provenance) { return vibration_files(input, *vibrations, status, provenance); },
-      .swept = [=](bool with_loops) { return swept_vibrations(input, *vibrations, with_loops); }};
+  return {.status = status_of(*vibrations),
+          .warnings = warning_lines(input, *vibrations),
+          .failures = failure_lines(input, *vibrations),
+          .table = [=] { return vibration_table(input, *vibrations); },
+          .dataset = [=] { return vibration_dataset(input, *vibrations, linear_foils(*input.vibration, *vibrations)); },
+          .contents = [=](const std::string& run_id) { return vibration_contents(input, *vibrations, run_id); },
+          .swept = [=](bool with_loops) { return swept_vibrations(input, *vibrations, with_loops); }};
 }
 
 ExperimentInfo vibration_experiment() {
@@ -71,7 +81,8 @@ ExperimentInfo vibration_experiment() {
               "  bumpfoil vibration examples/vibration.toml -o heavy --set "
               "'vibration.loads=[[\"0 N\", \"-200 N\"]]'\n"
               "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
-          .files = vibration_file_names(),
+          .files = {"summary.json", "vibration.csv", "coefficients.csv", "coefficients.toml", "result.nc"},
+          .advice = "use fewer steps, loads or amplitudes",
           .run = run,
           .sweeping = Sweeping{
               .run = run,

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "bumpfoil/experiments/vibration/vibration_table.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/vibration/vibration_quantities.hpp"

@@ -1,10 +1,12 @@
+#include "bumpfoil/experiments/vibration/vibration_table.hpp"
+
 #include <fmt/format.h>
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "experiments/vibration/vibration_dataset.hpp"
 #include "experiments/vibration/vibration_quantities.hpp"
@@ -12,6 +14,23 @@
 #include "results/table_lines.hpp"
 
 namespace bumpfoil {
+
+RunStatus status_of(const VibrationResult& result) {
+  std::vector<Status> vibrations;
+  for (const Vibration& vibration : result.vibrations) vibrations.push_back(vibration.cycle.status);
+  return run_status(vibrations, vibrations.size());
+}
+
+std::vector<std::string> failure_lines(const Case& input, const VibrationResult& result) {
+  return failure_lines(*input.vibration, result);
+}
+
+std::vector<std::string> warning_lines(const Case& input, const VibrationResult& result) {
+  std::vector<std::string> lines = case_warnings(input);
+  const std::vector<std::string> more = warning_lines(*input.vibration, result);
+  lines.insert(lines.end(), more.begin(), more.end());
+  return lines;
+}
 
 std::string vibration_table(const Case& input, const VibrationResult& result) {
   const VibrationSettings& settings = *input.vibration;

@@ -51,8 +51,31 @@ TEST(Experiments, RunACaseToTheFilesThatTheyName) {
   EXPECT_NE(outcome.table().find("maximum force"), std::string::npos);
   ASSERT_TRUE(outcome.cycles);
   std::set<std::string> written;
-  for (const ResultFile& file : outcome.files({})) written.insert(file.name);
+  for (const ResultFile& file : result_files(cycle, input, outcome, {})) written.insert(file.name);
   EXPECT_EQ(written, std::set<std::string>(cycle.files.begin(), cycle.files.end()));
+}
+
+TEST(Experiments, AllWriteTheFilesThatTheyNameWithWhatFailedAndWarnings) {
+  for (const ExperimentInfo& experiment : experiments()) {
+    const Case input =
+        parse_case(case_template("gen1"), "",
+                   {.overrides = experiment.small_runs.front(), .commands = {std::string(experiment.name)}});
+    Outcome outcome = experiment.run(input, {});
+    outcome.failures = {"a failure"};
+    outcome.warnings = {"a warning", "another"};
+    std::set<std::string> written;
+    for (const ResultFile& file : result_files(experiment, input, outcome, {})) {
+      written.insert(file.name);
+      if (file.name != "summary.json") continue;
+      const auto summary = nlohmann::json::parse(file.contents);
+      EXPECT_EQ(summary.at("command"), experiment.name);
+      EXPECT_EQ(summary.at("failures"), nlohmann::json::array({"a failure"})) << experiment.name;
+      EXPECT_EQ(summary.at("warnings"), nlohmann::json({"a warning", "another"})) << experiment.name;
+    }
+    std::set<std::string> named(experiment.files.begin(), experiment.files.end());
+    for (std::set<std::string>* names : {&written, &named}) names->erase("case.toml");  // only with a result
+    EXPECT_EQ(written, named) << experiment.name;
+  }
 }
 
 TEST(Experiments, EndWhenTheirProgressSaysSo) {

@@ -13,12 +13,10 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/increment_rows.hpp"
 #include "bumpfoil/experiments/cycle/sampled_cycles.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
@@ -27,9 +25,12 @@
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/csv_text.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
 #include "experiments/equilibrium/equilibrium_json.hpp"
+#include "experiments/equilibrium/running_outcome.hpp"
 #include "pages/shown_run.hpp"
 #include "pages/shown_states.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -89,7 +90,7 @@ TEST(DesignerAnswer, CyclesAreThoseOfAReport) {
   const Case input = parse_case(case_text(), "case");
   const CycleResult result = run_cycles(input);
   const test_support::TemporaryFolder folder;
-  for (const ResultFile& file : cycle_files(input, result, status_of(result), {}))
+  for (const ResultFile& file : test_support::files_of("cycle", input, cycle_outcome(input, result)))
     folder.write(file.name, file.contents);
   json expected = json::parse(report_json({folder.path()}))["runs"][0];
   json run = json::parse(shown_run(input, result).dump());
@@ -198,7 +199,7 @@ TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
   const EquilibriumResult result = run_equilibrium(input);
   ASSERT_EQ(status_of(result), RunStatus::failed);
   const test_support::TemporaryFolder folder;
-  for (const ResultFile& file : equilibrium_files(input, result, status_of(result), {}))
+  for (const ResultFile& file : test_support::files_of("equilibrium", input, running_outcome(input, result)))
     folder.write(file.name, file.contents);
   const json expected = json::parse(report_json({folder.path()}))["runs"][0];
   const json run = json::parse(shown_states(input, result).dump());
@@ -324,8 +325,7 @@ TEST(DesignerAnswer, RotorsAreThoseOfAReport) {
   input.settings.set(StabilitySettings{.speeds = {1450.0, 1250.0, 1.0}});
   const StabilityResult result = run_stability(input);
   const test_support::TemporaryFolder folder;
-  for (const ResultFile& file : experiment_named("stability").run(input, {}).files({}))
-    folder.write(file.name, file.contents);
+  for (const ResultFile& file : test_support::files_of("stability", input)) folder.write(file.name, file.contents);
   const json expected = json::parse(report_json({folder.path()}))["runs"][0];
   const json run = json::parse(shown_rotor(input, result).dump());
   EXPECT_FALSE(run["attributes"]["status_message"].empty());

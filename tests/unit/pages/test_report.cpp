@@ -16,11 +16,12 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
 #include "support/bearing_cases.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -43,7 +44,8 @@ class Results {
  public:
   explicit Results(const CycleResult& result, const Case& input = short_case(),
                    RunStatus status = RunStatus::complete) {
-    for (const ResultFile& file : cycle_files(input, result, status, {})) folder_.write(file.name, file.contents);
+    for (const ResultFile& file : test_support::files_of("cycle", input, cycle_outcome(input, result), status))
+      folder_.write(file.name, file.contents);
   }
   [[nodiscard]] std::filesystem::path path() const { return folder_.path(); }
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
@@ -296,7 +298,8 @@ TEST(Report, LeavesThePathsOfTheMachineOut) {
   const Provenance provenance{
       .command_line = "bumpfoil cycle '/home/jo doe/case.toml' -o /tmp/a/b --set 'f=\"/data/h.csv\"' -q 1/2 ../x",
       .case_text = ""};
-  for (const ResultFile& file : cycle_files(input, run_cycles(input), RunStatus::complete, provenance)) {
+  for (const ResultFile& file :
+       test_support::files_of("cycle", input, cycle_outcome(input, run_cycles(input)), {}, provenance)) {
     folder.write(file.name, file.contents);
   }
   const std::string text = report_json({folder.path()});
@@ -418,8 +421,8 @@ TEST(Report, ReadsTheNewSetWhereItsPublicationWasCutShort) {
   input.title = "new";
   const std::filesystem::path mine = results.path() / "result.nc";
   {
-    ResultFolder folder(results.path(), Existing::replace, cycle_file_names("cycle"));
-    for (const ResultFile& file : cycle_files(input, run_cycles(input), RunStatus::complete, {})) {
+    ResultFolder folder(results.path(), Existing::replace, experiment_named("cycle").files);
+    for (const ResultFile& file : test_support::files_of("cycle", input)) {
       folder.stage(file.name, file.contents);
     }
     int step = 0;
@@ -454,7 +457,7 @@ TEST(Report, SaysWhichResultsItCannotShow) {
   netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::write).putAtt("bumpfoil_command", "orbit");
   const std::vector<InputError> errors = errors_of({results.path()}, false);
   ASSERT_EQ(errors.size(), 1U);
-  EXPECT_EQ(errors[0].what, "is a result of `bumpfoil orbit`, which reports cannot show");
+  EXPECT_EQ(errors[0].what, "is a result of `bumpfoil orbit`, which this version does not have");
 }
 
 TEST(Report, KeepsHostileTextsInsideTheirScriptElement) {

@@ -6,6 +6,7 @@
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/reported_run.hpp"
+#include "support/run_files.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -24,7 +25,7 @@ class ReportOfRotors : public test_support::ReportedRun {
     StabilitySettings settings;
     settings.speeds = {speed_of_rpm(-12600.0), speed_of_rpm(-13200.0)};
     input.settings.set(settings);
-    write(experiment_named("stability").run(input, {}).files({}));
+    write(test_support::files_of("stability", input));
   }
 };
 

@@ -10,6 +10,7 @@
 #include "bumpfoil/results/result_set.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/reported_run.hpp"
+#include "support/run_files.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -25,7 +26,7 @@ class ReportOfRunsInTime : public test_support::ReportedRun {
     input.settings.set(TransientSettings{.speed = {{.to = speed_of_rpm(-9000.0), .time = 12.5 * 60.0 / 9000.0}},
                                          .steps_per_revolution = 20,
                                          .revolutions_per_spectrum = 2});
-    files_ = experiment_named("transient").run(input, {}).files({});
+    files_ = test_support::files_of("transient", input);
   }
   static void TearDownTestSuite() { files_.clear(); }
 

@@ -7,6 +7,7 @@
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/reported_run.hpp"
+#include "support/run_files.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -21,7 +22,7 @@ class ReportOfUnbalance : public test_support::ReportedRun {
     input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
     input.settings.set(UnbalanceSettings{
         .speeds = speeds_of_rpm({-4000.0, -7000.0, -10000.0, -13000.0}), .orbits = true, .steps_per_revolution = 30});
-    write(experiment_named("unbalance").run(input, {}).files({}));
+    write(test_support::files_of("unbalance", input));
   }
 };
 

@@ -13,6 +13,7 @@
 #include "bumpfoil/results/result_set.hpp"
 #include "readers/foil_shapes.hpp"
 #include "support/bearing_cases.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -20,7 +21,7 @@ namespace {
 
 /// result.nc of an experiment.
 std::string stored(const std::string& command, const Case& input) {
-  for (ResultFile& file : experiment_named(command).run(input, {}).files({})) {
+  for (ResultFile& file : test_support::files_of(command, input)) {
     if (file.name == "result.nc") return std::move(file.contents);
   }
   return {};

@@ -24,12 +24,9 @@ class StagedResultFiles : public ::testing::Test {
   void stage(const Dataset& dataset) {
     const Provenance provenance{.command_line = "bumpfoil", .case_text = ""};
     ResultFolder folder(folder_.path() / "results", Existing::refuse, {"summary.json", "numbers.nc"});
-    stage_result_files({.input = input_,
-                        .command = "montecarlo",
-                        .status = RunStatus::complete,
-                        .message = "",
-                        .provenance = provenance},
-                       "numbers.nc", "use fewer samples", dataset, {{"samples", 25'000}}, folder);
+    stage_result_files(
+        {.input = input_, .command = "montecarlo", .status = RunStatus::complete, .provenance = provenance},
+        "numbers.nc", "use fewer samples", dataset, {{"samples", 25'000}}, folder);
     folder.publish();
   }
 
@@ -90,8 +87,9 @@ TEST(ResultFiles, LeaveOutTimes) {
     const Provenance provenance{.command_line = "bumpfoil", .case_text = "text", .times = times};
     return make_result_files({.input = input,
                               .command = "vibration",
-                              .status = RunStatus::complete,
-                              .message = "",
+                              .status = RunStatus::failed,
+                              .failures = {"no modes", "no tangent"},
+                              .warnings = {"careful"},
                               .provenance = provenance},
                              "result.nc", "", [](const std::string& run_id) {
                                ResultContents contents;
@@ -105,9 +103,7 @@ TEST(ResultFiles, LeaveOutTimes) {
                                contents.texts = {{"case.toml", "a,wall_time_s\n" + run_id}};
                                contents.dataset.add({"wall_time", "s", "time"}, {}, std::vector<double>{0.5});
                                contents.dataset.add({"force", "N", "force"}, {}, std::vector<double>{3.0});
-                               contents.lists = [] {
-                                 return nlohmann::ordered_json{{"loops", {{{"force_N", 3.0}, {"wall_time_s", 0.5}}}}};
-                               };
+                               contents.lists = {{"loops", {{{"force_N", 3.0}, {"wall_time_s", 0.5}}}}};
                                return contents;
                              });
   };
@@ -118,12 +114,16 @@ TEST(ResultFiles, LeaveOutTimes) {
   EXPECT_EQ(timed[0].contents, "a,wall_time_s,b\n1,0.5,word\n,,\"x, y\"\n");
   EXPECT_EQ(files[1].contents, "a\n1\n");
   const auto summary = nlohmann::json::parse(files[4].contents);
+  EXPECT_EQ(summary.at("failures"), nlohmann::json({"no modes", "no tangent"}));
+  EXPECT_EQ(summary.at("warnings"), nlohmann::json::array({"careful"}));
   EXPECT_EQ(summary.at("loops").at(0), nlohmann::json({{"force_N", 3.0}}));
   EXPECT_EQ(nlohmann::json::parse(timed[4].contents).at("loops").at(0).at("wall_time_s"), 0.5);
   EXPECT_EQ(files[2].contents, "a,wall_time_s\n" + summary.at("run_id").get<std::string>());
   const NetcdfImage file(files[3].contents, "result.nc");
   const NetcdfImage with_times(timed[3].contents, "result.nc");
   EXPECT_EQ(file.numbers(file.variable("force", {})), std::vector<double>{3.0});
+  EXPECT_EQ(file.texts().at("status_message"), "no modes; no tangent");
+  EXPECT_EQ(file.texts().at("warnings"), "careful");
   EXPECT_FALSE(file.variables().contains("wall_time"));
   EXPECT_TRUE(with_times.variables().contains("wall_time"));
   for (const char* told : {"date_created", "history"}) {
@@ -176,9 +176,8 @@ TEST_F(StagedResultFiles, AreWrittenAsTheyCome) {
   }
   Dataset totals;
   totals.add({"work", "J", "work"}, {}, std::vector<double>{7.0});
-  stream.finish(
-      {.input = input_, .command = "transient", .status = RunStatus::complete, .message = "", .provenance = provenance},
-      totals, {{"steps", 1000}});
+  stream.finish({.input = input_, .command = "transient", .status = RunStatus::complete, .provenance = provenance},
+                totals, {{"steps", 1000}});
   folder.publish();
   const NetcdfImage file(folder_.read("results/numbers.nc"), "numbers.nc");
   ASSERT_EQ(file.size_of("step"), 1000U);

@@ -18,11 +18,12 @@
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
 #include "experiments/cycle/result_layout.hpp"
 #include "support/bearing_cases.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -54,7 +55,8 @@ class OpenedResult {
  public:
   explicit OpenedResult(const CycleResult& result, const Case& input = described_case(),
                         RunStatus status = RunStatus::complete, const Provenance& provenance = {}) {
-    const std::vector<ResultFile> files = cycle_files(input, result, status, provenance);
+    const std::vector<ResultFile> files =
+        test_support::files_of("cycle", input, cycle_outcome(input, result), status, provenance);
     folder_.write("result.nc", files[1].contents);
     summary_ = nlohmann::json::parse(files[2].contents);
     file_ = std::make_unique<NcFile>((folder_.path() / "result.nc").string(), NcFile::read);
@@ -284,8 +286,7 @@ TEST(CycleDataset, SaysWhereItComesFrom) {
 
 TEST(CycleDataset, KeepsItsVariablesInOrderAndTakesFurtherOnes) {
   const TemporaryFolder folder;
-  const std::string path = folder.write(
-      "result.nc", cycle_files(described_case(), run_cycles(described_case()), RunStatus::complete, {})[1].contents);
+  const std::string path = folder.write("result.nc", test_support::files_of("cycle", described_case())[1].contents);
   int file = 0;
   // netCDF adds to no file that has forgotten its order.
   ASSERT_EQ(nc_open(path.c_str(), NC_WRITE, &file), NC_NOERR);

@@ -1,4 +1,4 @@
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include "bumpfoil/experiments/strip/strip.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/csv_text.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -27,7 +28,8 @@ const CycleResult& filed_run() {
 }
 
 std::vector<ResultFile> files_of(const CycleResult& result) {
-  return cycle_files(reference_case(), result, RunStatus::complete, {});
+  return test_support::files_of("cycle", reference_case(), cycle_outcome(reference_case(), result),
+                                RunStatus::complete);
 }
 
 TEST(CycleFiles, SummaryKnowsTheOthersByTheirChecksums) {
@@ -61,7 +63,7 @@ TEST(CycleFiles, CarryTheSameRunIdAndEveryRunItsOwn) {
 TEST(CycleFiles, OfAStripAreNamedSo) {
   Case input = reference_case();
   input.strip = StripSettings{.bumps = 2, .amplitude = {Control::displacement, 1e-6}, .steps = 1};
-  EXPECT_EQ(cycle_files(input, run_strip(input), RunStatus::complete, {})[0].name, "strip.csv");
+  EXPECT_EQ(test_support::files_of("strip", input)[0].name, "strip.csv");
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/result_names.hpp"
 #include "support/bearing_cases.hpp"
+#include "support/run_files.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -42,7 +42,7 @@ double sum(const json& numbers) {
 
 TEST(CycleJson, StandsBehindWhatWasRun) {
   const Case input = summarised_case();
-  const json summary = json::parse(cycle_files(input, run_cycles(input), RunStatus::complete, {})[2].contents);
+  const json summary = json::parse(test_support::files_of("cycle", input)[2].contents);
   EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/2");
   EXPECT_EQ(summary.at("version"), version());
   EXPECT_EQ(summary.at("solver"), "newton");

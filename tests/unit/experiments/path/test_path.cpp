@@ -334,7 +334,7 @@ void expect_same_files(const Case& input, const ProgressCallback& progress = {})
   EXPECT_EQ(staged.failures, kept.failures);
   EXPECT_EQ(staged.warnings, kept.warnings);
   std::map<std::string, std::string> expected;
-  for (const ResultFile& file : kept.files(provenance)) expected[file.name] = file.contents;
+  for (const ResultFile& file : result_files(path, input, kept, provenance)) expected[file.name] = file.contents;
   EXPECT_EQ(scratch.read("results/path.csv"), expected.at("path.csv"));
   const NetcdfImage is(scratch.read("results/result.nc"), "is");
   const NetcdfImage be(expected.at("result.nc"), "to be");

@@ -30,8 +30,13 @@ Case rotor_case(const std::vector<double>& rpm, FilmResolution mesh = {6, 8}) {
   return input;
 }
 
+const Case& outcome_case() {
+  static const Case input = rotor_case({-12000.0, -12600.0, -13200.0});
+  return input;
+}
+
 const Outcome& outcome() {
-  static const Outcome run = experiment_named("stability").run(rotor_case({-12000.0, -12600.0, -13200.0}), {});
+  static const Outcome run = experiment_named("stability").run(outcome_case(), {});
   return run;
 }
 
@@ -68,7 +73,7 @@ TEST(Stability, TellsTheOnsetOfThePrototype) {
 TEST(Stability, WritesALineForEachMotion) {
   std::string csv;
   nlohmann::json summary;
-  for (const ResultFile& file : outcome().files({})) {
+  for (const ResultFile& file : result_files(experiment_named("stability"), outcome_case(), outcome(), {})) {
     if (file.name == "stability.csv") csv = file.contents;
     if (file.name == "summary.json") summary = nlohmann::json::parse(file.contents);
   }

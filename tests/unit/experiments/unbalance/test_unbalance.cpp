@@ -44,8 +44,8 @@ UnbalanceSettings with_orbits(Case& input, int steps_per_revolution) {
   return settings;
 }
 
-std::string file_of(const Outcome& outcome, const std::string& name) {
-  for (const ResultFile& file : outcome.files({})) {
+std::string file_of(const Case& input, const Outcome& outcome, const std::string& name) {
+  for (const ResultFile& file : result_files(experiment_named("unbalance"), input, outcome, {})) {
     if (file.name == name) return file.contents;
   }
   ADD_FAILURE() << name;
@@ -94,9 +94,10 @@ TEST(Unbalance, TakesAGrade) {
 }
 
 TEST(Unbalance, WritesALineForEachStation) {
-  const Outcome outcome = experiment_named("unbalance").run(unbalanced_case({-11000.0, -12000.0}), {});
+  const Case input = unbalanced_case({-11000.0, -12000.0});
+  const Outcome outcome = experiment_named("unbalance").run(input, {});
   EXPECT_EQ(outcome.status, RunStatus::complete);
-  const std::string csv = file_of(outcome, "unbalance.csv");
+  const std::string csv = file_of(input, outcome, "unbalance.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "speed_rad_per_s,station,amplitude_x_m,phase_x_deg,amplitude_y_m,phase_y_deg,half_peak_to_peak_x_m,"
             "half_peak_to_peak_y_m,h_min_m,friction_loss_J,power_W,mean_x_m,mean_y_m,amplitude_x_2x_m,phase_x_2x_deg,"
@@ -104,7 +105,7 @@ TEST(Unbalance, WritesALineForEachStation) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
   EXPECT_NE(csv.find(",bearing 1,"), std::string::npos);
   EXPECT_NE(csv.find(",linear_stuck,converged\n"), std::string::npos);
-  const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
+  const auto summary = nlohmann::json::parse(file_of(input, outcome, "summary.json"));
   EXPECT_EQ(summary.at("speeds").at(1).at("responses").size(), 2U);
   EXPECT_EQ(summary.at("stations"), nlohmann::json::array({"bearing 1"}));
   EXPECT_NE(outcome.table().find("Small orbits, contacts stuck"), std::string::npos);
@@ -188,7 +189,7 @@ TEST(Unbalance, IsSwept) {
   const auto lists = nlohmann::json::parse(swept.lists);
   EXPECT_GT(lists.at("largest_amplitude_m"), 0.0);
   EXPECT_FALSE(lists.contains("least_h_min_m"));
-  EXPECT_EQ(csv_text(swept.rows), file_of(outcome, "unbalance.csv"));
+  EXPECT_EQ(csv_text(swept.rows), file_of(input, outcome, "unbalance.csv"));
 }
 
 /// An orbit is stable if it was found and no multiplier exceeds 1; without multipliers it is unknown.
@@ -208,8 +209,9 @@ TEST(Unbalance, SaysWhichOrbitsLast) {
 TEST(Unbalance, FindsThePeak) {
   std::vector<double> rpm;
   for (double one = -4000.0; one >= -16000.0; one -= 1000.0) rpm.push_back(one);
-  const Outcome outcome = experiment_named("unbalance").run(unbalanced_case(rpm), {});
-  const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
+  const Case input = unbalanced_case(rpm);
+  const Outcome outcome = experiment_named("unbalance").run(input, {});
+  const auto summary = nlohmann::json::parse(file_of(input, outcome, "summary.json"));
   ASSERT_FALSE(summary.at("peaks").empty());
   const double peak = std::abs(summary.at("peaks").at(0).at("speed_rad_per_s").get<double>());
   double largest = 0.0;
@@ -336,9 +338,9 @@ TEST(Unbalance, FindsTheOrbit) {
   ASSERT_FALSE(orbit.multipliers.empty());
   EXPECT_LT(std::abs(orbit.multipliers[0]), 1.0);
   const Outcome outcome = experiment_named("unbalance").run(input, {});
-  const std::string csv = file_of(outcome, "unbalance.csv");
+  const std::string csv = file_of(input, outcome, "unbalance.csv");
   EXPECT_NE(csv.find(",orbit,converged\n"), std::string::npos);
-  const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
+  const auto summary = nlohmann::json::parse(file_of(input, outcome, "summary.json"));
   EXPECT_EQ(summary.at("speeds").at(0).at("orbit_status"), "converged");
   EXPECT_NE(outcome.table().find("Periodic orbits with friction"), std::string::npos);
 }

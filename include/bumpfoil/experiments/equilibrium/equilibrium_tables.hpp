@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/results/table.hpp"
@@ -13,20 +12,8 @@ namespace bumpfoil {
 /// The command that gives such a result: equilibrium or, with a wall in place of foils, film.
 std::string_view command_of(const EquilibriumResult& result);
 
-/// Names of the files of such a command.
-std::vector<std::string> equilibrium_file_names(std::string_view command);
-
 /// How a run ended.
 RunStatus status_of(const EquilibriumResult& result);
-
-/// The files of a run, as docs/results.md describes them: equilibrium.csv with coefficients.csv and coefficients.toml,
-/// or film.csv; result.nc and summary.json, with the same run id and checksums as those of cycles.
-///
-/// netCDF is not thread-safe: to be called by one thread at a time.
-/// @param result  checked for rotor dynamics, see StateCheckers: coefficients.toml has no bearing without
-/// @throws Error (file) if the memory does not suffice
-std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
-                                          const Provenance& provenance);
 
 /// Rows of equilibrium.csv or film.csv: one for each state.
 Table state_table(const EquilibriumResult& result);

@@ -1,4 +1,4 @@
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,9 @@
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/csv_text.hpp"
 #include "core/number_text.hpp"
+#include "experiments/equilibrium/running_outcome.hpp"
 #include "support/film_bearing_cases.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -44,6 +46,10 @@ const EquilibriumResult& example(bool fails = false) {
   return fails ? failed : result;
 }
 
+std::vector<ResultFile> running_files(const Case& input, const EquilibriumResult& result, RunStatus status) {
+  return test_support::files_of("equilibrium", input, running_outcome(input, result), status);
+}
+
 std::vector<std::string> rows_of_csv(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
@@ -55,7 +61,7 @@ std::vector<std::string> rows_of_csv(const std::string& text) {
 }
 
 TEST(EquilibriumFiles, AreOneSet) {
-  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  const std::vector<ResultFile> files = running_files(small_case(), example(), RunStatus::complete);
   ASSERT_EQ(files.size(), 5U);
   EXPECT_EQ(files[0].name, "equilibrium.csv");
   EXPECT_EQ(files[1].name, "coefficients.csv");
@@ -103,7 +109,7 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
   EXPECT_TRUE(lines[1].ends_with(fmt::format(",{:.17g}", whirl.stuck_impedance->imag()(1, 1) / whirl.frequency)));
   // At the frequency of the rotation these are quantities of the state, too.
   const json state =
-      json::parse(equilibrium_files(small_case(), example(), RunStatus::complete, {})[4].contents).at("states").at(0);
+      json::parse(running_files(small_case(), example(), RunStatus::complete)[4].contents).at("states").at(0);
   EXPECT_EQ(state.at("whirl_frequency_rad_per_s"), whirl.frequency);
   EXPECT_EQ(state.at("kyx_whirl_N_per_m"), Z(1, 0).real());
   EXPECT_EQ(state.at("cxy_whirl_N_s_per_m"), Z(0, 1).imag() / whirl.frequency);
@@ -128,7 +134,7 @@ TEST(EquilibriumFiles, TellOfTiltedJournals) {
   input.equilibrium->loads = {{40.0, 0.0}};
   StateCheckers checkers;
   const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
-  const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
+  const std::vector<ResultFile> files = running_files(input, result, RunStatus::complete);
   EXPECT_NE(files[0].contents.find(",tilt_x_rad,tilt_y_rad,moment_x_N_m,moment_y_N_m,"), std::string::npos);
   EXPECT_NE(files[1].contents.find(",kaa_N_m_per_rad,"), std::string::npos);
   EXPECT_NE(files[2].contents.find("[bearing."), std::string::npos);  // ROSS gets what it knows
@@ -150,8 +156,7 @@ TEST(EquilibriumFiles, TellOfTiltedJournals) {
   input.width.tilt = {-1e-4, 0.0};
   const EquilibriumResult other = run_equilibrium(input, {}, {}, &checkers);
   const netCDF::NcFile mirrored(
-      folder.write("mirrored.nc", equilibrium_files(input, other, RunStatus::complete, {})[3].contents),
-      netCDF::NcFile::read);
+      folder.write("mirrored.nc", running_files(input, other, RunStatus::complete)[3].contents), netCDF::NcFile::read);
   for (const auto& [name, sign] : {std::pair("film_top_slope", -1.0), std::pair("film_top_parabola", 1.0)}) {
     const Vector mode = values_of(file, name);
     const double largest = mode.cwiseAbs().maxCoeff();
@@ -167,7 +172,7 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   StateCheckers checkers;
   const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const std::vector<FilmWhirl>& whirls = result.states[1].whirls;
-  const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
+  const std::vector<ResultFile> files = running_files(input, result, RunStatus::complete);
   const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(folder.write("result.nc", files[3].contents), netCDF::NcFile::read);
   std::vector<double> frequencies(3), stiffness(6), damping(6);
@@ -197,7 +202,7 @@ TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
   const EquilibriumResult result = run_equilibrium(small_case(), {}, {}, &checkers);
   const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(
-      folder.write("result.nc", equilibrium_files(small_case(), result, RunStatus::complete, {})[3].contents),
+      folder.write("result.nc", running_files(small_case(), result, RunStatus::complete)[3].contents),
       netCDF::NcFile::read);
   std::vector<double> stiffness(2 * 10);
   ASSERT_EQ(file.getDim("frequency").getSize(), 10U);
@@ -212,7 +217,7 @@ TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
 TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
   EquilibriumResult result = example(true);
   result.states[1].last->clearance_offset = 2e-6;
-  const std::vector<ResultFile> files = equilibrium_files(small_case(), result, RunStatus::failed, {});
+  const std::vector<ResultFile> files = running_files(small_case(), result, RunStatus::failed);
   const json failed = json::parse(files[4].contents).at("states").at(1);
   EXPECT_TRUE(failed.at("x_m").is_null());
   EXPECT_GT(failed.at("last_state").at("x_m"), 0.0);
@@ -223,7 +228,7 @@ TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
 TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
   const test_support::TemporaryFolder folder;
   const std::string path =
-      folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[3].contents);
+      folder.write("result.nc", running_files(small_case(), example(true), RunStatus::failed)[3].contents);
   const netCDF::NcFile file(path, netCDF::NcFile::read);
   std::string status;
   file.getAtt("status").getValues(status);
@@ -273,7 +278,7 @@ TEST(EquilibriumFiles, HaveThePadsInARow) {
   const EquilibriumResult& result = padded_example();
   ASSERT_TRUE(result.converged());
   const test_support::TemporaryFolder folder;
-  const std::vector<ResultFile> files = equilibrium_files(padded_case(), result, RunStatus::complete, {});
+  const std::vector<ResultFile> files = running_files(padded_case(), result, RunStatus::complete);
   const std::string path = folder.write("result.nc", files[3].contents);
   const netCDF::NcFile file(path, netCDF::NcFile::read);
   const std::size_t columns = 3 * 33;
@@ -309,7 +314,7 @@ TEST(EquilibriumFiles, HaveThePadsInARow) {
   EXPECT_NEAR(state.at("h_min_theta_deg").get<double>(), theta[thinnest] * 180.0 / std::numbers::pi, 1e-9);
   EXPECT_NE(files[0].contents.find(",h_min_theta_deg,h_min_pad,"), std::string::npos);
   // Those of one pad have none of it.
-  const std::vector<ResultFile> plain = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  const std::vector<ResultFile> plain = running_files(small_case(), example(), RunStatus::complete);
   EXPECT_EQ(plain[0].contents.find("pad"), std::string::npos);
   EXPECT_FALSE(json::parse(plain[4].contents).at("states").at(0).contains("pad_forces_x_N"));
 }
@@ -368,7 +373,7 @@ TEST(EquilibriumLines, NameStatesByWhereTheyCameFrom) {
   state.before = state.requested;
   state.before->speed *= 2.0;
   EXPECT_EQ(name_of_state(state), "load_ramp from 90000 rpm, 45000 rpm, load (60, 0) N");
-  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  const std::vector<ResultFile> files = running_files(small_case(), example(), RunStatus::complete);
   EXPECT_EQ(json::parse(files.back().contents).at("states").at(1).at("name"), name_of_state(example().states[1]));
 }
 
@@ -441,7 +446,7 @@ TEST(EquilibriumFiles, TellWhatBoundsALimitAndWhatIsUnstable) {
   EXPECT_TRUE(lines[1].ends_with(fmt::format(",,30,stability,100,{:.17g},stability,31,60", point.speed))) << csv;
   EXPECT_TRUE(lines[2].ends_with(",,,,,,,,")) << csv;
   const json limits =
-      json::parse(equilibrium_files(small_case(), result, RunStatus::complete, {}).back().contents).at("limits");
+      json::parse(running_files(small_case(), result, RunStatus::complete).back().contents).at("limits");
   EXPECT_TRUE(limits.at(0).at("speed_rad_per_s").is_null());
   EXPECT_EQ(limits.at(0).at("bounded_by"), "stability");
   EXPECT_EQ(limits.at(0).at("unstable").at(0).at("from_speed_rad_per_s"), 100.0);
@@ -522,7 +527,7 @@ TEST(EquilibriumLines, WarnOfAThinFilmOverTheOverhang) {
 
 TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
   const test_support::TemporaryFolder folder;
-  std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  std::vector<ResultFile> files = running_files(small_case(), example(), RunStatus::complete);
   for (const ResultFile& file : files) folder.write(file.name, file.contents);
   const json run = json::parse(report_json({folder.path()})).at("runs").at(0);
   EXPECT_EQ(run.at("kind"), "equilibrium");

@@ -1,4 +1,4 @@
-#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "bumpfoil/experiments/vibration/vibration_table.hpp"
 
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
@@ -14,6 +14,8 @@
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "experiments/vibration/ross_toml.hpp"
+#include "experiments/vibration/vibration_outcome.hpp"
+#include "support/run_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -36,8 +38,9 @@ struct Run {
   Case input{filed_vibration_case()};
   VibrationResult result{run_vibration(input)};
   std::vector<LinearFoils> foils{linear_foils(*input.vibration, result)};
-  std::vector<ResultFile> files{
-      vibration_files(input, result, RunStatus::failed, {.command_line = "bumpfoil", .case_text = ""})};
+  std::vector<ResultFile> files{test_support::files_of("vibration", input, vibration_outcome(input, result),
+                                                       RunStatus::failed,
+                                                       {.command_line = "bumpfoil", .case_text = ""})};
 
   [[nodiscard]] std::string file(std::string_view name) const {
     for (const ResultFile& one : files) {
@@ -66,12 +69,12 @@ std::vector<std::vector<std::string>> table_of(const std::string& csv) {
 
 TEST(VibrationFiles, AreOneSetWithSummaryKnowingTheOthers) {
   const json summary = json::parse(run().file("summary.json"));
-  ASSERT_EQ(run().files.size(), vibration_file_names().size());
+  ASSERT_EQ(run().files.size(), experiment_named("vibration").files.size());
   EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/2");
   EXPECT_EQ(summary.at("command"), "vibration");
   EXPECT_EQ(summary.at("status"), "failed");
   EXPECT_EQ(summary.at("case").at("vibration").at("loads"), json::parse("[[0.0, -50.0], [0.0, -1e8]]"));
-  for (const std::string& name : vibration_file_names()) {
+  for (const std::string& name : experiment_named("vibration").files) {
     if (name == "summary.json") continue;
     EXPECT_EQ(summary.at("files").at(name).at("xxh3_128"), xxh3_128(run().file(name))) << name;
   }
@@ -166,8 +169,8 @@ TEST(VibrationFiles, TellWhatEachPadTakes) {
   input.vibration->directions.pop_back();
   const VibrationResult result = run_vibration(input);
   const test_support::TemporaryFolder folder;
-  for (const ResultFile& file :
-       vibration_files(input, result, status_of(result), {.command_line = "bumpfoil", .case_text = ""})) {
+  for (const ResultFile& file : test_support::files_of("vibration", input, vibration_outcome(input, result), {},
+                                                       {.command_line = "bumpfoil", .case_text = ""})) {
     folder.write(file.name, file.contents);
   }
   const netCDF::NcFile file((folder.path() / "result.nc").string(), netCDF::NcFile::read);
@@ -270,8 +273,8 @@ TEST(VibrationFiles, OfOrbitsHaveASenseForADirection) {
   const VibrationResult result = run_vibration(input);
   const std::vector<LinearFoils> foils = linear_foils(*input.vibration, result);
   const test_support::TemporaryFolder folder;
-  for (const ResultFile& file :
-       vibration_files(input, result, status_of(result), {.command_line = "bumpfoil", .case_text = ""})) {
+  for (const ResultFile& file : test_support::files_of("vibration", input, vibration_outcome(input, result), {},
+                                                       {.command_line = "bumpfoil", .case_text = ""})) {
     folder.write(file.name, file.contents);
   }
   const auto table = table_of(folder.read("vibration.csv"));
