@@ -481,7 +481,7 @@ def revolutions(result: Result, *, width: str = "double", station: int = 1) -> F
     way.set_ylabel("motion (µm)")
     way.set_ylim(bottom=0.0)
     film.plot(time, 1e6 * data["thinnest_film"].min("station").to_numpy(), **_style(0))
-    film.set_ylabel("thinnest film (µm)")
+    film.set_ylabel("minimum film thickness (µm)")
     film.set_ylim(bottom=0.0)
     speed.plot(time, abs(data["revolution_speed"].to_numpy()) * 30.0 / np.pi, **_style(0))
     speed.set_ylabel("speed (rpm)")
@@ -522,7 +522,7 @@ def _responses(result: Result, station: str | None) -> tuple[str, list[tuple[str
     if name not in known:
         raise ValueError(f"station is {station!r}; it is one of {', '.join(known)}")
     kinds = (
-        ("linear_stuck", "contacts stuck", {"linestyle": "-"}),
+        ("linear_stuck", "full stick", {"linestyle": "-"}),
         ("linear_sliding", "contacts sliding", {"linestyle": "--"}),
         ("orbit", "orbit with friction", {"linestyle": "none", "marker": "o"}),
     )
@@ -604,7 +604,7 @@ def polar(result: Result, *, width: str = "single", station: str | None = None) 
 def orbits(result: Result, *, width: str = "single", speed: float | None = None) -> Figure:
     """Orbits of the journals of a rotor under unbalance, about their centres in equilibrium or their means.
 
-    Small ones with contacts stuck and sliding, and the periodic one with friction, of two harmonics, where the result has
+    Small ones at full stick and with contacts sliding, and the periodic one with friction, of two harmonics, where the result has
     it; a dot where the rotor is at angle 0.
 
     Parameters
@@ -625,7 +625,7 @@ def orbits(result: Result, *, width: str = "single", speed: float | None = None)
     bearings = data.sizes["bearing"]
     sheet = Sheet(width, *arranged(width, bearings), panel_height=60)
     for bearing, ax in enumerate(sheet.panels):
-        for kind, words, line, number in ((1, "contacts stuck", "-", 0), (0, "contacts sliding", "--", 0), (2, "orbit with friction", "-", 1)):
+        for kind, words, line, number in ((1, "full stick", "-", 0), (0, "contacts sliding", "--", 0), (2, "orbit with friction", "-", 1)):
             if kind >= data.sizes["kind"]:
                 continue
             own = at.isel(kind=kind, station=bearing)

@@ -160,7 +160,7 @@ def running_coefficients(result: Result, ax: Axes) -> Axes:
             text = ", ".join(part for part in (name, label) if part)
             ax.plot(over, 1e-6 * rows[f"{name}_stuck_N_per_m"], label=text, markersize=4, **style)
     ax.set_xlabel(words)
-    ax.set_ylabel("stiffness, contacts stuck (MN/m)")
+    ax.set_ylabel("stiffness, full stick (MN/m)")
     _legend(ax, 2 * len(lines))
     return ax
 

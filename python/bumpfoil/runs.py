@@ -283,7 +283,7 @@ def optimise(
         range as for the program, ``"60 um:90 um:10 um"`` (end included). With ``equilibrium.speeds`` each point has
         one speed.
     command : str
-        ``cycle``, ``strip``, ``vibration``, ``equilibrium``, ``stability`` or ``unbalance``.
+        ``cycle``, ``strip``, ``vibration``, ``equilibrium``, ``stability``, ``unbalance`` or ``transient``.
     threads : int, optional
         To run points on; by default all cores.
     limits : bool

@@ -194,7 +194,7 @@ std::vector<std::string> optimise_failures(const OptimiseResult& result) {
 std::vector<std::string> optimise_warnings(const OptimiseResult& result) {
   std::vector<std::string> lines;
   if (result.status == OptimiseStatus::no_result) return lines;
-  constexpr std::array<std::string_view, 4> words{"", "failed", "make no bearing", "lack a quantity"};
+  constexpr std::array<std::string_view, 4> words{"", "failed", "are invalid", "lack a quantity"};
   for (const PointStatus status : {PointStatus::failed, PointStatus::not_physical, PointStatus::no_value}) {
     const std::size_t count = count_status(result, status);
     if (count == 0) continue;

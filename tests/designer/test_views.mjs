@@ -172,7 +172,7 @@ test('the rotor is that of the program, quickly at first, beside the design befo
     });
     const number = (words) => Number(words.replace('−', '-').split(' ')[0]);
     for (const kind of ['sliding', 'stuck']) {
-      await view.getByRole('button', { name: `Contacts ${kind}` }).click();
+      await view.getByRole('button', { name: kind === 'stuck' ? 'Full stick' : 'Contacts sliding' }).click();
       const { speed_rad_per_s: onset } = summary.onsets.find((one) => one.contacts === kind && !one.by_coefficients);
       const due = (onset * 30) / Math.PI;
       assert.ok(Math.abs(number(await shown('onset')) - due) <= 1e-5 * due, `${await shown('onset')}, not ${due}`);

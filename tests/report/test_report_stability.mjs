@@ -28,7 +28,8 @@ const csvOf = (name) => rowsOf(readFileSync(join(folder, name, 'stability.csv'),
 const panelOf = (page, name) => page.getByRole('region', { name, exact: true });
 const shownIn = async (page, name) => rowsOf((await saved(page, name, /CSV/)).bytes.toString());
 const chooser = (page, name) => page.getByRole('combobox', { name: `${name} shown` });
-const contacts = (page, kind) => page.getByRole('group', { name: 'Contacts shown' }).getByRole('button', { name: `Contacts ${kind}` });
+const wordsOf = (kind) => (kind === 'stuck' ? 'full stick' : 'contacts sliding');
+const contacts = (page, kind) => page.getByRole('group', { name: 'Contacts shown' }).getByRole('button', { name: new RegExp(wordsOf(kind), 'i') });
 const tableOf = (page, name) => page.getByRole('group', { name, exact: true }).locator('tbody tr').evaluateAll((lines) => lines.map((line) => [...line.children].map((cell) => cell.textContent)));
 
 test('motions are those of stability.csv, with contacts sliding and stuck', () =>
@@ -43,7 +44,7 @@ test('motions are those of stability.csv, with contacts sliding and stuck', () =
       const expected = own.filter((row) => lasting.has(row.mode));
       assert.ok(expected.length > 10);
       for (const panel of ['Campbell diagram', 'Growth over speed', 'Root locus']) {
-        assert.match(await panelOf(page, panel).locator('.subject').textContent(), new RegExp(`^contacts ${kind}`));
+        assert.match(await panelOf(page, panel).locator('.subject').textContent(), new RegExp(`^${wordsOf(kind)}`));
         const shown = await shownIn(page, panel);
         assert.equal(shown.length, expected.length);
         for (const row of shown) {
@@ -87,7 +88,7 @@ test('onsets are said as the terminal says them', () =>
     const { onsets } = summaryOf('rotor');
     assert.ok(onsets.some((onset) => onset.contacts === 'stuck'));
     const rows = await tableOf(page, 'Table of onsets');
-    assert.deepEqual(rows.map(([name]) => name), ['Onset of whirl, contacts sliding', 'Onset of whirl, contacts stuck', 'By synchronous coefficients, contacts sliding', 'By synchronous coefficients, contacts stuck']);
+    assert.deepEqual(rows.map(([name]) => name), ['Onset of whirl, contacts sliding', 'Onset of whirl, full stick', 'By synchronous coefficients, contacts sliding', 'By synchronous coefficients, full stick']);
     rows.forEach(([, text], i) => {
       const own = onsets.filter((onset) => onset.contacts === ['sliding', 'stuck'][i % 2] && onset.by_coefficients === i > 1);
       const words = own.map((onset) => `whirl ${onset.begins ? 'begins' : 'ends'} at ${Number(((onset.speed_rad_per_s * 30) / Math.PI).toPrecision(6))} rpm, whirl ratio ${onset.whirl_ratio.toFixed(4)}${onset.jumps ? ' (contacts change there)' : ''}`);

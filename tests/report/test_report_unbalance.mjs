@@ -76,7 +76,7 @@ test('lines are solid where contacts stick and dashed where they slide, and mark
       const texts = await plot.locator('text').allTextContents();
       assert.ok(texts.includes('Speed (rpm)') && texts.includes(name.endsWith('phase') ? 'Phase (°)' : 'Amplitude (µm)'), texts.join());
       const legend = await panelOf(page, name).locator('.legend li').allTextContents();
-      for (const axis of ['X', 'Y']) for (const kind of ['small orbits, contacts stuck', 'small orbits, contacts sliding', 'periodic orbits with friction']) assert.ok(legend.includes(`${axis}, ${kind}`), legend.join());
+      for (const axis of ['X', 'Y']) for (const kind of ['small orbits, full stick', 'small orbits, contacts sliding', 'periodic orbits with friction']) assert.ok(legend.includes(`${axis}, ${kind}`), legend.join());
       assert.ok(legend.includes('filled: the orbit lasts, hollow: it does not'));
     }
     const polar = await (await plotsIn(panelOf(page, 'Polar plot'))).locator('text').allTextContents();
@@ -121,7 +121,7 @@ test('phases have no jumps by a turn', () =>
 test('peaks, multipliers and films are those of summary.json', () =>
   withReport('orbits.html', async (page) => {
     const { peaks, speeds } = summaryOf('orbits');
-    const kinds = { linear_sliding: 'Small orbits, contacts sliding', linear_stuck: 'Small orbits, contacts stuck', orbit: 'Periodic orbits with friction' };
+    const kinds = { linear_sliding: 'Small orbits, contacts sliding', linear_stuck: 'Small orbits, full stick', orbit: 'Periodic orbits with friction' };
     const rows = await tableOf(page, 'Table of peaks');
     assert.ok(peaks.length >= 2);
     assert.equal(rows.length, peaks.length);

@@ -17,7 +17,7 @@ inline constexpr int most_points = 1'000'000;
 
 /// An error of a case, and the command that it prevents; empty: all of them.
 struct CommandError {
-  /// "cycle", "strip", "path", "vibration", "equilibrium", "limits" of it, "film" or "montecarlo"
+  /// Name of an experiment, "limits" of equilibrium, or "montecarlo".
   std::string_view command;
   InputError error;
 };

@@ -22,8 +22,8 @@ std::string onset_lines(const StabilityResult& result) {
         line += (line.empty() ? "" : "; ") + onset_text(found);
       }
       if (line.empty()) line = "none between these speeds";
-      out += fmt::format("{}, contacts {}: {}\n", by_coefficients ? "by synchronous coefficients" : "onset of whirl",
-                         stuck ? "stuck" : "sliding", line);
+      out += fmt::format("{}, {}: {}\n", by_coefficients ? "by synchronous coefficients" : "onset of whirl",
+                         stuck ? "full stick" : "contacts sliding", line);
     }
   }
   return out;

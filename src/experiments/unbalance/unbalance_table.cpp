@@ -17,7 +17,7 @@ constexpr std::size_t most_responses_shown = 40;
 constexpr std::size_t most_stations_shown = 4;
 
 std::string_view heading_of(ResponseKind kind) {
-  constexpr std::array<std::string_view, 3> headings{"Small orbits, contacts sliding", "Small orbits, contacts stuck",
+  constexpr std::array<std::string_view, 3> headings{"Small orbits, contacts sliding", "Small orbits, full stick",
                                                      "Periodic orbits with friction, 1x"};
   return headings.at(static_cast<std::size_t>(kind));
 }

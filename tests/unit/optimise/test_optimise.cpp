@@ -135,7 +135,7 @@ TEST(Optimise, KeepsPointsThatFailWhichNeverWin) {
   EXPECT_EQ(best_of(result).status, PointStatus::converged);
   const std::vector<std::string> warnings = optimise_warnings(result);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
-                          [](const std::string& line) { return line.find("make no bearing") != std::string::npos; }));
+                          [](const std::string& line) { return line.find("are invalid") != std::string::npos; }));
   EXPECT_NE(csv_text(point_table(result)).find(",not_physical,false,"), std::string::npos);
 }
 

@@ -151,7 +151,7 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
     ],
     csv: () => {
       const [p, h] = [pressure(), film()];
-      return toCsv(['phi_deg', 'pressure_beyond_ambient_Pa', 'film_thickness_m'], angles().map((angle, i) => [(angle * 180) / Math.PI, p[i], h[i]]));
+      return toCsv(['phi_deg', 'gauge_pressure_Pa', 'film_thickness_m'], angles().map((angle, i) => [(angle * 180) / Math.PI, p[i], h[i]]));
     },
     draw: (root, current, shown) => {
       const font = { 'font-size': letters(size, shown) };

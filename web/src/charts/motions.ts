@@ -4,7 +4,7 @@ import type { Place } from '../data/grid';
 import { at } from '../data/run';
 import { speedText } from '../data/states';
 import { formatNumber } from '../data/units';
-import { contactKinds, onsetText, type Mode, type Whirls } from '../data/whirls';
+import { contactKinds, contactTexts, onsetText, type Mode, type Whirls } from '../data/whirls';
 import { svg } from '../ui/dom';
 import type { GridSelection } from '../ui/grid_selection';
 import type { LegendEntry } from '../ui/legend';
@@ -129,7 +129,7 @@ class MotionPanel {
   }
 
   private get subject(): string {
-    return `contacts ${this.contactWord} · ${this.whirls.label}`;
+    return `${at([...contactTexts], this.contacts)} · ${this.whirls.label}`;
   }
 
   private read(): void {

@@ -8,7 +8,7 @@ const revolutions = 30 / Math.PI;
 const degrees = 180 / Math.PI;
 
 /** How a response was found, in the order of result.nc, as people are told. */
-export const responseKinds = ['small orbits, contacts sliding', 'small orbits, contacts stuck', 'periodic orbits with friction'] as const;
+export const responseKinds = ['small orbits, contacts sliding', 'small orbits, full stick', 'periodic orbits with friction'] as const;
 /** Of these. */
 export const sliding = 0;
 export const stuck = 1;

@@ -6,6 +6,7 @@ const revolutions = 30 / Math.PI;
 
 /** What slipping contacts do, in the order of result.nc. */
 export const contactKinds = ['sliding', 'stuck'] as const;
+export const contactTexts = ['contacts sliding', 'full stick'] as const;
 
 /** A motion that keeps its number from speed to speed. */
 export interface Mode {
@@ -72,7 +73,7 @@ export class Whirls extends Grid {
   }
 
   get contacts(): Coordinate {
-    return { name: 'contacts', title: 'Contacts', texts: contactKinds.map((kind) => `contacts ${kind}`), unit: '' };
+    return { name: 'contacts', title: 'Contacts', texts: [...contactTexts], unit: '' };
   }
 
   get motion(): Coordinate {

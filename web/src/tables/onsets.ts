@@ -1,5 +1,5 @@
 import { toCsv } from '../data/csv';
-import { contactKinds, onsetText, type Whirls } from '../data/whirls';
+import { contactKinds, contactTexts, onsetText, type Whirls } from '../data/whirls';
 import { el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
@@ -8,9 +8,9 @@ import { scroller } from '../ui/scroller';
 /** Where whirl begins and ends, in the words of the terminal. */
 export function onsetTable(whirls: Whirls): HTMLElement {
   const rows = [false, true].flatMap((byCoefficients) =>
-    contactKinds.map((kind, contacts) => {
+    contactTexts.map((text, contacts) => {
       const texts = whirls.onsets(contacts).filter((onset) => onset.by_coefficients === byCoefficients).map(onsetText);
-      return { name: `${byCoefficients ? 'By synchronous coefficients' : 'Onset of whirl'}, contacts ${kind}`, texts: texts.length > 0 ? texts : ['none between these speeds'] };
+      return { name: `${byCoefficients ? 'By synchronous coefficients' : 'Onset of whirl'}, ${text}`, texts: texts.length > 0 ? texts : ['none between these speeds'] };
     }),
   );
   const panel = new Panel(

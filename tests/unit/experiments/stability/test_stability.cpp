@@ -67,7 +67,7 @@ TEST(Stability, TellsTheOnsetOfThePrototype) {
   EXPECT_NE(table.find("onset of whirl, contacts sliding: whirl begins at -13072.4 rpm, whirl ratio 0.4908"),
             std::string::npos)
       << table;
-  EXPECT_NE(table.find("by synchronous coefficients, contacts stuck: none between these speeds"), std::string::npos);
+  EXPECT_NE(table.find("by synchronous coefficients, full stick: none between these speeds"), std::string::npos);
 }
 
 TEST(Stability, WritesALineForEachMotion) {

@@ -108,7 +108,7 @@ TEST(Unbalance, WritesALineForEachStation) {
   const auto summary = nlohmann::json::parse(file_of(input, outcome, "summary.json"));
   EXPECT_EQ(summary.at("speeds").at(1).at("responses").size(), 2U);
   EXPECT_EQ(summary.at("stations"), nlohmann::json::array({"bearing 1"}));
-  EXPECT_NE(outcome.table().find("Small orbits, contacts stuck"), std::string::npos);
+  EXPECT_NE(outcome.table().find("Small orbits, full stick"), std::string::npos);
 }
 
 /// The film of an orbit and that of the equilibrium are two variables, each with its own numbers.
