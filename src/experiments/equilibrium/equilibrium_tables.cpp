@@ -1,7 +1,5 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium_tables.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
@@ -9,6 +7,7 @@
 #include "experiments/equilibrium/whirl_quantities.hpp"
 
 namespace bumpfoil {
+
 Table state_table(const EquilibriumResult& result) {
   Table table;
   for (const RunningQuantity& quantity : running_quantities(*result.bearing, result.with_limits)) {

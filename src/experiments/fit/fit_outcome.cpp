@@ -61,13 +61,9 @@ ExperimentInfo fit_experiment() {
           .run =
               [](const Case& input, const ProgressCallback& progress) {
                 const auto result = std::make_shared<const FitResult>(run_fit(input, progress));
-                const std::vector<std::string> failures = fit_failures(*result);
-                const RunStatus status = result->status == Status::interrupted ? RunStatus::interrupted
-                                         : failures.empty()                    ? RunStatus::complete
-                                                                               : RunStatus::failed;
-                return Outcome{.status = status,
+                return Outcome{.status = run_status({result->status}, 1),
                                .warnings = fit_warnings(*result),
-                               .failures = failures,
+                               .failures = fit_failures(*result),
                                .table = [=] { return fit_table(*result); },
                                .dataset = [=] { return fit_dataset(*result); },
                                .contents = [=](const std::string& /*run_id*/) { return fit_contents(*result); }};
