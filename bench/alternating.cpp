@@ -16,7 +16,7 @@ using Places = std::vector<Eigen::Index>;
 /// the top foil is eliminated.
 class PressedFoils {
  public:
-  explicit PressedFoils(const FilmBearing& bearing);
+  explicit PressedFoils(const BearingModel& bearing);
 
   [[nodiscard]] const ContactProblem& problem() const { return problem_; }
 
@@ -40,7 +40,7 @@ class PressedFoils {
     all.head(columns_) = loads;
     return all;
   }
-  [[nodiscard]] Matrix whole_matrix(const FilmBearing& bearing);
+  [[nodiscard]] Matrix whole_matrix(const BearingModel& bearing);
 
   Eigen::Index columns_;  ///< after the weld
   Eigen::Index size_{};   ///< of displacements and moments of the top foil by columns, and the bump foil
@@ -51,9 +51,9 @@ class PressedFoils {
 };
 
 /// For displacements u and moments M: D M are loads, D' u - T M = 0. Moments are scaled to lengths.
-void add_top_foil(const FilmBearing& bearing, Eigen::Index columns, Matrix& K) {
-  const TopFoilMoments& form = bearing.pads.front().foil.top_foil;
-  const double unit = bearing.pads.front().foil.stiffness * bearing.pads.front().foil.pitch;  // N
+void add_top_foil(const BearingModel& bearing, Eigen::Index columns, Matrix& K) {
+  const TopFoilMoments& form = bearing.film->pads.front().foil.top_foil;
+  const double unit = bearing.film->pads.front().foil.stiffness * bearing.film->pads.front().foil.pitch;  // N
   for (Eigen::Index k = 0; k < columns; ++k) {
     const Vector loads = unit * loads_of_moments(form, Vector::Unit(columns, k));
     K.block(0, columns + k, columns, 1) = loads;
@@ -65,7 +65,7 @@ void add_top_foil(const FilmBearing& bearing, Eigen::Index columns, Matrix& K) {
   }
 }
 
-PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.front().foil.top_foil.size()) {
+PressedFoils::PressedFoils(const BearingModel& bearing) : columns_(bearing.film->pads.front().foil.top_foil.size()) {
   const Matrix K = whole_matrix(bearing);
   coupling_ = K(hidden_, kept_);
   hidden_lu_.compute(K(hidden_, hidden_));
@@ -76,10 +76,10 @@ PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.f
     return static_cast<int>(std::find(kept_.begin(), kept_.end(), place) - kept_.begin());
   };
   const int size = bearing.problem.K.block_size();
-  for (std::size_t b = 0; b < bearing.pads.front().foil.supports.size(); ++b) {
+  for (std::size_t b = 0; b < bearing.film->pads.front().foil.supports.size(); ++b) {
     const auto moved = [&](int place) {
       if (place < 0) return -1;
-      if (place == bearing.dofs().top_u) return seen_at(bearing.pads.front().foil.supports[b] - 1);
+      if (place == bearing.structure.dofs.top_u) return seen_at(bearing.film->pads.front().foil.supports[b] - 1);
       return seen_at(2 * columns_ + static_cast<Eigen::Index>(b) * size + place);
     };
     for (const ContactSite& site : bearing.problem.sites) {
@@ -94,15 +94,15 @@ PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.f
 
 /// Also sorts the unknowns. The blocks of the bump foil follow the top foil unchanged; their unused unknowns are
 /// neither kept nor hidden, and stay zero.
-Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
-  const BumpDofs& dofs = bearing.dofs();
+Matrix PressedFoils::whole_matrix(const BearingModel& bearing) {
+  const BumpDofs& dofs = bearing.structure.dofs;
   const Matrix foil = bearing.problem.K.dense();
   const Eigen::Index first = 2 * columns_;
   size_ = first + foil.rows();
   Matrix K = Matrix::Zero(size_, size_);
   add_top_foil(bearing, columns_, K);
   K.bottomRightCorner(foil.rows(), foil.rows()) = foil;
-  const std::vector<int>& supports = bearing.pads.front().foil.supports;
+  const std::vector<int>& supports = bearing.film->pads.front().foil.supports;
   for (Eigen::Index i = 0; i < first; ++i) {
     const bool crest = std::find(supports.begin(), supports.end(), i + 1) != supports.end();
     (crest ? kept_ : hidden_).push_back(i);
@@ -117,28 +117,28 @@ Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
 }
 
 /// Outward loads on the columns after the weld, N.
-Vector loads_of(const FilmBearing& bearing, const Matrix& pressure) {
-  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
+Vector loads_of(const BearingModel& bearing, const Matrix& pressure) {
+  const FilmMesh& mesh = bearing.film->pads.front().foil.mesh;
   Vector loads(mesh.columns);
   for (int k = 1; k <= mesh.columns; ++k) {
     double excess = 0.0;
     for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, k) - 1.0);
-    loads[k - 1] = 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * mesh.column_weight(k) * excess;
+    loads[k - 1] = 2.0 * bearing.film->scales.force() * mesh.dtheta * mesh.dzeta * mesh.column_weight(k) * excess;
   }
   return loads;
 }
 
 }  // namespace
 
-AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
+AlternatingReport alternate(const BearingModel& bearing, const Eigen::Vector2d& position, double speed,
                             const AlternatingOptions& options, BearingState& state) {
   using End = AlternatingReport::End;
   const PressedFoils foils(bearing);
   const ContactProblem& problem = foils.problem();
   NewtonSolver contacts(problem);
-  FilmSolver films(bearing.pads.front().foil.mesh, {});
-  const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
-  const Matrix undeformed = bearing.undeformed_thickness(position);
+  FilmSolver films(bearing.film->pads.front().foil.mesh, {});
+  const ReynoldsEquation equation = film_equation(*bearing.film, bearing.film->pads.front(), speed);
+  const Matrix undeformed = undeformed_thickness(bearing, position);
   ContactLoading loading{.initial_gap = bearing.assembled_gap.head(problem.contacts()), .load = {}};
   const ContactState unstressed = ContactState::unstressed(problem);
   ContactState pressed = unstressed;
@@ -159,7 +159,7 @@ AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& p
       break;
     }
     Vector step = -state.film.lift.row(0).transpose();
-    step.tail(loads.size()) += foils.displacements(loads, pressed.x) / bearing.scales.thickness;
+    step.tail(loads.size()) += foils.displacements(loads, pressed.x) / bearing.film->scales.thickness;
     report.change = step.cwiseAbs().maxCoeff();
     state.film.lift.row(0) += options.relaxation * step.transpose();
     H = undeformed;

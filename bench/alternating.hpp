@@ -23,7 +23,7 @@ struct AlternatingOptions {
 /// @param position  of the journal, m
 /// @param speed     rad/s
 /// @param state     first guess; receives the last iterate
-AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
+AlternatingReport alternate(const BearingModel& bearing, const Eigen::Vector2d& position, double speed,
                             const AlternatingOptions& options, BearingState& state);
 
 }  // namespace bumpfoil

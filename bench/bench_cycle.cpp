@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
@@ -22,7 +22,7 @@ Case reference_push() {
 /// One increment of the default solver, averaged over the reference cycle, results not recorded.
 void increment(benchmark::State& bench) {
   const Case input = reference_push();
-  const Foils foils = *make_bearing_foils(input);
+  const BearingModel foils = *make_bearing_foils(input);
   NewtonSolver solver(foils.problem);
   std::vector<ContactLoading> loadings;
   for (int k = 0; k <= 2 * input.cycle.steps; ++k) {

@@ -18,19 +18,19 @@ namespace {
 constexpr Gas air{.viscosity = 1.85e-5, .ambient_pressure = 101325.0};
 constexpr double speed = 45000.0 * std::numbers::pi / 30.0;
 
-FilmBearing bearing_with_friction(double coefficient, const benchmark::State& bench) {
+BearingModel bearing_with_friction(double coefficient, const benchmark::State& bench) {
   Case input = reference_case();
   input.friction = {.top_bump = coefficient, .bump_sleeve = coefficient};
   return make_film_bearing(
       input, air, {.columns_per_pitch = static_cast<int>(bench.range(0)), .rows = static_cast<int>(bench.range(1))});
 }
 
-FilmBearing frictionless_bearing(const benchmark::State& bench) {
+BearingModel frictionless_bearing(const benchmark::State& bench) {
   return bearing_with_friction(0.0, bench);
 }
 
 /// The journal displaced towards +X by a fraction of the clearance, started from ambient pressure.
-BearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench,
+BearingState cold_state(const BearingModel& bearing, double eccentricity, benchmark::State& bench,
                         double omega = speed) {
   BearingState state;
   FilmStepper stepper(bearing);
@@ -45,9 +45,9 @@ void meshes(benchmark::internal::Benchmark* benchmark) {
 
 /// Residuals and derivatives of the film.
 void linearise_film(benchmark::State& bench) {
-  const FilmBearing bearing = frictionless_bearing(bench);
+  const BearingModel bearing = frictionless_bearing(bench);
   const BearingState state = cold_state(bearing, 0.5, bench);
-  const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
+  const ReynoldsEquation equation = film_equation(*bearing.film, bearing.film->pads.front(), speed);
   Matrix residual;
   FilmJacobian jacobian;
   for (auto _ : bench) {
@@ -59,10 +59,10 @@ BENCHMARK(linearise_film)->Apply(meshes);
 
 /// The same with the top foil, and everything between the crests eliminated.
 void condense_film(benchmark::State& bench) {
-  const FilmBearing bearing = frictionless_bearing(bench);
+  const BearingModel bearing = frictionless_bearing(bench);
   const BearingState state = cold_state(bearing, 0.5, bench);
-  const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
-  FoilFilmSystem system(bearing.pads.front().foil);
+  const ReynoldsEquation equation = film_equation(*bearing.film, bearing.film->pads.front(), speed);
+  FoilFilmSystem system(bearing.film->pads.front().foil);
   for (auto _ : bench) {
     if (!system.linearise(equation, state.film)) bench.SkipWithError("singular");
   }
@@ -70,7 +70,7 @@ void condense_film(benchmark::State& bench) {
 BENCHMARK(condense_film)->Apply(meshes);
 
 /// One step of a path: a twentieth of the clearance.
-void step_of_a_path(const FilmBearing& bearing, benchmark::State& bench) {
+void step_of_a_path(const BearingModel& bearing, benchmark::State& bench) {
   const BearingState start = cold_state(bearing, 0.5, bench);
   FilmStepper stepper(bearing);
   int iterations = 0;
@@ -95,7 +95,7 @@ BENCHMARK(warm_step_with_friction)->Apply(meshes);
 
 /// A step in time, a hundredth of a revolution, of a journal under a rotating load: 5 N around 50 N, gas inlet at the
 /// weld, after a quarter of a revolution.
-void step_in_time(const FilmBearing& bearing, benchmark::State& bench) {
+void step_in_time(const BearingModel& bearing, benchmark::State& bench) {
   constexpr int steps_per_revolution = 100;
   FilmStepper stepper(bearing);
   BearingState start = cold_state(bearing, 0.6, bench, -speed);
@@ -131,7 +131,7 @@ BENCHMARK(time_step_with_friction)->Apply(meshes);
 void film_and_foils_in_turn(benchmark::State& bench) {
   Case input = reference_case();
   input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
-  const FilmBearing bearing = make_film_bearing(input, air, {.columns_per_pitch = 6, .rows = 16});
+  const BearingModel bearing = make_film_bearing(input, air, {.columns_per_pitch = 6, .rows = 16});
   const double begin = 1e-2 * static_cast<double>(bench.range(1));
   const double end = begin + 1e-3 * static_cast<double>(bench.range(2));
   const BearingState start = cold_state(bearing, begin, bench);
@@ -170,7 +170,7 @@ BENCHMARK(film_and_foils_in_turn)
     ->Iterations(1);
 
 void cold_start(benchmark::State& bench) {
-  const FilmBearing bearing = frictionless_bearing(bench);
+  const BearingModel bearing = frictionless_bearing(bench);
   for (auto _ : bench) {
     const BearingState state = cold_state(bearing, 0.5, bench);
     benchmark::DoNotOptimize(state.speed);
@@ -180,7 +180,7 @@ BENCHMARK(cold_start)->Apply(meshes);
 
 /// The same under a load: 50 N, from the state under 45 N.
 void equilibrium_from_a_neighbour(benchmark::State& bench) {
-  const FilmBearing bearing = frictionless_bearing(bench);
+  const BearingModel bearing = frictionless_bearing(bench);
   BearingState start = cold_state(bearing, 0.6, bench);
   FilmStepper stepper(bearing);
   const FilmReport there = follow(stepper, OperatingPoint::loaded_by({45.0, 0.0}, speed), start);
@@ -198,7 +198,7 @@ BENCHMARK(equilibrium_from_a_neighbour)->Apply(meshes);
 
 /// Stiffness and damping at 20 frequencies, from 0.1 to 2 times the rotation frequency.
 void impedances(benchmark::State& bench) {
-  const FilmBearing bearing = frictionless_bearing(bench);
+  const BearingModel bearing = frictionless_bearing(bench);
   const BearingState state = cold_state(bearing, 0.6, bench);
   FilmStepper stepper(bearing);
   std::vector<std::complex<double>> rates;
@@ -212,7 +212,7 @@ BENCHMARK(impedances)->Apply(meshes);
 /// 50 speeds from 45,000 to 5,000 rpm under 50 N, excluding the start.
 void coasting_down(benchmark::State& bench) {
   constexpr int speeds = 50;
-  const FilmBearing bearing = frictionless_bearing(bench);
+  const BearingModel bearing = frictionless_bearing(bench);
   BearingState start = cold_state(bearing, 0.6, bench);
   FilmStepper stepper(bearing);
   const FilmReport there = follow(stepper, OperatingPoint::loaded_by({50.0, 0.0}, speed), start);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "support/long_bearing.hpp"
@@ -10,12 +10,12 @@
 namespace bumpfoil {
 namespace {
 
-Foils long_bearing(int bumps) {
+BearingModel long_bearing(int bumps) {
   return *make_bearing_foils(with_bumps(reference_case(), bumps));
 }
 
 /// Bumps 1, 2, 3 of every four carry load: two stick, one slips.
-std::vector<ContactMode> mixed_modes(const Foils& foils) {
+std::vector<ContactMode> mixed_modes(const BearingModel& foils) {
   std::vector<ContactMode> mode;
   for (int bump = 0; bump < foils.bumps(); ++bump) {
     const ContactMode m = bump % 4 == 0   ? ContactMode::open
@@ -37,7 +37,7 @@ void report_per_bump(benchmark::State& bench) {
 
 /// Assembly and factorisation from the first block on, and one solve.
 void factor_and_solve(benchmark::State& bench) {
-  const Foils foils = long_bearing(static_cast<int>(bench.range(0)));
+  const BearingModel foils = long_bearing(static_cast<int>(bench.range(0)));
   const std::unique_ptr<ModeSystem> system = make_mode_system(foils.problem);
   const ContactLoading loading = loading_under(foils, {.position = {4e-5, 0.0}});
   ContactState state = ContactState::unstressed(foils.problem);
@@ -62,7 +62,7 @@ BENCHMARK(factor_and_solve)
 
 /// One solve with existing factors.
 void solve(benchmark::State& bench) {
-  const Foils foils = long_bearing(static_cast<int>(bench.range(0)));
+  const BearingModel foils = long_bearing(static_cast<int>(bench.range(0)));
   const std::unique_ptr<ModeSystem> system = make_mode_system(foils.problem);
   const ContactLoading loading = loading_under(foils, {.position = {4e-5, 0.0}});
   ContactState state = ContactState::unstressed(foils.problem);

@@ -39,7 +39,7 @@ double processor_time(int runs, const std::function<void()>& work) {
 }
 
 /// Along X to the amplitude and back.
-Loadings loadings_of(const Foils& foils, double amplitude, int steps) {
+Loadings loadings_of(const BearingModel& foils, double amplitude, int steps) {
   Loadings loadings;
   for (int k = 0; k <= 2 * steps; ++k) {
     const int from_start = k <= steps ? k : 2 * steps - k;
@@ -141,7 +141,7 @@ std::string time_siconos(SiconosMethod method, const ContactProblem& problem, co
 
 std::string bearing_rows() {
   const Case input = reference_case();
-  const Foils foils = *make_bearing_foils(input);
+  const BearingModel foils = *make_bearing_foils(input);
   const Loadings loadings = loadings_of(foils, input.cycle.amplitude.value, input.cycle.steps);
   const auto named = [](SolverName name) {
     SolverSettings settings;
@@ -172,7 +172,7 @@ std::string strip_rows() {
   input.bump_foil.height_reference = HeightReference::midsurface;
   input.bump_foil.weld_at = WeldPosition::arc_start;
   input.strip = StripSettings{.bumps = 10, .top_foil = false, .amplitude = {.value = compression}, .steps = steps};
-  const Foils foils = *make_strip_foils(input);
+  const BearingModel foils = *make_strip_foils(input);
   return time_solver("newton", SolverSettings(), foils.problem, loadings_of(foils, compression, steps), 21);
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 namespace py = pybind11;
 
-FilmBearingOptions stepper_options(const Case& input, const FilmBearing& bearing) {
+FilmBearingOptions stepper_options(const Case& input, const BearingModel& bearing) {
   FilmBearingOptions options;
-  options.newton.thickness_floor = thickness_floor(input) / bearing.scales.thickness;
+  options.newton.thickness_floor = thickness_floor(input) / bearing.film->scales.thickness;
   return options;
 }
 
@@ -44,11 +44,11 @@ SharedInstant failed(const ReachedInstant& from, Status status) {
   return std::make_shared<const ReachedInstant>(std::move(instant));
 }
 
-py::dict fields_of(const ReachedInstant& instant, const FilmBearing& bearing) {
+py::dict fields_of(const ReachedInstant& instant, const BearingModel& bearing) {
   const FoilFilmState& film = instant.state.film;
   py::dict fields;
-  fields["pressure"] = Matrix(bearing.scales.gas.ambient_pressure * film.pressure);
-  fields["film_thickness"] = Matrix(bearing.scales.thickness * film.thickness);
+  fields["pressure"] = Matrix(bearing.film->scales.gas.ambient_pressure * film.pressure);
+  fields["film_thickness"] = Matrix(bearing.film->scales.thickness * film.thickness);
   fields["bump_load"] = bump_loads(bearing, instant.state);
   return fields;
 }
@@ -57,7 +57,7 @@ py::dict fields_of(const ReachedInstant& instant, const FilmBearing& bearing) {
 
 RunningStepper::RunningStepper(const Case& input)
     : input_(input),
-      bearing_(std::make_shared<const FilmBearing>(make_film_bearing(input))),
+      bearing_(std::make_shared<const BearingModel>(make_film_bearing(input))),
       stepper_(bearing_, stepper_options(input, *bearing_)) {}
 
 RunningStepper::RunningStepper(const RunningStepper& other)
@@ -83,7 +83,7 @@ SharedInstant RunningStepper::advance(const ReachedInstant& from, double dt, con
   const std::scoped_lock lock(mutex_);
   ReachedInstant instant{.state = from.state, .outcome = {}};
   OperatingPoint tilted = to;
-  tilted.tilt = bearing_->surroundings.tilt;
+  tilted.tilt = bearing_->film->surroundings.tilt;
   instant.status = stepper_.advance(stepper_.move_to(tilted, dt), instant.state).status;
   if (instant.status != Status::converged) return failed(from, instant.status);
   instant.outcome = film_bearing_outcome(*bearing_, instant.state);
@@ -138,7 +138,7 @@ void add_running_stepper(py::module_& m) {
            })
       .def("thinnest_film",
            [](const RunningStepper& self, const ReachedInstant& instant) {
-             return self.bearing().scales.thickness * instant.outcome.thinnest.thickness;
+             return self.film().scales.thickness * instant.outcome.thinnest.thickness;
            })
       .def("fields", [](const RunningStepper& self, const ReachedInstant& instant) {
         return fields_of(instant, self.bearing());

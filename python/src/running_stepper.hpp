@@ -39,11 +39,11 @@ class RunningStepper {
   SharedInstant advance(const ReachedInstant& from, double dt, const OperatingPoint& to);
   /// dF/d(x, y) at the end of the step that led there, N/m, its start held; of an equilibrium its stiffness.
   [[nodiscard]] std::optional<Eigen::Matrix2d> tangent(const ReachedInstant& instant);
-  [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
+  [[nodiscard]] const BearingModel& bearing() const { return *bearing_; }
 
  private:
   Case input_;
-  SharedFilmBearing bearing_;
+  SharedBearing bearing_;
   FilmStepper stepper_;
   std::mutex mutex_;
 };

@@ -48,7 +48,7 @@ class BearingStepper {
   [[nodiscard]] Excitation excitation_of(Excitation excitation, const Destination& to) const;
   [[nodiscard]] SharedState checked();
 
-  SharedFoils foils_;
+  SharedBearing foils_;
   SolverSettings settings_;
   FoilStepper stepper_;
   Step step_;

@@ -7,7 +7,7 @@
 namespace bumpfoil {
 namespace {
 
-PadAssembly assembly_of(const Foils& foils, std::size_t k, const Vector& loads, const Vector& lift) {
+PadAssembly assembly_of(const BearingModel& foils, std::size_t k, const Vector& loads, const Vector& lift) {
   const auto [first, count] = foils.structure.blocks_of(static_cast<int>(k));
   const auto own = loads.segment(first, count);
   PadAssembly pad{.hold_down = own[count - 1], .lifted = 0, .load = own.sum(), .bulge = 0.0, .bulge_theta = 0.0};
@@ -20,7 +20,7 @@ PadAssembly assembly_of(const Foils& foils, std::size_t k, const Vector& loads, 
 
 }  // namespace
 
-std::vector<PadAssembly> assemble_without_journal(const Foils& foils) {
+std::vector<PadAssembly> assemble_without_journal(const BearingModel& foils) {
   ContactLoading loading = loading_under(foils, {});
   for (int line = 0; line < foils.journal_contacts(); ++line) {
     loading.initial_gap(foils.pressed(line)).array() += foils.placed.front().alone.bearing.radius;

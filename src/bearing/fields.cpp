@@ -22,12 +22,12 @@ struct InterfacePlace {
   int count{};
   int points{1};
 
-  [[nodiscard]] Eigen::Index columns(const Foils& foils) const {
+  [[nodiscard]] Eigen::Index columns(const BearingModel& foils) const {
     return Eigen::Index{foils.structure.K.blocks() - first_block} * count;
   }
   /// Visits each of its contacts. @param visit  (column, first of its points)
   template <typename Visit>
-  void each(const Foils& foils, const Visit& visit) const {
+  void each(const BearingModel& foils, const Visit& visit) const {
     if (count == 0) return;
     const Eigen::Index per_block = foils.contacts_per_block();
     Eigen::Index column = 0;
@@ -38,7 +38,7 @@ struct InterfacePlace {
   }
 };
 
-InterfacePlace place_of(const Foils& foils, Interface interface) {
+InterfacePlace place_of(const BearingModel& foils, Interface interface) {
   switch (interface) {
     case Interface::journal_top:
       return {.first_block = foils.structure.first_bump,
@@ -58,17 +58,17 @@ InterfacePlace place_of(const Foils& foils, Interface interface) {
 }
 
 /// Loads up to this count as zero, N.
-double open_threshold(const Foils& foils, const ContactState& state) {
+double open_threshold(const BearingModel& foils, const ContactState& state) {
   return std::max(open_load * state.normal_force.maxCoeff(), foils.round_off.force);
 }
 
 /// Reported mode of contact `c`: contacts without load are open, frictionless ones slip if they move.
-ContactMode reported_mode(const Foils& foils, Eigen::Index c, const BearingState& state, double threshold) {
+ContactMode reported_mode(const BearingModel& foils, Eigen::Index c, const BearingState& state, double threshold) {
   const auto number = static_cast<std::size_t>(c);
   if (state.contacts.normal_force[c] <= threshold) return ContactMode::open;
   const ContactSite& site = foils.problem.sites[number];
   if (site.tangential < 0 || site.friction_coefficient > 0.0) return state.contacts.mode[number];
-  if (foils.under_film) return ContactMode::stick;  // it may contain several motions: no slip direction
+  if (foils.film) return ContactMode::stick;  // it may contain several motions: no slip direction
   const Eigen::Index at = Eigen::Index{site.block} * foils.problem.K.block_size() + site.tangential;
   const double slip = state.contacts.x[at] - state.slip_origin[at];
   return slip > displacement_resolution    ? ContactMode::slip_forward
@@ -76,7 +76,7 @@ ContactMode reported_mode(const Foils& foils, Eigen::Index c, const BearingState
                                            : ContactMode::stick;
 }
 
-void record_interface(const Foils& foils, const BearingState& state, Interface interface, Eigen::Index increment,
+void record_interface(const BearingModel& foils, const BearingState& state, Interface interface, Eigen::Index increment,
                       InterfaceFields& fields) {
   const double threshold = open_threshold(foils, state.contacts);
   // One row at a time, to resolve its address once.
@@ -102,7 +102,7 @@ void record_interface(const Foils& foils, const BearingState& state, Interface i
   });
 }
 
-void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, StressFields& fields) {
+void record_stress(const BearingModel& foils, const Vector& x, Eigen::Index increment, StressFields& fields) {
   const auto put = [&](FieldMatrix& field, Eigen::Index column, const Vector& values) {
     if (values.size() == 0) return;
     field.row(increment).segment(column, values.size()) =
@@ -125,7 +125,7 @@ void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, 
 
 /// Displacements on the crest lines of a mode that is P_k at zeta = 1. Points of strips are not a quadrature rule of
 /// the whole width: they use the best fit, available for k = 1.
-Vector parts_of_mode(const Foils& foils, int k) {
+Vector parts_of_mode(const BearingModel& foils, int k) {
   const std::vector<FoilLine>& lines = foils.crest_lines();
   Vector parts(std::ssize(lines));
   double square = 0.0;
@@ -137,7 +137,7 @@ Vector parts_of_mode(const Foils& foils, int k) {
   return foils.points.empty() ? Vector((2 * k + 1) * parts) : Vector(parts / square);
 }
 
-void record_modes(const Foils& foils, const Vector& x, Eigen::Index increment, FoilFields& fields) {
+void record_modes(const BearingModel& foils, const Vector& x, Eigen::Index increment, FoilFields& fields) {
   const BumpDofs& dofs = foils.structure.dofs;
   // Writes unknowns of successive bumps or feet, by P_k over the width at zeta = 1.
   const auto put = [&](FieldMatrix& field, int k, int first_block, const std::vector<int>& unknowns) {
@@ -167,7 +167,7 @@ void record_modes(const Foils& foils, const Vector& x, Eigen::Index increment, F
   put(fields.foot_v_parabola, 2, 0, dofs.foot_v);
 }
 
-StressFields make_stress_fields(const Foils& foils, int increments) {
+StressFields make_stress_fields(const BearingModel& foils, int increments) {
   const Eigen::Index count = foils.structure.blocks_of(0).count;
   const FoilStress none = foil_stress(foils.stress.front(), Vector::Zero(count * foils.structure.dofs.size));
   const auto of_welds = [&](const std::optional<double>& one) {
@@ -215,7 +215,7 @@ Vector largest_pad_forces(const FoilFields& fields) {
   return (fields.pad_force_x.array().square() + fields.pad_force_y.array().square()).colwise().maxCoeff().sqrt();
 }
 
-Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface) {
+Vector interface_loads(const BearingModel& foils, const ContactState& state, Interface interface) {
   const InterfacePlace place = place_of(foils, interface);
   const double threshold = open_threshold(foils, state);
   Vector loads(place.columns(foils));
@@ -226,7 +226,7 @@ Vector interface_loads(const Foils& foils, const ContactState& state, Interface 
   return loads;
 }
 
-FoilStress pad_stress(const Foils& foils, const Vector& x, int pad) {
+FoilStress pad_stress(const BearingModel& foils, const Vector& x, int pad) {
   const PadBlocks blocks = foils.structure.blocks_of(pad);
   const Eigen::Index size = foils.structure.dofs.size;
   const auto stress_of = [&](const std::vector<StressModel>& models, std::optional<int> strip) {
@@ -245,7 +245,7 @@ FoilStress pad_stress(const Foils& foils, const Vector& x, int pad) {
   return stress;
 }
 
-Vector strip_loads(const Foils& foils, const ContactState& state) {
+Vector strip_loads(const BearingModel& foils, const ContactState& state) {
   Vector loads = Vector::Zero(foils.points.empty() ? 0 : foils.points.back().strip + 1);
   const double threshold = open_threshold(foils, state);
   for (std::size_t p = 0; p < foils.points.size(); ++p) {
@@ -258,7 +258,7 @@ Vector strip_loads(const Foils& foils, const ContactState& state) {
   return loads;
 }
 
-FoilFields make_fields(const Foils& foils, int increments) {
+FoilFields make_fields(const BearingModel& foils, int increments) {
   const Eigen::Index bumps = foils.bumps();
   const Eigen::Index feet = place_of(foils, Interface::bump_sleeve).columns(foils);
   FoilFields fields;
@@ -273,7 +273,7 @@ FoilFields make_fields(const Foils& foils, int increments) {
   for (FieldMatrix* field : {&fields.crest_u_slope, &fields.crest_v_slope}) {
     field->resize(increments, has_slope ? bumps : 0);
   }
-  const bool has_pressed_top = foils.has_top_foil() && !foils.under_film;  // films have a top foil shape of their own
+  const bool has_pressed_top = foils.has_top_foil() && !foils.film;  // films have a top foil shape of their own
   fields.top_slope.resize(increments, has_pressed_top && has_slope ? bumps : 0);
   for (FieldMatrix* field : {&fields.foot_u_slope, &fields.foot_v_slope}) {
     field->resize(increments, has_slope ? feet : 0);
@@ -287,7 +287,7 @@ FoilFields make_fields(const Foils& foils, int increments) {
     field->resize(increments, slides_as_parabola ? feet : 0);
   }
   for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
-    field->resize(increments, foils.pad_count() > 1 && !foils.under_film ? foils.pad_count() : 0);
+    field->resize(increments, foils.pad_count() > 1 && !foils.film ? foils.pad_count() : 0);
   }
   fields.strip_load.resize(increments, foils.points.empty() ? 0 : foils.points.back().strip + 1);
   fields.stress = make_stress_fields(foils, increments);
@@ -311,7 +311,7 @@ Vector bump_compression(const FoilStructure& structure, const Vector& x) {
   return compression;
 }
 
-void record(const Foils& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields) {
+void record(const BearingModel& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields) {
   const Vector x = foils.foil_unknowns(state.contacts.x);
   const BumpDofs& dofs = foils.structure.dofs;
   const Eigen::Index size = dofs.size;

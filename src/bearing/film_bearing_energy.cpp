@@ -5,12 +5,12 @@ namespace bumpfoil {
 namespace {
 
 /// 1/2 M^T T M of the top foil of a pad on each of its lines, J.
-double bending_energy(const FilmBearing& bearing, const FoilFilm& foil, const Matrix& moments) {
+double bending_energy(const FilmModel& film, const FoilFilm& foil, const Matrix& moments) {
   const TopFoilMoments& form = foil.top_foil;
   const Eigen::Index n = form.size();
   double energy = 0.0;
   for (Eigen::Index line = 0; line < moments.rows(); ++line) {
-    const Vector M = foil.stiffness * foil.pitch * bearing.scales.thickness * moments.row(line).head(n).transpose();
+    const Vector M = foil.stiffness * foil.pitch * film.scales.thickness * moments.row(line).head(n).transpose();
     energy += (0.5 * form.compliance_diagonal.dot(M.cwiseAbs2()) +
                form.compliance_off.dot(M.head(n - 1).cwiseProduct(M.tail(n - 1)))) /
               foil.lines.weight[line];
@@ -19,14 +19,14 @@ double bending_energy(const FilmBearing& bearing, const FoilFilm& foil, const Ma
 }
 
 /// Half the membrane load of a top foil times its displacement, J.
-double membrane_energy(const FilmBearing& bearing, const FoilFilm& foil, const FoilFilmState& part) {
+double membrane_energy(const FilmModel& film, const FoilFilm& foil, const FoilFilmState& part) {
   const Matrix stretching = product(foil.stretching, part.lift);
   double twice = 0.0;
   for (std::size_t k = 0; k < foil.membrane.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     twice += foil.membrane[k].length * part.membrane.col(column).head(stretching.rows()).dot(stretching.col(column));
   }
-  return 0.5 * foil.stiffness * bearing.scales.thickness * bearing.scales.thickness * twice;
+  return 0.5 * foil.stiffness * film.scales.thickness * film.scales.thickness * twice;
 }
 
 /// Energy of the asperities of a pad, J.
@@ -48,27 +48,28 @@ double asperity_energy(const FilmPad& pad, const Matrix& thickness) {
 
 }  // namespace
 
-BearingEnergy bearing_energy(const FilmBearing& bearing, const BearingState& state) {
-  const double unit = bearing.scales.force() * bearing.scales.thickness;
+BearingEnergy bearing_energy(const BearingModel& bearing, const BearingState& state) {
+  const FilmModel& film = *bearing.film;
+  const double unit = film.scales.force() * film.scales.thickness;
   BearingEnergy energy{.foils = 0.5 * state.contacts.x.dot(bearing.problem.K.multiply(state.contacts.x))};
-  for (const FilmPad& pad : bearing.pads) {
+  for (const FilmPad& pad : film.pads) {
     FoilFilmState part;
     read_part(pad, state.film, part);
     energy.gas += unit * free_energy(pad.foil.mesh, part);
-    energy.foils += bending_energy(bearing, pad.foil, part.moment) + membrane_energy(bearing, pad.foil, part);
+    energy.foils += bending_energy(film, pad.foil, part.moment) + membrane_energy(film, pad.foil, part);
     energy.asperities += unit * asperity_energy(pad, state.film.thickness);
   }
   return energy;
 }
 
-FilmPowers film_powers(const FilmBearing& bearing, const BearingState& state) {
-  const FilmScales& scales = bearing.scales;
+FilmPowers film_powers(const FilmModel& film, const BearingState& state) {
+  const FilmScales& scales = film.scales;
   const double unit = scales.gas.ambient_pressure * scales.flow();
   FilmPowers sum;
-  for (const FilmPad& pad : bearing.pads) {
+  for (const FilmPad& pad : film.pads) {
     FoilFilmState part;
     read_part(pad, state.film, part);
-    const FilmPowers powers = film_powers(film_equation(bearing, pad, state.speed), part);
+    const FilmPowers powers = film_powers(film_equation(film, pad, state.speed), part);
     sum.entrained += unit * powers.entrained;
     sum.dissipated += unit * powers.dissipated;
     sum.supplied += unit * powers.supplied;

@@ -50,16 +50,16 @@ Eigen::Index unknown_pressures_of(const FilmMesh& mesh) {
 
 FilmNewton::Part::Part(const FilmPad& of_pad) : pad(of_pad), system(of_pad.foil), residuals(1), changes(1) {}
 
-FilmNewton::FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options)
+FilmNewton::FilmNewton(SharedBearing bearing, const FilmSolverOptions& options)
     : shared_(std::move(bearing)),
       options_(options),
-      parts_(bearing_.pads.begin(), bearing_.pads.end()),
+      parts_(film_.pads.begin(), film_.pads.end()),
       modes_(make_mode_system(bearing_.problem)),
       contacts_(SharedProblem({shared_, &bearing_.problem}), modes_, {.max_mode_updates = rounds_of_modes}),
       K_(bearing_.problem.K),
       loading_(ContactLoading::none(bearing_.problem)),
       begin_(ContactState::unstressed(bearing_.problem)),
-      rates_(static_cast<std::size_t>(bearing_.motions())) {
+      rates_(static_cast<std::size_t>(film_.motions())) {
   for (const Matrix& block : K_.upper) K_.lower.push_back(block.transpose());
   bump_K_ = K_;
 }
@@ -77,8 +77,8 @@ void FilmNewton::for_each_place(const FilmPad& pad, int support, Visitor&& visit
   for (int j = 0; j < n; ++j) visit(first_pressure + j, j);
   for (int s = 0; s < lines; ++s) {
     const Eigen::Index line = pad.line_over(support, s);
-    visit(Foils::place(bearing_.lines, line, bearing_.dofs().top_u), n + s);
-    visit(Foils::place(bearing_.lines, line, bearing_.dofs().top_moment), n + lines + s);
+    visit(BearingModel::place(bearing_.lines, line, bearing_.structure.dofs.top_u), n + s);
+    visit(BearingModel::place(bearing_.lines, line, bearing_.structure.dofs.top_moment), n + lines + s);
   }
   const int of_membrane = 2 * static_cast<int>(pad.foil.stretching.rows());
   for (int i = 0; i < of_membrane; ++i) visit(bearing_.first_of_membrane(station) + i, n + 2 * lines + i);
@@ -88,7 +88,7 @@ void FilmNewton::for_each_place(const FilmPad& pad, int support, Visitor&& visit
 Vector& FilmNewton::find_bump_forces(const ContactState& state) {
   const Eigen::Index size = bump_K_.block_size();
   bump_forces_ = bump_K_.multiply(state.x);
-  for (const FilmPad& pad : bearing_.pads) {
+  for (const FilmPad& pad : film_.pads) {
     bump_forces_.segment((pad.first_block + pad.bumps()) * size, size).setZero();
   }
   return bump_forces_;
@@ -96,11 +96,12 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
 
 /// Transfers the crest forces on the top foil, N, to the balances of its columns.
 void FilmNewton::add_supports(const FilmPad& pad, Vector& forces, Matrix& balance) const {
-  const double unit = pad.foil.stiffness * bearing_.scales.thickness;
+  const double unit = pad.foil.stiffness * film_.scales.thickness;
   for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
     const Eigen::Index block = Eigen::Index{pad.block_of(i)} * bump_K_.block_size();
     for (Eigen::Index s = 0; s < balance.rows(); ++s) {
-      double& support = forces[block + Foils::place(bearing_.lines, pad.line_over(i, s), bearing_.dofs().top_u)];
+      double& support =
+          forces[block + BearingModel::place(bearing_.lines, pad.line_over(i, s), bearing_.structure.dofs.top_u)];
       balance(s, pad.foil.supports[static_cast<std::size_t>(i)]) += support / unit;
       support = 0.0;
     }
@@ -125,15 +126,15 @@ double FilmNewton::find_residual() {
     read_part(pad, state.film, part.state);
     foil_film_residual(pad.foil, equations_[k], part.state, residual);
     square += film_square(mesh, residual.film);
-    const double unit = pad.foil.stiffness * bearing_.scales.thickness;
+    const double unit = pad.foil.stiffness * film_.scales.thickness;
     Matrix balance = residual.balance;
     add_supports(pad, forces, balance);
     square += balance.squaredNorm() + residual.compatibility.squaredNorm() + residual.membrane.squaredNorm() +
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
-  force_ = journal_force(bearing_, state.film, state.speed);
+  force_ = journal_force(film_, state.film, state.speed);
   const double clearance_offset =
-      weight_of_clearance * (clearance_offset_ - state.clearance_offset) / bearing_.scales.thickness;
+      weight_of_clearance * (clearance_offset_ - state.clearance_offset) / film_.scales.thickness;
   return square + clearance_offset * clearance_offset;
 }
 
@@ -178,7 +179,7 @@ void FilmNewton::condense() {
 /// Adds condensed residuals to the loads of the contact problem.
 void FilmNewton::load_condensed(std::size_t side) {
   for (const Part& part : parts_) {
-    const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
+    const double unit = part.pad.foil.stiffness * film_.scales.thickness;
     const int blocks = part.system.blocks();
     const Matrix& condensed = part.system.condensed();
     for (int b = 0; b < blocks; ++b) {
@@ -193,13 +194,13 @@ void FilmNewton::load_condensed(std::size_t side) {
 
 /// Changes of the blocks from the contact problem, and of the columns in between.
 void FilmNewton::expand(std::span<Step> changes) {
-  const FoilFilm& foil = bearing_.pads.front().foil;
+  const FoilFilm& foil = film_.pads.front().foil;
   for (Step& change : changes) {
-    change.film.pressure.resize(foil.mesh.rows + 1, bearing_.columns());
-    change.film.thickness.resize(foil.mesh.rows + 1, bearing_.columns());
-    change.film.lift.resize(foil.lines.count(), bearing_.columns());
-    change.film.moment.resize(foil.lines.count(), bearing_.columns());
-    change.film.membrane.resize(2 * foil.stretching.rows(), bearing_.columns());
+    change.film.pressure.resize(foil.mesh.rows + 1, film_.columns());
+    change.film.thickness.resize(foil.mesh.rows + 1, film_.columns());
+    change.film.lift.resize(foil.lines.count(), film_.columns());
+    change.film.moment.resize(foil.lines.count(), film_.columns());
+    change.film.membrane.resize(2 * foil.stretching.rows(), film_.columns());
   }
   for (Part& part : parts_) {
     const int blocks = part.system.blocks();
@@ -210,7 +211,7 @@ void FilmNewton::expand(std::span<Step> changes) {
         const Eigen::Index first = Eigen::Index{part.pad.block_of(b)} * K_.block_size();
         const Eigen::Index column = static_cast<Eigen::Index>(side) * blocks + b;
         for_each_place(part.pad, b, [&](int place, int film_place) {
-          part.support_steps(film_place, column) = x[first + place] / bearing_.scales.thickness;
+          part.support_steps(film_place, column) = x[first + place] / film_.scales.thickness;
         });
       }
     }
@@ -237,19 +238,19 @@ void FilmNewton::answer(std::span<Step> changes) {
 
 /// Change of the force on the journal due to pressure and asperities, at the last linearisation.
 JournalVector FilmNewton::force_of(const FoilFilmState& change) const {
-  JournalVector force = film_force(bearing_, bearing_.field(1.0) + change.pressure);
-  if (bearing_.surroundings.asperities) force += asperity_force_of(change);
+  JournalVector force = film_force(film_, film_.field(1.0) + change.pressure);
+  if (film_.surroundings.asperities) force += asperity_force_of(change);
   return force;
 }
 
 /// Contribution of asperities.
 JournalVector FilmNewton::asperity_force_of(const FoilFilmState& change) const {
-  Matrix pressures(change.thickness.rows(), bearing_.columns());
+  Matrix pressures(change.thickness.rows(), film_.columns());
   for (const Part& part : parts_) {
     pressures(Eigen::all, part.pad.columns()) =
         part.system.asperity_slopes().cwiseProduct(part_of(part.pad, change.thickness));
   }
-  return asperity_force(bearing_, pressures, friction_);
+  return asperity_force(film_, pressures, friction_);
 }
 
 /// Rates of all unknowns for each `rigid`, a rate of H with rigid foils, 1/m: at the last linearisation, in the modes
@@ -272,10 +273,10 @@ void FilmNewton::find_rates(std::span<const Matrix> rigid, std::span<Step> rates
 
 JournalMatrix FilmNewton::find_rates() {
   if (factors_of_rates_ == modes_->factorisations()) return K_film_;
-  const Eigen::Index motions = bearing_.motions();
+  const Eigen::Index motions = film_.motions();
   std::vector<Matrix> rigid;
   rigid.reserve(rates_.size());
-  for (Eigen::Index i = 0; i < motions; ++i) rigid.push_back(bearing_.thinning(JournalVector::Unit(motions, i)));
+  for (Eigen::Index i = 0; i < motions; ++i) rigid.push_back(film_.thickness_change(JournalVector::Unit(motions, i)));
   find_rates(rigid, rates_);
   K_film_.resize(motions, motions);
   for (Eigen::Index i = 0; i < motions; ++i) K_film_.col(i) = force_of(rates_[static_cast<std::size_t>(i)].film);
@@ -285,7 +286,7 @@ JournalMatrix FilmNewton::find_rates() {
 
 /// @return whether all films are regular
 bool FilmNewton::linearise_films(const FilmEquations& equations, const BearingState& state) {
-  friction_ = sliding_friction(bearing_, state.speed);
+  friction_ = sliding_friction(film_, state.speed);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     Part& part = parts_[k];
     read_part(part.pad, state.film, part.state);
@@ -308,11 +309,11 @@ bool FilmNewton::linearise(const FilmEquations& equations, const BearingState& s
 }
 
 std::optional<SlowMotion> FilmNewton::slow_motion(const BearingState& state, bool stuck) {
-  if (!linearise(film_equations(bearing_, state.speed), state, stuck)) return std::nullopt;
+  if (!linearise(film_equations(film_, state.speed), state, stuck)) return std::nullopt;
   SlowMotion motion{.stiffness = find_rates()};
   for (const Step& rate : rates_) {
     motion.foil_response =
-        std::max(motion.foil_response, bearing_.scales.thickness * rate.film.lift.cwiseAbs().maxCoeff());
+        std::max(motion.foil_response, film_.scales.thickness * rate.film.lift.cwiseAbs().maxCoeff());
   }
   return motion;
 }
@@ -321,8 +322,8 @@ std::optional<SlowMotion> FilmNewton::slow_motion(const BearingState& state, boo
 /// with contacts in its modes, or with all closed ones sticking.
 /// @return whether the system is regular
 bool FilmNewton::linearise_at(double shift, const BearingState& state, bool stuck) {
-  FilmEquations equations = film_equations(bearing_, state.speed);
-  squeeze(bearing_, shift, film_content(state.film), equations);
+  FilmEquations equations = film_equations(film_, state.speed);
+  squeeze(film_, shift, film_content(state.film), equations);
   return linearise(equations, state, stuck);
 }
 
@@ -368,7 +369,7 @@ void FilmNewton::store(std::span<const Vector> rates) {
 
 std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
                                                    const std::vector<std::complex<double>>& rates, bool stuck) {
-  const double T0 = bearing_.scales.squeeze_time();
+  const double T0 = film_.scales.squeeze_time();
   const ShiftedRates shifted(rates, T0);
   FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
   if (!linearise_at(found.shift, state, stuck)) return std::nullopt;
@@ -407,7 +408,7 @@ double FilmNewton::contact_square(const ContactState& change) const {
     const double slip = change.x[contact.row + contact.site.tangential];
     square += slip * slip;
   });
-  return square / (bearing_.scales.thickness * bearing_.scales.thickness);
+  return square / (film_.scales.thickness * film_.scales.thickness);
 }
 
 /// Square of the norm of the residuals of all linearised equations for a change of all unknowns, in the units of
@@ -430,7 +431,7 @@ double FilmNewton::equation_square(const Step& change) {
     foil_residual(part.pad.foil, own, residual);
     residual.balance += asperity_change(part, own.thickness);
     add_supports(part.pad, forces, residual.balance);
-    const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
+    const double unit = part.pad.foil.stiffness * film_.scales.thickness;
     square += film_square(mesh, residual.film) + residual.balance.squaredNorm() + residual.compatibility.squaredNorm() +
               residual.membrane.squaredNorm() +
               forces.segment(part.pad.first_block * size, part.pad.bumps() * size).squaredNorm() / (unit * unit);
@@ -439,7 +440,7 @@ double FilmNewton::equation_square(const Step& change) {
 }
 
 std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, bool stuck) {
-  const double T0 = bearing_.scales.squeeze_time();
+  const double T0 = film_.scales.squeeze_time();
   const double unit = std::max(std::abs(state.speed) * T0, least_rate);
   const double shift = shift_in_speeds * unit;
   if (!linearise_at(shift, state, stuck)) return std::nullopt;
@@ -509,7 +510,7 @@ bool FilmNewton::find_step_at_rest(FilmReport& report) {
   report.factorisations += solved.cost.factorisations;
   if (!solved.converged()) return false;
   expand({&step_, 1});
-  step_.displacement.setZero(bearing_.motions());
+  step_.displacement.setZero(film_.motions());
   step_.clearance_offset = 0.0;
   return true;
 }
@@ -527,9 +528,9 @@ void FilmNewton::move_journal(const JournalVector& displacement) {
 /// Moves the foils radially by the change of the clearance, limited to the longest step.
 void FilmNewton::move_foils() {
   if (clearance_offset_ == iterate_.clearance_offset) return;
-  const double longest = longest_clearance_step * bearing_.scales.thickness;
+  const double longest = longest_clearance_step * film_.scales.thickness;
   step_.clearance_offset = std::clamp(clearance_offset_ - iterate_.clearance_offset, -longest, longest);
-  const Matrix clearance_offset = bearing_.field(1.0 / bearing_.scales.thickness);
+  const Matrix clearance_offset = film_.field(1.0 / film_.scales.thickness);
   find_rates({&clearance_offset, 1}, {&clearance_rate_, 1});
   add_to_step(step_.clearance_offset, clearance_rate_);
 }
@@ -549,7 +550,7 @@ void FilmNewton::add_to_step(double way, const Step& rate) {
 
 void FilmNewton::take_step(double fraction, const BearingState& from, BearingState& to) const {
   const FoilFilmState& step = step_.film;
-  FilmBearing::place_journal(bearing_.journal_of(from) + fraction * step_.displacement, to);
+  FilmModel::place_journal(film_.journal_of(from) + fraction * step_.displacement, to);
   to.speed = from.speed;
   to.clearance_offset = from.clearance_offset + fraction * step_.clearance_offset;
   to.film.pressure = from.film.pressure + fraction * step.pressure;
@@ -568,37 +569,37 @@ void FilmNewton::take_step(double fraction, const BearingState& from, BearingSta
 double FilmNewton::distance(const BearingState& a, const BearingState& b) const {
   return std::max({(a.film.pressure - b.film.pressure).cwiseAbs().maxCoeff(),
                    (a.film.lift - b.film.lift).cwiseAbs().maxCoeff(),
-                   (bearing_.journal_of(a) - bearing_.journal_of(b)).norm() / bearing_.scales.thickness});
+                   (film_.journal_of(a) - film_.journal_of(b)).norm() / film_.scales.thickness});
 }
 
 double FilmNewton::largest_change() const {
   return std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.lift.cwiseAbs().maxCoeff(),
-                   std::max(step_.displacement.norm(), std::abs(step_.clearance_offset)) / bearing_.scales.thickness});
+                   std::max(step_.displacement.norm(), std::abs(step_.clearance_offset)) / film_.scales.thickness});
 }
 
 bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const BearingState& guess) {
-  equations_ = film_equations(bearing_, to.speed);
+  equations_ = film_equations(film_, to.speed);
   clearance_offset_ = to.clearance_offset;
   taken_ = {};
   if (to.dt > 0.0) {
     const bool second_order = to.scheme == TimeScheme::bdf2;
     const BackwardDifference rate = second_order ? bdf2(to.dt, from.last_step.dt) : implicit_euler(to.dt);
     const Matrix content = film_content(from.film);
-    squeeze(bearing_, bearing_.scales.squeeze_time() / rate.span, rate.reference(content, from.last_step.content),
+    squeeze(film_, film_.scales.squeeze_time() / rate.span, rate.reference(content, from.last_step.content),
             equations_);
     if (second_order) taken_ = {to.dt, content};
   }
   iterate_ = guess;
   iterate_.slip_origin = from.slip_origin;
   iterate_.speed = to.speed;
-  iterate_.film.thickness = bearing_.undeformed_thickness(bearing_.journal_of(iterate_), iterate_.clearance_offset);
-  iterate_.film.thickness += bearing_.over_the_width(iterate_.film.lift);
+  iterate_.film.thickness = undeformed_thickness(bearing_, film_.journal_of(iterate_), iterate_.clearance_offset);
+  iterate_.film.thickness += film_.over_the_width(iterate_.film.lift);
   trial_ = instead_ = iterate_;
   return iterate_.film.thickness.minCoeff() > 0.0;
 }
 
 void FilmNewton::finish(const JournalVector& journal, BearingState& state, FilmReport& report) {
-  FilmBearing::place_journal(journal, trial_);
+  FilmModel::place_journal(journal, trial_);
   trial_.clearance_offset = clearance_offset_;
   report.predicted_change = std::max(report.predicted_change, distance(predicted_, state));
   report.departure = std::max(report.departure, distance(trial_, predicted_));

@@ -18,7 +18,7 @@ namespace bumpfoil {
 /// joint_newton.hpp: its own equations, linearised about an iterate. Storage is reused between solves.
 class FilmNewton {
  public:
-  FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options);
+  FilmNewton(SharedBearing bearing, const FilmSolverOptions& options);
 
   /// Starts a solve: the first trial is the guess.
   /// @param from   state at the start, whose slip_origin is the reference of friction
@@ -56,7 +56,7 @@ class FilmNewton {
   /// @param state  at the start; receives the one at the end
   void finish(const JournalVector& journal, BearingState& state, FilmReport& report);
 
-  [[nodiscard]] const FilmBearing& bearing() const { return bearing_; }
+  [[nodiscard]] const BearingModel& bearing() const { return bearing_; }
   [[nodiscard]] const FilmSolverOptions& options() const { return options_; }
 
   /// With contacts in the modes of `state`, or with all closed ones sticking.
@@ -123,8 +123,9 @@ class FilmNewton {
   template <typename Visitor>
   void for_each_place(const FilmPad& pad, int support, Visitor&& visit) const;
 
-  SharedFilmBearing shared_;
-  const FilmBearing& bearing_{*shared_};
+  SharedBearing shared_;
+  const BearingModel& bearing_{*shared_};
+  const FilmModel& film_{*bearing_.film};
   FilmSolverOptions options_;
   std::deque<Part> parts_;             ///< one per pad
   std::shared_ptr<ModeSystem> modes_;  ///< shared with `contacts_`, which leaves it in the modes of the step

@@ -13,42 +13,42 @@ constexpr int most_vain_steps_in_time = 4;
 
 }  // namespace
 
-OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, const OperatingPoint& like) {
+OperatingPoint point_of(const BearingModel& bearing, const BearingState& state, const OperatingPoint& like) {
   OperatingPoint point{.control = like.control,
                        .journal = state.position,
                        .speed = state.speed,
                        .clearance_offset = state.clearance_offset,
                        .tilt = {like.tilt.control, state.tilt}};
-  const bool by_moment = bearing.tilts() && like.tilt.control == Control::load;
+  const bool by_moment = bearing.film->tilts() && like.tilt.control == Control::load;
   if (!point.by_load() && !by_moment) return point;
-  const JournalVector force = journal_force(bearing, state.film, state.speed);
+  const JournalVector force = journal_force(*bearing.film, state.film, state.speed);
   if (point.by_load()) point.journal = force.head<2>();
   if (by_moment) point.tilt.value = force.tail<2>();
   return point;
 }
 
-FilmStepper::FilmStepper(SharedFilmBearing bearing, const FilmBearingOptions& options)
+FilmStepper::FilmStepper(SharedBearing bearing, const FilmBearingOptions& options)
     : bearing_(std::move(bearing)),
       options_(options),
       newton_(std::make_unique<FilmNewton>(bearing_, options.newton)) {}
 
-FilmStepper::FilmStepper(FilmBearing bearing, const FilmBearingOptions& options)
-    : FilmStepper(std::make_shared<const FilmBearing>(std::move(bearing)), options) {}
+FilmStepper::FilmStepper(BearingModel bearing, const FilmBearingOptions& options)
+    : FilmStepper(std::make_shared<const BearingModel>(std::move(bearing)), options) {}
 
 FilmStepper::~FilmStepper() = default;
 
 Move FilmStepper::move_to(const OperatingPoint& point, double dt, TimeScheme scheme) const {
   const auto law_of = [&](Control control, const JournalVector& value) {
-    const FilmScales& scales = bearing_->scales;
+    const FilmScales& scales = bearing_->film->scales;
     return control == Control::load ? loaded_journal(value, scales) : held_journal(value, scales);
   };
   const JournalLaw in_mid_plane = law_of(point.control, point.journal);
-  return {
-      .law = bearing_->tilts() ? with_tilt(in_mid_plane, law_of(point.tilt.control, point.tilt.value)) : in_mid_plane,
-      .speed = point.speed,
-      .clearance_offset = point.clearance_offset,
-      .dt = dt,
-      .scheme = scheme};
+  return {.law = bearing_->film->tilts() ? with_tilt(in_mid_plane, law_of(point.tilt.control, point.tilt.value))
+                                         : in_mid_plane,
+          .speed = point.speed,
+          .clearance_offset = point.clearance_offset,
+          .dt = dt,
+          .scheme = scheme};
 }
 
 FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_near) {
@@ -57,7 +57,7 @@ FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_
   const double tolerance = finds_states ? options_.marching_tolerance : options_.newton.step_tolerance;
   const JointMove to{law_of_one(move.law), move.speed, move.clearance_offset, move.dt, move.scheme};
   if (!newton_->set_out(to, state, state)) return {.status = Status::no_room};
-  Eigen::VectorXd journal = bearing_->journal_of(state);
+  Eigen::VectorXd journal = bearing_->film->journal_of(state);
   NewtonAim aim{.tolerance = tolerance};
   if (finds_states) aim.most_vain_steps = most_vain_steps_in_time;
   if (stays_near) aim.most_vain_steps = 0;

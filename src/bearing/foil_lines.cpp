@@ -21,7 +21,7 @@ bool is_of_top_foil(const BumpDofs& dofs, int place) {
 /// Adds a block of K of one mode to that of the lines.
 /// @param alike  product of the mode's values on two lines, which multiplies the block that couples them
 template <typename Alike>
-void add_block(const Foils& foils, const Matrix& block, const Alike& alike, Matrix& sum) {
+void add_block(const BearingModel& foils, const Matrix& block, const Alike& alike, Matrix& sum) {
   const BumpDofs& dofs = foils.structure.dofs;
   for (int s = 0; s < foils.crest_contacts(); ++s) {
     for (int r = 0; r < foils.crest_contacts(); ++r) {
@@ -38,7 +38,7 @@ void add_block(const Foils& foils, const Matrix& block, const Alike& alike, Matr
 }
 
 /// Adds the sheets of the bump foils, which couple their slices in the modes that stretch them.
-void add_sheets(const Foils& foils, const WidthLines& width, BlockTridiagonal& K) {
+void add_sheets(const BearingModel& foils, const WidthLines& width, BlockTridiagonal& K) {
   const BumpDofs& dofs = foils.structure.dofs;
   const Matrix to_modes = width.to_stretching_modes();
   const Eigen::Index of_slices = to_modes.rows() * dofs.size;
@@ -85,7 +85,7 @@ std::vector<FoilLine> foil_lines_of(const WidthLines& lines, SheetModel sheet, c
   return placed;
 }
 
-int unknowns_on_lines(const Foils& foils) {
+int unknowns_on_lines(const BearingModel& foils) {
   int largest = 0;
   for (const std::vector<FoilLine>* all : {&foils.lines, &foils.points}) {
     for (const FoilLine& line : *all) {
@@ -95,7 +95,7 @@ int unknowns_on_lines(const Foils& foils) {
   return largest + 1;
 }
 
-int unknowns_of_sheet(const Foils& foils, const WidthLines& width) {
+int unknowns_of_sheet(const BearingModel& foils, const WidthLines& width) {
   if (foils.sheet == SheetModel::held) return 0;
   return static_cast<int>(width.stretching_orders().size()) * sheet_nodes(foils.structure.dofs);
 }
@@ -112,7 +112,7 @@ double stiffest_of_bump_foils(const FoilStructure& structure) {
   return largest;
 }
 
-void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagonal& K) {
+void add_bump_foils(const BearingModel& foils, const WidthLines& width, BlockTridiagonal& K) {
   const FoilStructure& structure = foils.structure;
   const BumpDofs& dofs = structure.dofs;
   const double largest = stiffest_of_bump_foils(structure);
@@ -151,8 +151,8 @@ void add_bump_foils(const Foils& foils, const WidthLines& width, BlockTridiagona
   if (foils.sheet == SheetModel::elastic) add_sheets(foils, width, K);
 }
 
-void put_contacts_on_lines(std::span<const Foils> strips, double elsewhere, Foils& on_lines) {
-  const Foils& foils = strips.front();
+void put_contacts_on_lines(std::span<const BearingModel> strips, double elsewhere, BearingModel& on_lines) {
+  const BearingModel& foils = strips.front();
   // Source of each contact in a block of the others: the first of those in a block of the strip.
   struct Source {
     int contact, strip;
@@ -164,7 +164,7 @@ void put_contacts_on_lines(std::span<const Foils> strips, double elsewhere, Foil
       like.push_back({first, lines[static_cast<std::size_t>(s)].strip});
       ContactSite& site = pattern.emplace_back(foils.problem.sites[static_cast<std::size_t>(first)]);
       for (int* place : {&site.plus, &site.minus, &site.tangential}) {
-        if (*place >= 0) *place = Foils::place(lines, s, *place);
+        if (*place >= 0) *place = BearingModel::place(lines, s, *place);
       }
     }
   };

@@ -25,7 +25,7 @@ Excitation between(const Excitation& begin, const Excitation& end, double fracti
 
 }  // namespace
 
-BearingState BearingState::unstressed(const Foils& foils) {
+BearingState BearingState::unstressed(const BearingModel& foils) {
   BearingState state;
   state.loading = ContactLoading::none(foils.problem);
   state.contacts = ContactState::unstressed(foils.problem);
@@ -33,14 +33,14 @@ BearingState BearingState::unstressed(const Foils& foils) {
   return state;
 }
 
-FoilStepper::FoilStepper(SharedFoils foils, const FollowerMaker& make_follower)
+FoilStepper::FoilStepper(SharedBearing foils, const FollowerMaker& make_follower)
     : foils_(std::move(foils)),
       modes_(make_mode_system(foils_->problem)),
       follower_(make_follower(SharedProblem({foils_, &foils_->problem}), modes_)),
       dissipation_(foils_->problem),
       rate_(ContactState::unstressed(foils_->problem)) {}
 
-bool FoilStepper::set_foils(const SharedFoils& foils) {
+bool FoilStepper::set_foils(const SharedBearing& foils) {
   if (!is_same(foils_->problem, foils->problem)) return false;
   foils_ = foils;
   return true;

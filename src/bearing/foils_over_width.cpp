@@ -5,7 +5,7 @@
 #include "bearing/foil_lines.hpp"
 #include "bearing/strip_points.hpp"
 #include "bumpfoil/bearing/assembly.hpp"
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/top_foil_on_lines.hpp"
@@ -17,7 +17,7 @@ namespace {
 constexpr double spring_of_journal = 1e-10;
 
 /// Half the axial length, m.
-double half_width_of(const Foils& foils) {
+double half_width_of(const BearingModel& foils) {
   return 0.5 * foils.placed.front().alone.bearing.axial_length;
 }
 
@@ -28,7 +28,7 @@ int unknowns_of_membrane(const WidthLines& width) {
 
 /// Adds the top foil of a pad to K of the problem, with its forming.
 /// @param stations  of top_foil_on_lines()
-void add_top_foil(int pad, const WidthLines& width, const std::vector<int>& stations, Foils& foils) {
+void add_top_foil(int pad, const WidthLines& width, const std::vector<int>& stations, BearingModel& foils) {
   BlockTridiagonal& K = foils.problem.K;
   const FoilDesign design = make_bearing_design(foils.placed[static_cast<std::size_t>(pad)].alone);
   const TopFoilOnLines foil = top_foil_on_lines(design, width, stations);
@@ -40,7 +40,8 @@ void add_top_foil(int pad, const WidthLines& width, const std::vector<int>& stat
   for (std::size_t station = 0; station < stations.size(); ++station) {
     const Eigen::Index first = static_cast<Eigen::Index>(station) * width.count();
     for (const int unknown : {foils.structure.dofs.top_u, foils.structure.dofs.top_moment}) {
-      for (Eigen::Index s = 0; s < width.count(); ++s) places.push_back(Foils::place(foils.lines, first + s, unknown));
+      for (Eigen::Index s = 0; s < width.count(); ++s)
+        places.push_back(BearingModel::place(foils.lines, first + s, unknown));
     }
     for (int i = 0; i < of_membrane; ++i) places.push_back(membrane++);
   }
@@ -56,14 +57,14 @@ void add_top_foil(int pad, const WidthLines& width, const std::vector<int>& stat
 }
 
 /// Adds the top foils of all pads to K of the problem, with their forming.
-void add_top_foils(const WidthLines& width, const std::vector<int>& stations, Foils& foils) {
+void add_top_foils(const WidthLines& width, const std::vector<int>& stations, BearingModel& foils) {
   foils.forming.setZero(foils.problem.K.rows());
   foils.structure.forming_energy = 0.0;
   for (int pad = 0; pad < foils.pad_count(); ++pad) add_top_foil(pad, width, stations, foils);
 }
 
 /// FoilStructure::forming of split top foils, one slice per point, with the stiffness of its part of the width.
-Vector forming_of_slices(const Foils& foils) {
+Vector forming_of_slices(const BearingModel& foils) {
   const BumpDofs& dofs = foils.structure.dofs;
   const Eigen::Index blocks = foils.structure.K.blocks();
   Vector forming = Vector::Zero(foils.problem.K.rows());
@@ -80,7 +81,7 @@ Vector forming_of_slices(const Foils& foils) {
 }
 
 /// Number of unknowns of a block for a journal that tilts under a moment.
-int unknowns_of_journal(const Foils& foils, const JournalOverWidth& journal) {
+int unknowns_of_journal(const BearingModel& foils, const JournalOverWidth& journal) {
   return journal.moment ? 4 + 2 * foils.journal_contacts() : 0;
 }
 
@@ -88,7 +89,7 @@ int unknowns_of_journal(const Foils& foils, const JournalOverWidth& journal) {
 /// outward displacement on each line, tied to the tilt. Each tie has a force. Contacts of the journal act on these
 /// displacements.
 /// @param first  index of its unknowns in each block
-void free_tilt(int first, Foils& foils) {
+void free_tilt(int first, BearingModel& foils) {
   BlockTridiagonal& K = foils.problem.K;
   const double tie = stiffest_of_bump_foils(foils.structure);  // scales its rows to the others
   foils.journal_tilt = first;
@@ -123,7 +124,7 @@ void free_tilt(int first, Foils& foils) {
 }
 
 /// Adds the offset of the journal on each line from its mid-plane position to its gaps, for a given tilt.
-void add_distances(Foils& foils) {
+void add_distances(BearingModel& foils) {
   for (int s = 0; s < foils.journal_contacts(); ++s) {
     const double zeta = foils.lines[static_cast<std::size_t>(s)].zeta;
     const Vector by_tilt = journal_gaps(0.0, foils.normals_on(s), half_width_of(foils) * foils.over_width.slope);
@@ -133,7 +134,7 @@ void add_distances(Foils& foils) {
 
 /// Adds the journal to foils that are on lines or strips.
 /// @param first  index in a block of unknowns_of_journal()
-void put_journal(const JournalOverWidth& journal, int first, Foils& foils) {
+void put_journal(const JournalOverWidth& journal, int first, BearingModel& foils) {
   foils.over_width = journal;
   add_distances(foils);
   if (journal.moment) free_tilt(first, foils);
@@ -141,10 +142,10 @@ void put_journal(const JournalOverWidth& journal, int first, Foils& foils) {
 
 }  // namespace
 
-Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal, SheetModel sheet) {
+BearingModel on_lines(const BearingModel& foils, int modes, const JournalOverWidth& journal, SheetModel sheet) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
-  Foils varied = foils;
+  BearingModel varied = foils;
   varied.sheet = sheet;
   varied.lines = foil_lines_of(width, sheet, foils.structure.dofs, foils.structure.dofs.size);
   const int of_foils = unknowns_on_lines(varied) + unknowns_of_sheet(varied, width);
@@ -158,15 +159,15 @@ Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal, S
   return varied;
 }
 
-Foils on_strips(const Foils& foils, int modes, const JournalOverWidth& journal) {
+BearingModel on_strips(const BearingModel& foils, int modes, const JournalOverWidth& journal) {
   BUMPFOIL_ASSERT(foils.lines.empty() && foils.has_top_foil() && !foils.problem.law);
   const WidthLines width = make_width_lines(modes, WidthPart::whole);
   const PadDesign& pad_design = foils.placed.front().alone;
   const std::vector<int> stations = pad_design.bump_foil.stations();
-  const std::vector<Foils> strips = strips_of(foils);
-  Foils split = foils;
+  const std::vector<BearingModel> strips = strips_of(foils);
+  BearingModel split = foils;
   if (stations.size() > 1) {
-    for (const Foils& strip : strips) split.strip_normals.push_back(strip.normals);
+    for (const BearingModel& strip : strips) split.strip_normals.push_back(strip.normals);
   }
   BlockTridiagonal& K = split.problem.K;
   const int blocks = foils.structure.K.blocks();
@@ -189,8 +190,8 @@ Foils on_strips(const Foils& foils, int modes, const JournalOverWidth& journal) 
   return split;
 }
 
-Foils foils_without_journal(const BearingDesign& design) {
-  Foils foils = make_foils(design);
+BearingModel foils_without_journal(const BearingDesign& design) {
+  BearingModel foils = make_foils(design);
   return design.has_own_strips() ? on_strips(foils, 3, {}) : foils;
 }
 

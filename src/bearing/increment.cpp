@@ -28,7 +28,7 @@ Increment place(const Step& step, const Eigen::Vector2d& direction) {
 
 }  // namespace
 
-Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vector2d& direction) {
+Increment place_increment(const BearingModel& foils, const Step& step, const Eigen::Vector2d& direction) {
   Increment increment = place(step, direction);
   const Eigen::Vector2d force = holding_force(foils, step.state.contacts.normal_force);
   const auto force_along = [&](const Eigen::Vector2d& axis) { return cleared(force.dot(axis), foils.round_off.force); };
@@ -47,7 +47,7 @@ Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vec
   return increment;
 }
 
-void check_increment(const Foils& foils, const BearingState& state, Increment& increment) {
+void check_increment(const BearingModel& foils, const BearingState& state, Increment& increment) {
   const ElasticResponse elastic = elastic_response(foils, state.contacts.x);
   increment.elastic_energy = cleared(elastic.energy, foils.round_off.energy);
   // The loads include forming.

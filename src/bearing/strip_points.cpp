@@ -12,11 +12,11 @@
 namespace bumpfoil {
 namespace {
 
-const BumpFoil& bump_foil_of(const Foils& foils) {
+const BumpFoil& bump_foil_of(const BearingModel& foils) {
   return foils.placed.front().alone.bump_foil;
 }
 
-int station_of(const Foils& foils, int strip) {
+int station_of(const BearingModel& foils, int strip) {
   const BumpFoil& foil = bump_foil_of(foils);
   return foil.strip.empty() ? 0 : foil.strip[static_cast<std::size_t>(strip)].sixths();
 }
@@ -24,7 +24,7 @@ int station_of(const Foils& foils, int strip) {
 /// Adds the bump foil under a point to K, and its tie.
 /// @param strip  of the point
 /// @param tie    N/m: scales its rows to the others
-void add_point(const Foils& foils, const FoilLine& point, const FoilStructure& strip, const WidthLines& width,
+void add_point(const BearingModel& foils, const FoilLine& point, const FoilStructure& strip, const WidthLines& width,
                double tie, BlockTridiagonal& K) {
   const BumpDofs& dofs = strip.dofs;
   std::vector<int> own, places;
@@ -72,7 +72,7 @@ void add_slice(const FoilLine& point, const FoilStructure& strip, BlockTridiagon
 
 /// The points of all strips, two Gauss points on each, with unknowns from `further` on. Those of the first point are
 /// the foils' own, except for the top foil unless it is split.
-std::vector<FoilLine> points_of(const Foils& foils, int further) {
+std::vector<FoilLine> points_of(const BearingModel& foils, int further) {
   const BumpDofs& dofs = foils.structure.dofs;
   const PadDesign& pad = foils.placed.front().alone;
   const double from_middle = 0.5 * strip_width(pad) / std::numbers::sqrt3;
@@ -96,8 +96,8 @@ std::vector<FoilLine> points_of(const Foils& foils, int further) {
 
 }  // namespace
 
-std::vector<Foils> strips_of(const Foils& foils) {
-  std::vector<Foils> strips;
+std::vector<BearingModel> strips_of(const BearingModel& foils) {
+  std::vector<BearingModel> strips;
   strips.reserve(static_cast<std::size_t>(bump_foil_of(foils).strips));
   for (int strip = 0; strip < bump_foil_of(foils).strips; ++strip) {
     std::vector<PlacedPad> pads;
@@ -108,14 +108,14 @@ std::vector<Foils> strips_of(const Foils& foils) {
   return strips;
 }
 
-void keep_stress(std::span<const Foils> strips, Foils& foils) {
+void keep_stress(std::span<const BearingModel> strips, BearingModel& foils) {
   const std::vector<FoilStrip>& own = bump_foil_of(foils).strip;
   if (std::none_of(own.begin(), own.end(), [](const FoilStrip& one) { return one.has_own_bumps(); })) return;
   foils.strip_stress.clear();
-  for (const Foils& strip : strips) foils.strip_stress.push_back(strip.stress);
+  for (const BearingModel& strip : strips) foils.strip_stress.push_back(strip.stress);
 }
 
-void lay_out_strips(const WidthLines& width, int further, Foils& foils) {
+void lay_out_strips(const WidthLines& width, int further, BearingModel& foils) {
   const BumpDofs& dofs = foils.structure.dofs;
   foils.lines.clear();
   for (const int station : bump_foil_of(foils).stations()) {
@@ -135,19 +135,20 @@ void lay_out_strips(const WidthLines& width, int further, Foils& foils) {
   foils.points = points_of(foils, further);
 }
 
-void lay_out_split_foils(Foils& foils) {
+void lay_out_split_foils(BearingModel& foils) {
   foils.split_top_foil = true;
   foils.points = points_of(foils, foils.structure.dofs.size);
   foils.lines = foils.points;
 }
 
-void add_slices(const Foils& foils, std::span<const Foils> strips, BlockTridiagonal& K) {
+void add_slices(const BearingModel& foils, std::span<const BearingModel> strips, BlockTridiagonal& K) {
   for (const FoilLine& point : foils.points) {
     add_slice(point, strips[static_cast<std::size_t>(point.strip)].structure, K);
   }
 }
 
-void add_strips(const Foils& foils, std::span<const Foils> strips, const WidthLines& width, BlockTridiagonal& K) {
+void add_strips(const BearingModel& foils, std::span<const BearingModel> strips, const WidthLines& width,
+                BlockTridiagonal& K) {
   const double tie = stiffest_of_bump_foils(foils.structure);
   for (const FoilLine& point : foils.points) {
     add_point(foils, point, strips[static_cast<std::size_t>(point.strip)].structure, width, tie, K);

@@ -9,17 +9,13 @@ namespace {
 /// A film over a wall, linearised with storage proportional to P H at a real rate.
 class LinearWallFilm {
  public:
-  LinearWallFilm(const FilmBearing& bearing, const Foundation& foundation, const FilmState& film)
-      : bearing_(bearing),
-        mesh_(bearing.pads.front().foil.mesh),
-        foundation_(foundation),
-        film_(film),
-        system_(mesh_) {}
+  LinearWallFilm(const FilmModel& model, const Foundation& foundation, const FilmState& film)
+      : model_(model), mesh_(model.pads.front().foil.mesh), foundation_(foundation), film_(film), system_(mesh_) {}
 
   /// @param shift  the rate, in units of 1 / T0. @return whether the equations are regular there
   bool linearise(double speed, double shift) {
-    FilmEquations equations = film_equations(bearing_, speed);
-    squeeze(bearing_, shift, film_content(film_), equations);
+    FilmEquations equations = film_equations(model_, speed);
+    squeeze(model_, shift, film_content(film_), equations);
     linearise_reynolds(equations.front(), film_, residual_, jacobian_);
     system_.assemble(jacobian_, foundation_);
     return system_.factor();
@@ -44,11 +40,10 @@ class LinearWallFilm {
     Matrix thickness = rigid;
     add_yield(foundation_, mesh_, pressure, thickness);
     const Matrix content = pressure.cwiseProduct(film_.thickness) + film_.pressure.cwiseProduct(thickness);
-    return {.content = mesh_.unknown(content).reshaped(),
-            .force = film_force(bearing_, bearing_.field(1.0) + pressure)};
+    return {.content = mesh_.unknown(content).reshaped(), .force = film_force(model_, model_.field(1.0) + pressure)};
   }
 
-  const FilmBearing& bearing_;
+  const FilmModel& model_;
   const FilmMesh& mesh_;
   const Foundation& foundation_;
   const FilmState& film_;
@@ -59,17 +54,17 @@ class LinearWallFilm {
 
 }  // namespace
 
-std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Foundation& foundation,
+std::optional<FilmImpedance> wall_impedance(const FilmModel& model, const Foundation& foundation,
                                             const BearingState& state, const std::vector<std::complex<double>>& rates) {
-  const double T0 = bearing.scales.squeeze_time();
+  const double T0 = model.scales.squeeze_time();
   const ShiftedRates shifted(rates, T0);
   FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
-  LinearWallFilm film(bearing, foundation, state.film);
+  LinearWallFilm film(model, foundation, state.film);
   if (!film.linearise(state.speed, found.shift)) return std::nullopt;
   std::vector<FilmAnswer> moved;
-  moved.reserve(static_cast<std::size_t>(bearing.motions()));
-  for (Eigen::Index motion = 0; motion < bearing.motions(); ++motion) {
-    moved.push_back(film.moved(bearing.thinning(JournalVector::Unit(bearing.motions(), motion))));
+  moved.reserve(static_cast<std::size_t>(model.motions()));
+  for (Eigen::Index motion = 0; motion < model.motions(); ++motion) {
+    moved.push_back(film.moved(model.thickness_change(JournalVector::Unit(model.motions(), motion))));
   }
   const auto stored = [&](const std::vector<Vector>& directions) {
     std::vector<FilmAnswer> answers;

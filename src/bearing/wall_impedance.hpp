@@ -14,7 +14,7 @@ namespace bumpfoil {
 /// about a state, see FilmStepper::impedance(). The foundation has neither mass nor damping.
 /// @param rates  s, 1/s, at which accuracy is ensured
 /// @return nothing if the equations are singular
-std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Foundation& foundation,
+std::optional<FilmImpedance> wall_impedance(const FilmModel& model, const Foundation& foundation,
                                             const BearingState& state, const std::vector<std::complex<double>>& rates);
 
 }  // namespace bumpfoil

@@ -26,20 +26,20 @@ SheetModel sheet_of(const Case& input) {
 
 }  // namespace
 
-SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
+SharedBearing make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
   require_bearing(input, commands);
-  if (!input.varies_over_the_width()) return std::make_shared<const Foils>(make_foils(input));
+  if (!input.varies_over_the_width()) return std::make_shared<const BearingModel>(make_foils(input));
   const JournalOverWidth journal = journal_of(input.width);
   if (input.bump_foil.is_split())
-    return std::make_shared<const Foils>(on_strips(make_foils(input), input.width.modes, journal));
-  return std::make_shared<const Foils>(on_lines(make_foils(input), input.width.modes, journal, sheet_of(input)));
+    return std::make_shared<const BearingModel>(on_strips(make_foils(input), input.width.modes, journal));
+  return std::make_shared<const BearingModel>(on_lines(make_foils(input), input.width.modes, journal, sheet_of(input)));
 }
 
-SharedFoils make_strip_foils(const Case& input) {
+SharedBearing make_strip_foils(const Case& input) {
   require_valid(input, {"strip"});
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
   const StripSettings& strip = *input.strip;
-  return std::make_shared<const Foils>(make_foils(input, strip.bumps, strip.weld, strip.top_foil));
+  return std::make_shared<const BearingModel>(make_foils(input, strip.bumps, strip.weld, strip.top_foil));
 }
 
 std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
@@ -61,7 +61,7 @@ std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, c
   return make_increment_follower(std::make_unique<UzawaSolver>(*problem, options));
 }
 
-FoilStepper make_stepper(SharedFoils foils, const SolverSettings& settings, Rates rates) {
+FoilStepper make_stepper(SharedBearing foils, const SolverSettings& settings, Rates rates) {
   return {std::move(foils), [&](const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes) {
             return make_path_follower(problem, settings, modes, rates);
           }};
@@ -93,7 +93,7 @@ FilmSurroundings surroundings_of(const Case& input, double ambient) {
   return surroundings;
 }
 
-FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
+BearingModel make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
   require_bearing(input, {"equilibrium"});
   return make_film_bearing(make_film_foils(input), gas, resolution, surroundings_of(input, gas.ambient_pressure));
 }
@@ -110,7 +110,7 @@ FilmResolution resolution_of(const Case& input) {
           .width = input.has_equal_halves() ? WidthPart::half : WidthPart::whole};
 }
 
-FilmBearing make_film_bearing(const Case& input) {
+BearingModel make_film_bearing(const Case& input) {
   return make_film_bearing(input, gas_of(input.gas), resolution_of(input));
 }
 

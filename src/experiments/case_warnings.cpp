@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/wedging.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
@@ -35,7 +35,7 @@ void warn_of_width(const Case& input, std::vector<std::string>& warnings) {
 }
 
 /// Warns if friction leaves increments with several solutions or none.
-void warn_of_wedging(const Foils& foils, std::vector<std::string>& warnings) {
+void warn_of_wedging(const BearingModel& foils, std::vector<std::string>& warnings) {
   const std::optional<Wedge> wedge = strongest_wedge(foils.problem);
   if (!wedge) return;
   const int block = wedge->contact / foils.contacts_per_block();
@@ -57,7 +57,7 @@ std::vector<std::string> case_warnings(const Case& input) {
   if (input.bearing.is_flat()) return warnings;
   warn_of_width(input, warnings);
   const std::vector<PlacedPad> pads = place_pads(input);
-  std::optional<Foils> foils;
+  std::optional<BearingModel> foils;
   const bool rubs = input.friction.top_bump > 0.0 || input.friction.bump_sleeve > 0.0;
   if (rubs && input.bump_foil.model != BumpFoilModel::former) {
     foils = foils_without_journal(input);

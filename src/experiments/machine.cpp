@@ -38,10 +38,10 @@ Machine make_machine(const Case& input, const std::vector<double>& speeds, const
     const auto alike = static_cast<std::size_t>(std::find(cases.begin(), cases.end(), cases.back()) - cases.begin());
     machine.bearings.push_back(
         alike < i ? machine.bearings[alike]
-                  : std::make_shared<const FilmBearing>(make_film_bearing(cases.back(), gas_of(cases.back().gas),
-                                                                          resolution_under(settings, cases.back()))));
+                  : std::make_shared<const BearingModel>(make_film_bearing(cases.back(), gas_of(cases.back().gas),
+                                                                           resolution_under(settings, cases.back()))));
     machine.thickness_floors.push_back(thickness_floor(cases.back()));
-    half_widths.push_back(machine.bearings.back()->tilts() ? machine.bearings.back()->half_width() : 0.0);
+    half_widths.push_back(machine.bearings.back()->film->tilts() ? machine.bearings.back()->film->half_width() : 0.0);
   }
   ReducedRotor reduced = rotor_of(settings, highest_whirl_ratio * highest, half_widths);
   machine.rotor = std::move(reduced.rotor);
@@ -57,7 +57,7 @@ std::vector<RotorStation> Machine::places() const {
 }
 
 double Machine::thinnest_film(std::size_t bearing, const BearingState& state) const {
-  return state.film.thickness.minCoeff() * bearings[bearing]->scales.thickness;
+  return state.film.thickness.minCoeff() * bearings[bearing]->film->scales.thickness;
 }
 
 double Machine::thinnest_film(const std::vector<BearingState>& states) const {
@@ -72,7 +72,7 @@ std::deque<FilmStepper> Machine::make_steppers(const std::function<bool()>& keep
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     FilmBearingOptions options;
     options.keep_going = keep_going;
-    options.newton.thickness_floor = thickness_floors[i] / bearings[i]->scales.thickness;
+    options.newton.thickness_floor = thickness_floors[i] / bearings[i]->film->scales.thickness;
     steppers.emplace_back(bearings[i], options);
   }
   return steppers;

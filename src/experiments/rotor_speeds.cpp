@@ -19,23 +19,24 @@ void add_bearing_numbers(std::size_t count, Dataset& data) {
 std::vector<JournalQuantity> journal_quantities(const Machine& machine) {
   std::vector<JournalQuantity> all;
   const bool tilts = std::any_of(machine.bearings.begin(), machine.bearings.end(),
-                                 [](const auto& bearing) { return bearing->tilts(); });
+                                 [](const auto& bearing) { return bearing->film->tilts(); });
   for (const int axis : {0, 1}) {
     const char letter = axis == 0 ? 'x' : 'y';
     const char direction = axis == 0 ? 'X' : 'Y';
     all.push_back({{std::string(1, letter), "m", fmt::format("journal centre in equilibrium, {}", direction)},
-                   [axis](const FilmBearing&, const BearingState& state) { return state.position[axis]; }});
+                   [axis](const BearingModel&, const BearingState& state) { return state.position[axis]; }});
     if (!tilts) continue;
     all.push_back({{fmt::format("tilt_{}", letter), "rad",
                     fmt::format("slope of the axis of the journal in equilibrium towards {}", direction)},
-                   [axis](const FilmBearing& bearing, const BearingState& state) {
-                     return bearing.tilts() ? state.tilt[axis] / bearing.half_width() : absent;
+                   [axis](const BearingModel& bearing, const BearingState& state) {
+                     return bearing.film->tilts() ? state.tilt[axis] / bearing.film->half_width() : absent;
                    }});
     all.push_back({{fmt::format("moment_{}", letter), "N m",
                     fmt::format("moment on the journal in equilibrium along {} about the mid-plane", direction)},
-                   [axis](const FilmBearing& bearing, const BearingState& state) {
-                     if (!bearing.tilts()) return absent;
-                     return bearing.half_width() * journal_force(bearing, state.film, state.speed)[2 + axis];
+                   [axis](const BearingModel& bearing, const BearingState& state) {
+                     if (!bearing.film->tilts()) return absent;
+                     return bearing.film->half_width() *
+                            journal_force(*bearing.film, state.film, state.speed)[2 + axis];
                    }});
   }
   return all;

@@ -34,7 +34,7 @@ void add_bearing_numbers(std::size_t count, Dataset& data);
 /// Quantities of a journal in equilibrium.
 struct JournalQuantity {
   VariableMeaning meaning;
-  std::function<double(const FilmBearing& bearing, const BearingState& state)> value;
+  std::function<double(const BearingModel& bearing, const BearingState& state)> value;
 };
 
 /// Journal position, and its tilt and the required moments if any bearing resists tilt.

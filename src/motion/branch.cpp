@@ -59,7 +59,7 @@ class BranchFollower {
 
 /// Number of steps of the first length, at least one.
 double BranchFollower::steps() const {
-  const double c = stepper_.bearing().scales.thickness;
+  const double c = stepper_.film().scales.thickness;
   double steps = 1.0;
   if (to_.speed != from_.speed) {
     const double speed = std::max(std::abs(from_.speed), std::abs(to_.speed));

@@ -134,7 +134,7 @@ bool LoadFollower::take_piece(const Eigen::Vector2d& lacking) {
 
 }  // namespace
 
-void append(const Foils& foils, const Step& part, Step& whole) {
+void append(const BearingModel& foils, const Step& part, Step& whole) {
   whole.status = part.status;
   whole.cost += part.cost;
   whole.substeps += part.substeps;

@@ -5,7 +5,7 @@
 namespace bumpfoil {
 
 /// Appends `part`, which starts at the end of `whole`. The last waypoint is then its end.
-void append(const Foils& foils, const Step& part, Step& whole);
+void append(const BearingModel& foils, const Step& part, Step& whole);
 
 /// Follows foils exactly under a load that grows proportionally from the current one, from one contact change to the
 /// next; the journal is free in the plane. The response is linear in between: the journal moves by K^-1 dL with the

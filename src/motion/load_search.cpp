@@ -170,7 +170,7 @@ void LoadSearch::in_plane() {
 }
 
 /// Whether all bumps have one normal, so that no lateral force can be carried.
-bool is_strip(const Foils& foils) {
+bool is_strip(const BearingModel& foils) {
   return (foils.normals.colwise() - foils.normals.col(0)).isZero();
 }
 

@@ -75,7 +75,7 @@ void MachineStepper::guess(double dt, const MachineState& state, Eigen::VectorXd
       guesses_ = state.bearings;
     }
   }
-  for (std::size_t i = 0; i < guesses_.size(); ++i) FilmBearing::place_journal(law_.journals[i].place(y), guesses_[i]);
+  for (std::size_t i = 0; i < guesses_.size(); ++i) FilmModel::place_journal(law_.journals[i].place(y), guesses_[i]);
 }
 
 FilmReport MachineStepper::take(const TimeStep& step, const RotorForces& forces, MachineState& state) {

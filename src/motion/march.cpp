@@ -16,7 +16,7 @@ constexpr int most_parts = 128;
 
 /// A load that keeps the journal on its current or next side of the clearance.
 /// @param largest  load of the program
-Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Leg& leg, const Foils& foils,
+Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Leg& leg, const BearingModel& foils,
                            const BearingState& state) {
   const double least = least_load * largest;
   if (load.norm() >= least) return load;
@@ -71,7 +71,8 @@ Schedule schedule_of(const Program& program) {
   return [&program, next = program.begin()]() mutable { return next == program.end() ? nullptr : &*next++; };
 }
 
-bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Step& step, const Observer& observe) {
+bool march(const BearingStepper& take, const Schedule& next_leg, BearingState& state, Step& step,
+           const Observer& observe) {
   LegIncrement at;  // the last one that was taken
   const auto next = [&](const BearingState&) -> std::optional<LegIncrement> {
     while (at.leg == nullptr || at.taken >= at.leg->steps) {
@@ -93,14 +94,13 @@ bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Ste
   });
 }
 
-bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, double reach, BearingState& state,
-           Step& step, const Observer& observe) {
-  const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
+BearingStepper stepper_of(FoilStepper& stepper, double largest, double reach) {
+  return [&stepper, largest, reach](const Leg& leg, int taken, const BearingState& from, Step& step) {
     const Eigen::Vector2d place = leg.line.place(leg.target(taken));
     if (leg.control == Control::load) {
       const Eigen::Vector2d load = never_zero(place, largest, leg, stepper.foils(), from);
       const double none = least_load * largest * (1.0 + 1e-9);  // including the round-off of the least load
-      advance_to_load(stepper, from, load, none, reach, next);
+      advance_to_load(stepper, from, load, none, reach, step);
       return;
     }
     if (taken == 1) {
@@ -108,29 +108,22 @@ bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, doubl
       end.position = leg.line.place(leg.end);
       stepper.set_out(from, end);
     }
-    stepper.advance_to(static_cast<double>(taken) / leg.steps, from, next);
-    next.state.position = place;
+    stepper.advance_to(static_cast<double>(taken) / leg.steps, from, step);
+    step.state.position = place;
   };
-  return march(next_leg, take, state, step, observe);
 }
 
-bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
-           const Observer& observe) {
-  return march(stepper, schedule_of(program), largest_place(program), reach, state, step, observe);
-}
-
-bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe) {
-  const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
+BearingStepper stepper_of(FilmStepper& stepper) {
+  return [&stepper](const Leg& leg, int taken, const BearingState& from, Step& step) {
     if (leg.dt > 0.0) {
-      pass_time(stepper, leg, taken, from, next);
+      pass_time(stepper, leg, taken, from, step);
     } else {
-      next.state = from;
-      next.substeps = 0;
-      next.film = follow(stepper, leg.point(taken), next.state);
+      step.state = from;
+      step.substeps = 0;
+      step.film = follow(stepper, leg.point(taken), step.state);
     }
-    next.status = next.film.status;
+    step.status = step.film.status;
   };
-  return march(schedule_of(program), take, state, step, observe);
 }
 
 MachineSchedule equal_steps(int count, const TimeStep& step) {

@@ -40,7 +40,7 @@ Eigen::VectorXd journal_numbers(const MachineStepper& stepper, const MachineStat
   const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
   Eigen::VectorXd numbers(4 * static_cast<Eigen::Index>(bearings.size()));
   for (std::size_t i = 0; i < bearings.size(); ++i) {
-    const double c = stepper.bearings()[i]->bearing().scales.thickness;
+    const double c = stepper.bearings()[i]->film().scales.thickness;
     const Eigen::Index at = 4 * static_cast<Eigen::Index>(i);
     const Eigen::Vector2d place = bearings[i].motion * state.rotor.y;
     const Eigen::Vector2d velocity = bearings[i].motion * state.rotor.v;
@@ -72,9 +72,9 @@ class TurnRecord {
       place.most = place.most.cwiseMax(q);
     }
     for (std::size_t i = 0; i < turn_.size(); ++i) {
-      const FilmBearing& bearing = stepper_.bearings()[i]->bearing();
+      const BearingModel& bearing = stepper_.bearings()[i]->bearing();
       const BearingState& now = state.bearings[i];
-      turn_[i].thinnest = std::min(turn_[i].thinnest, bearing.scales.thickness * now.film.thickness.minCoeff());
+      turn_[i].thinnest = std::min(turn_[i].thinnest, bearing.film->scales.thickness * now.film.thickness.minCoeff());
       turn_[i].power += part * film_bearing_outcome(bearing, now).power;
       turn_[i].friction += friction_work(bearing.problem, state.bearings_before[i].contacts, now.contacts);
     }
@@ -195,7 +195,7 @@ Eigen::VectorXcd disturbing_motion(const MachineStepper& stepper) {
   Eigen::MatrixXd motions(places.rows(), 2);  // real and imaginary parts
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const Eigen::Index at = 2 * static_cast<Eigen::Index>(i);
-    const double size = disturbance * stepper.bearings()[i]->bearing().scales.thickness;
+    const double size = disturbance * stepper.bearings()[i]->film().scales.thickness;
     places.middleRows(at, 2) = bearings[i].motion;
     for (const Eigen::Index axis : {0, 1}) {
       const auto phase = static_cast<double>(at + axis);
@@ -217,11 +217,11 @@ void forget_steps(MachineState& state) {
 void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, MachineState& state) {
   const std::vector<JointLaw::Journal>& journals = stepper.journals();
   const auto thickness_at = [&](std::size_t i, double part) {
-    const FilmBearing& bearing = stepper.bearings()[i]->bearing();
+    const BearingModel& bearing = stepper.bearings()[i]->bearing();
     const BearingState& there = state.bearings[i];
     const Eigen::VectorXd y = state.rotor.y + part * motion.real();
-    Matrix thickness = bearing.undeformed_thickness(journals[i].place(y), there.clearance_offset);
-    return Matrix(thickness + bearing.over_the_width(there.film.lift));
+    Matrix thickness = undeformed_thickness(bearing, journals[i].place(y), there.clearance_offset);
+    return Matrix(thickness + bearing.film->over_the_width(there.film.lift));
   };
   double part = 1.0;
   for (std::size_t i = 0; i < journals.size(); ++i) {
@@ -231,7 +231,7 @@ void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, M
   }
   for (std::size_t i = 0; i < journals.size(); ++i) {
     state.bearings[i].film.thickness = thickness_at(i, part);
-    FilmBearing::place_journal(journals[i].place(state.rotor.y + part * motion.real()), state.bearings[i]);
+    FilmModel::place_journal(journals[i].place(state.rotor.y + part * motion.real()), state.bearings[i]);
   }
   state.rotor.y += part * motion.real();
   state.rotor.v += part * std::abs(state.speed) * (Complex(0.0, 1.0) * motion).real();

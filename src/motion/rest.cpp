@@ -38,7 +38,7 @@ class RestSearch {
         options_(stepper.options()),
         start_(start),
         first_((to.speed == 0.0 ? first_step_without_speed : 1.0) * options_.first_time_step *
-               stepper.bearing().scales.squeeze_time()),
+               stepper.film().scales.squeeze_time()),
         growth_(to.speed == 0.0 ? growth_without_speed : options_.time_growth),
         dt_(first_),
         last_dt_(first_),
@@ -127,28 +127,29 @@ FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, Bearing
     next.film = stepper.solve(stepper.move_to(leg.point(taken), leg.dt, TimeScheme::implicit_euler), next.state, rests);
     next.status = next.film.status;
   };
-  march([&] { return search.next(); }, take, moving, step, [&](const Passage& at) { return search.see(at); });
+  march(
+      take, [&] { return search.next(); }, moving, step, [&](const Passage& at) { return search.see(at); });
   if (search.report().status == Status::converged) state = std::move(moving);
   return search.report();
 }
 
 BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, double clearance_offset) {
-  const FilmBearing& bearing = stepper.bearing();
+  const BearingModel& bearing = stepper.bearing();
   BearingState foils = resting(bearing, position, speed, clearance_offset);
   if (bearing.assembly.empty()) return foils;
   // Far from the journal, without motion or supply of gas, one Newton step is exact.
   const Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double bulge = 0.0;
   for (const PadAssembly& pad : bearing.assembly) bulge = std::max(bulge, pad.bulge);
-  const OperatingPoint far = OperatingPoint::held_at(centre, 0.0, bulges_away * bulge + bearing.scales.thickness);
+  const OperatingPoint far = OperatingPoint::held_at(centre, 0.0, bulges_away * bulge + bearing.film->scales.thickness);
   BearingState state = resting(bearing, centre, 0.0, far.clearance_offset);
-  state.film.pressure = bearing.field(1.0);
+  state.film.pressure = bearing.film->field(1.0);
   if (stepper.solve(stepper.move_to(far), state).status != Status::converged) return foils;
   foils.contacts = std::move(state.contacts);
   foils.film.lift = std::move(state.film.lift);
   foils.film.moment = std::move(state.film.moment);
   foils.film.membrane = std::move(state.film.membrane);
-  foils.film.thickness += bearing.over_the_width(foils.film.lift);
+  foils.film.thickness += bearing.film->over_the_width(foils.film.lift);
   foils.begin_increment();
   return foils;
 }

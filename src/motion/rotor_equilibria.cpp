@@ -37,16 +37,16 @@ Status RotorEquilibria::go_to(double speed, std::vector<BearingState>& states) c
     if (report.status != Status::converged) return report.status;
   }
   const bool resists_tilts = std::any_of(steppers_.begin(), steppers_.end(),
-                                         [](const FilmStepper* stepper) { return stepper->bearing().tilts(); });
+                                         [](const FilmStepper* stepper) { return stepper->film().tilts(); });
   return resists_tilts ? join(speed, states).status : Status::converged;
 }
 
 /// The next point of a bearing before it is coupled by the rotor: with its current force and tilt.
 OperatingPoint RotorEquilibria::next_point(std::size_t bearing, double speed, const BearingState& state) const {
   OperatingPoint point = OperatingPoint::loaded_by(loads_[bearing], speed);
-  const FilmBearing& film = steppers_[bearing]->bearing();
-  if (!film.tilts()) return point;
-  point = point_of(film, state, point);
+  const FilmStepper& stepper = *steppers_[bearing];
+  if (!stepper.film().tilts()) return point;
+  point = point_of(stepper.bearing(), state, point);
   point.speed = speed;
   return point;
 }
@@ -69,7 +69,7 @@ FilmReport RotorEquilibria::join(double speed, std::vector<BearingState>& states
   }
   Eigen::VectorXd y = rotor_at_rest(rotor_, steppers_, states, weight_);
   std::vector<BearingState> guesses = states;
-  for (std::size_t i = 0; i < guesses.size(); ++i) FilmBearing::place_journal(law.journals[i].place(y), guesses[i]);
+  for (std::size_t i = 0; i < guesses.size(); ++i) FilmModel::place_journal(law.journals[i].place(y), guesses[i]);
   return FilmStepper::solve_together(steppers_, move, guesses, y, states);
 }
 
@@ -78,7 +78,7 @@ FilmReport RotorEquilibria::start(std::size_t bearing, double speed, BearingStat
   const OperatingPoint loaded = OperatingPoint::loaded_by(load, speed);
   const auto begin = [&](FilmStepper& stepper, double clearance_offset, BearingState& begun) {
     const Eigen::Vector2d held =
-        held_along_load * (stepper.bearing().assembled_clearance + clearance_offset) * load.normalized();
+        held_along_load * (stepper.film().assembled_clearance + clearance_offset) * load.normalized();
     FilmReport report = cold_start(stepper, held, speed, begun, clearance_offset);
     if (report.status != Status::converged) return report;
     OperatingPoint opened = loaded;
@@ -91,7 +91,7 @@ FilmReport RotorEquilibria::start(std::size_t bearing, double speed, BearingStat
   };
   FilmReport report = start_from_rest(*steppers_[bearing], loaded, starting_steps, begin, state);
   OperatingPoint tilted = loaded;
-  tilted.tilt = steppers_[bearing]->bearing().surroundings.tilt;
+  tilted.tilt = steppers_[bearing]->film().surroundings.tilt;
   if (report.status == Status::converged && tilted != loaded) report += follow(*steppers_[bearing], tilted, state);
   return report;
 }

@@ -20,16 +20,16 @@ JointLaw law_of_rotor(const Rotor& rotor, const std::vector<FilmStepper*>& beari
   law.longest_step = std::numeric_limits<double>::infinity();
   double force_unit = 1.0;
   for (std::size_t i = 0; i < bearings.size(); ++i) {
-    const FilmBearing& bearing = bearings[i]->bearing();
+    const FilmModel& film = bearings[i]->film();
     const Eigen::MatrixXd B = rotor.bearings[i].journal();
-    BUMPFOIL_ASSERT(B.rows() == bearing.motions());
+    BUMPFOIL_ASSERT(B.rows() == film.motions());
     JointLaw::Journal& journal = law.journals.emplace_back(
         JointLaw::Journal{.motion = B, .by_force = B.transpose(), .force = JournalVector::Zero(B.rows())});
-    force_unit = std::max(force_unit, bearing.scales.force());
-    law.longest_step = std::min(law.longest_step, longest_displacement_in_c * bearing.scales.thickness);
-    if (!bearing.tilts()) continue;
+    force_unit = std::max(force_unit, film.scales.force());
+    law.longest_step = std::min(law.longest_step, longest_displacement_in_c * film.scales.thickness);
+    if (!film.tilts()) continue;
     journal.origin = JournalVector::Zero(B.rows());
-    journal.origin.tail<2>() = bearing.surroundings.tilt.value;
+    journal.origin.tail<2>() = film.surroundings.tilt.value;
   }
   // The unit of each unknown is the length with which it moves the mass of the rotor.
   law.units = force_unit * (rotor.mass.diagonal() / rotor.total_mass()).cwiseSqrt();
@@ -52,7 +52,7 @@ Eigen::VectorXd rotor_at_rest(const Rotor& rotor, const std::vector<FilmStepper*
     rows.middleRows(row, 2) = bearing.motion;
     known.segment(row, 2) = states[i].position;
     known.head(n) -=
-        bearing.journal().transpose() * journal_force(bearings[i]->bearing(), states[i].film, states[i].speed);
+        bearing.journal().transpose() * journal_force(bearings[i]->film(), states[i].film, states[i].speed);
   }
   // A rigid motion does no work on the shaft: y cannot affect the residual of this balance.
   known.head(n) = largest > 0.0 ? Eigen::VectorXd(known.head(n) / unit) : Eigen::VectorXd::Zero(n);

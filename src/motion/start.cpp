@@ -12,17 +12,18 @@ constexpr double room_left_by_journal = 0.3;
 
 }  // namespace
 
-double clearance_offset_to_start(const FilmBearing& bearing, double floor) {
+double clearance_offset_to_start(const BearingModel& bearing, double floor) {
   const bool has_room =
-      bearing.assembled_clearance > 0.0 && room_left_by_journal * bearing.assembled_clearance >= floor;
-  return has_room ? 0.0 : bearing.scales.thickness - bearing.assembled_clearance;
+      bearing.film->assembled_clearance > 0.0 && room_left_by_journal * bearing.film->assembled_clearance >= floor;
+  return has_room ? 0.0 : bearing.film->scales.thickness - bearing.film->assembled_clearance;
 }
 
 FilmReport close_clearance(FilmStepper& stepper, const OperatingPoint& to, int steps, BearingState& state) {
   FilmReport report{.status = Status::converged};
   const OperatingPoint from = point_of(stepper.bearing(), state, to);
   Step step;
-  march(stepper, Program{ramp(from, to, steps)}, state, step, [&](const Passage& at) {
+  const Program closing{ramp(from, to, steps)};
+  march(stepper_of(stepper), schedule_of(closing), state, step, [&](const Passage& at) {
     report += at.step.film;
     return at.step.converged() ? Verdict::go_on : Verdict::stop;
   });
@@ -31,9 +32,9 @@ FilmReport close_clearance(FilmStepper& stepper, const OperatingPoint& to, int s
 
 FilmReport start_from_rest(FilmStepper& stepper, const OperatingPoint& to, int steps, const Beginning& begin,
                            BearingState& state) {
-  const FilmBearing& bearing = stepper.bearing();
+  const BearingModel& bearing = stepper.bearing();
   const FilmBearingOptions& options = stepper.options();
-  const double floor = options.newton.thickness_floor * bearing.scales.thickness;
+  const double floor = options.newton.thickness_floor * bearing.film->scales.thickness;
   const double clearance_offset = clearance_offset_to_start(bearing, floor);
   if (clearance_offset == 0.0 || bearing.assembly.empty()) return begin(stepper, clearance_offset, state);
   FilmStepper unformed(formed_by(bearing, 0.0), options);

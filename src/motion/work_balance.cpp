@@ -42,17 +42,18 @@ struct EnergyMeter::Instant {
   Instant(const MachineStepper& stepper, const MachineState& state)
       : at{.time = state.time, .angle = state.angle, .speed = state.speed}, rotor(state.rotor) {
     for (std::size_t i = 0; i < state.bearings.size(); ++i) {
-      const FilmBearing& bearing = stepper.bearings()[i]->bearing();
+      const BearingModel& bearing = stepper.bearings()[i]->bearing();
+      const FilmModel& film = *bearing.film;
       const BearingState& now = state.bearings[i];
-      Bearing& one = bearings.emplace_back(Bearing{.powers = film_powers(bearing, now),
-                                                   .place = bearing.journal_of(now),
-                                                   .rubbing = JournalVector::Zero(bearing.motions()),
+      Bearing& one = bearings.emplace_back(Bearing{.powers = film_powers(film, now),
+                                                   .place = film.journal_of(now),
+                                                   .rubbing = JournalVector::Zero(film.motions()),
                                                    .contacts = now.contacts,
                                                    .energy = bearing_energy(bearing, now).total()});
-      if (!bearing.surroundings.asperities) continue;
-      const Matrix pressures = asperity_pressures(bearing, now.film.thickness);
-      one.rubbing = asperity_force(bearing, pressures, 0.0) -
-                    asperity_force(bearing, pressures, sliding_friction(bearing, now.speed));
+      if (!film.surroundings.asperities) continue;
+      const Matrix pressures = asperity_pressures(film, now.film.thickness);
+      one.rubbing =
+          asperity_force(film, pressures, 0.0) - asperity_force(film, pressures, sliding_friction(film, now.speed));
     }
   }
 

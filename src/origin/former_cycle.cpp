@@ -135,7 +135,7 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
     };
     BearingState state;
     Step step;
-    march(schedule_of(program), take, state, step, [&](const Passage& at) {
+    march(take, schedule_of(program), state, step, [&](const Passage& at) {
       return add(at.target, at.leg.branch, at.ends_leg) ? Verdict::go_on : Verdict::refuse;
     });
   }

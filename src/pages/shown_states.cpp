@@ -48,7 +48,7 @@ Json variables_json(const Dataset& data) {
   return json;
 }
 
-Json running_quantities_json(const FilmBearing& bearing) {
+Json running_quantities_json(const BearingModel& bearing) {
   Json json = Json::array();
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
     json.push_back(shown_quantity(labelled(quantity.meaning())));

@@ -66,7 +66,7 @@ TEST(Allocation, NeitherDoItsOtherMethods) {
 /// solver also the contact tableau and its inputs, four times about 150 by 130 numbers.
 TEST(Allocation, ARunnerHoldsLittle) {
   Case input = reference_case();
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const std::pair<SolverName, std::size_t> solvers[] = {{SolverName::newton, 220'000U},
                                                         {SolverName::events, 1'000'000U}};
   for (const auto& [solver, most] : solvers) {

@@ -53,7 +53,7 @@ struct Met {
 
 /// Positive pressure and thickness, non-penetration, no tension, Coulomb's cone, friction opposite to the slip since
 /// the unstressed state.
-void expect_lawful(const FilmBearing& bearing, const BearingState& state, Met& met) {
+void expect_lawful(const BearingModel& bearing, const BearingState& state, Met& met) {
   EXPECT_GT(state.film.pressure.minCoeff(), 0.0);
   EXPECT_GT(state.film.thickness.minCoeff(), 0.0);
   const double force = 1e-9 * std::max(1.0, state.contacts.normal_force.maxCoeff());  // N
@@ -81,7 +81,7 @@ TEST(RandomFilms, ObeyTheLawsAndLastAsTheirEigenvaluesSay) {
   for (std::uint64_t number = 0; number < cases; ++number) {
     const RandomFilm random(number);
     SCOPED_TRACE(number);
-    const FilmBearing bearing = make_film_bearing(random.input);
+    const BearingModel bearing = make_film_bearing(random.input);
     FilmStepper stepper(bearing);
     BearingState state;
     const FilmReport report = cold_start(stepper, random.position, random.speed, state);
@@ -120,11 +120,11 @@ TEST(RandomFilms, LoseTheirFrictionWithoutAJump) {
     for (const int i : {0, 1}) {
       const double f = i == 0 ? 0.0 : 1e-6;
       random.input.friction = {.top_bump = f, .bump_sleeve = f};
-      const FilmBearing bearing = make_film_bearing(random.input);
+      const BearingModel bearing = make_film_bearing(random.input);
       BearingState state;
       FilmStepper stepper(bearing);
       found = cold_start(stepper, random.position, random.speed, state).status == Status::converged && found;
-      if (found) force[i] = film_force(bearing, state.film.pressure);
+      if (found) force[i] = film_force(*bearing.film, state.film.pressure);
     }
     // Friction carries a fraction of the load of order f.
     if (found) {

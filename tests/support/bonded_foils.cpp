@@ -12,9 +12,9 @@ namespace {
 /// crest shares that of the top foil over it.
 class BondedUnknowns {
  public:
-  explicit BondedUnknowns(const FilmBearing& bearing)
-      : foil_(bearing.pads.front().foil), of_top_foil_(foil_.unknowns() * foil_.mesh.nodes()) {
-    const BumpDofs& dofs = bearing.dofs();
+  explicit BondedUnknowns(const BearingModel& bearing)
+      : foil_(bearing.film->pads.front().foil), of_top_foil_(foil_.unknowns() * foil_.mesh.nodes()) {
+    const BumpDofs& dofs = bearing.structure.dofs;
     const BlockTridiagonal& K = bearing.problem.K;
     of_bumps_.assign(static_cast<std::size_t>(K.rows()), -1);
     for (int b = 0; b < bearing.structure.K.blocks(); ++b) {
@@ -77,10 +77,10 @@ Vector residuals(const FoilFilm& foil, const BondedUnknowns& at, const Vector& u
 
 }  // namespace
 
-BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& loading) {
-  const FoilFilm& foil = bearing.pads.front().foil;
+BondedAnswer bonded_answer(const BearingModel& bearing, const BondedLoading& loading) {
+  const FoilFilm& foil = bearing.film->pads.front().foil;
   const FilmMesh& mesh = foil.mesh;
-  const double unit = bearing.scales.thickness;
+  const double unit = bearing.film->scales.thickness;
   const BondedUnknowns at(bearing);
   const Vector nothing = Vector::Zero(at.count());
   const Vector load = residuals(foil, at, nothing, loading.pressure);
@@ -109,7 +109,7 @@ BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& load
       give(at.crest(s, bump));
       z[at.crest(s, bump)] = (*loading.crest_lift)(s, bump) / unit;
     }
-    const BumpDofs& dofs = bearing.dofs();
+    const BumpDofs& dofs = bearing.structure.dofs;
     for (int b = 0; b < bearing.structure.K.blocks(); ++b) {
       const auto hold = [&](int unknown) {
         give(at.of_bumps(Eigen::Index{bearing.block(b)} * bearing.problem.K.block_size() + bearing.place(s, unknown)));

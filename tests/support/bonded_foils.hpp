@@ -19,6 +19,6 @@ struct BondedAnswer {
 };
 
 /// The linear response of foils of one pad, by the film's own equations: foil_residual(), and K of the bump foils.
-BondedAnswer bonded_answer(const FilmBearing& bearing, const BondedLoading& loading);
+BondedAnswer bonded_answer(const BearingModel& bearing, const BondedLoading& loading);
 
 }  // namespace bumpfoil

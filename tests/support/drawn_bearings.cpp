@@ -59,7 +59,7 @@ struct Run {
 /// A push along the direction of the case and back.
 class Push {
  public:
-  Push(const Case& input, const SharedFoils& foils, SolverName solver)
+  Push(const Case& input, const SharedBearing& foils, SolverName solver)
       : input_(input), foils_(foils), stepper_(make_stepper(foils, {.name = solver, .uzawa = {}})) {}
 
   Run run(int every);
@@ -73,7 +73,7 @@ class Push {
   SolverVerdict& verdict() { return run_.verdict; }
 
   const Case& input_;
-  const SharedFoils& foils_;
+  const SharedBearing& foils_;
   FoilStepper stepper_;
   Step step_;
   Run run_;
@@ -195,7 +195,7 @@ Case drawn_bearing(std::uint64_t number) {
 }
 
 BearingVerdict check_bearing(const Case& input, bool compared) {
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const Run newton = Push(input, foils, SolverName::newton).run(1);
   const Run events = Push(input, foils, SolverName::events).run(1);
   BearingVerdict verdict{.newton = newton.verdict, .events = events.verdict, .apart = {}, .apart_refined = {}};

@@ -113,7 +113,7 @@ Case film_reference_case(const FilmResolution& resolution, double friction_coeff
   return input;
 }
 
-FilmBearing film_reference_bearing(const FilmResolution& resolution, double friction_coefficient) {
+BearingModel film_reference_bearing(const FilmResolution& resolution, double friction_coefficient) {
   return make_film_bearing(film_reference_case(resolution, friction_coefficient));
 }
 

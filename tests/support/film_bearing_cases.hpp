@@ -9,7 +9,7 @@ namespace bumpfoil {
 
 /// The reference bearing with given truss constants, in air, f at both interfaces.
 Case film_reference_case(const FilmResolution& resolution, double friction_coefficient = 0.0);
-FilmBearing film_reference_bearing(const FilmResolution& resolution, double friction_coefficient = 0.0);
+BearingModel film_reference_bearing(const FilmResolution& resolution, double friction_coefficient = 0.0);
 
 /// rad/s
 double speed_of_rpm(double rpm);

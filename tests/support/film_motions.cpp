@@ -38,7 +38,7 @@ BearingState pressed(const BearingState& state, double part) {
 BearingState march_on(FilmStepper& stepper, const Program& program, const BearingState& from) {
   BearingState state = from;
   Step step;
-  EXPECT_TRUE(march(stepper, program, state, step, [](const Passage& at) {
+  EXPECT_TRUE(march(stepper_of(stepper), schedule_of(program), state, step, [](const Passage& at) {
     EXPECT_TRUE(at.step.converged());
     return at.step.converged() ? Verdict::go_on : Verdict::refuse;
   }));

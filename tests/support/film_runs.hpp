@@ -14,39 +14,40 @@ namespace bumpfoil {
 
 /// Checks the equations independently of the solver: the film, the foil with its contact forces, the bump foil, and
 /// every inequality of the contacts.
-inline void expect_solved(const FilmBearing& bearing, const BearingState& state) {
+inline void expect_solved(const BearingModel& bearing, const BearingState& state) {
   EXPECT_GT(state.film.pressure.minCoeff(), 0.0);
   EXPECT_GT(state.film.thickness.minCoeff(), 0.0);
-  Matrix H = bearing.undeformed_thickness(bearing.journal_of(state));
-  H += bearing.over_the_width(state.film.lift);
+  Matrix H = undeformed_thickness(bearing, bearing.film->journal_of(state));
+  H += bearing.film->over_the_width(state.film.lift);
   EXPECT_LT((H - state.film.thickness).cwiseAbs().maxCoeff(), 1e-12);
 
   const Vector forces = contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force);
   const int size = bearing.problem.K.block_size();
   Vector elastic = bearing.problem.K.multiply(state.contacts.x);
-  for (const FilmPad& pad : bearing.pads) {
+  for (const FilmPad& pad : bearing.film->pads) {
     const FilmMesh& mesh = pad.foil.mesh;
     FoilFilmState part;
     read_part(pad, state.film, part);
     FoilFilmResidual residual;
-    foil_film_residual(pad.foil, film_equation(bearing, pad, state.speed), part, residual);
+    foil_film_residual(pad.foil, film_equation(*bearing.film, pad, state.speed), part, residual);
     const double area = mesh.dtheta * mesh.dzeta;
     EXPECT_LT(mesh.unknown(residual.film).cwiseAbs().maxCoeff(), 1e-9 * area);
     EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-10);
     EXPECT_LT(residual.membrane.norm(), 1e-10);
 
     // The residual of film and foil over the crests is the contact force.
-    const double unit = pad.foil.stiffness * bearing.scales.thickness;
+    const double unit = pad.foil.stiffness * bearing.film->scales.thickness;
     elastic.segment((pad.first_block + pad.bumps()) * size, size).setZero();
     for (int i = 0; i < std::ssize(pad.foil.supports); ++i) {
       const int crest = pad.foil.supports[static_cast<std::size_t>(i)];
       for (Eigen::Index s = 0; s < pad.foil.lines.count(); ++s) {
-        const Eigen::Index place = Eigen::Index{pad.block_of(i)} * size +
-                                   Foils::place(bearing.lines, pad.line_over(i, s), bearing.dofs().top_u);
+        const Eigen::Index place =
+            Eigen::Index{pad.block_of(i)} * size +
+            BearingModel::place(bearing.lines, pad.line_over(i, s), bearing.structure.dofs.top_u);
         double& balance = residual.balance(s, crest);
         elastic[place] += balance * unit;
         balance = 0.0;
-        EXPECT_NEAR(state.contacts.x[place], part.lift(s, crest) * bearing.scales.thickness, 1e-15);
+        EXPECT_NEAR(state.contacts.x[place], part.lift(s, crest) * bearing.film->scales.thickness, 1e-15);
       }
     }
     EXPECT_LT(residual.balance.cwiseAbs().maxCoeff() * unit, 1e-8);  // N
@@ -71,7 +72,7 @@ inline JournalMatrix stiffness_by_differences(FilmStepper& stepper, const Operat
       double& entry = axis < 2 ? there.journal[axis] : there.tilt.value[axis - 2];
       entry += side == 0 ? -h : h;
       EXPECT_EQ(stepper.advance(there, moved).status, Status::converged);
-      force[side] = journal_force(stepper.bearing(), moved.film, point.speed);
+      force[side] = journal_force(stepper.film(), moved.film, point.speed);
     }
     K.col(axis) = (force[1] - force[0]) / (2.0 * h);
   }
@@ -95,7 +96,7 @@ inline void expect_stiffness_of_differences(FilmStepper& stepper, const Operatin
 inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level) {
   SCOPED_TRACE(testing::Message() << run.position.transpose() << ", " << level.resolution.columns_per_pitch << 'x'
                                   << level.resolution.rows);
-  const FilmBearing bearing = film_reference_bearing(level.resolution);
+  const BearingModel bearing = film_reference_bearing(level.resolution);
   FilmStepper stepper(bearing);
   BearingState state;
   const Eigen::Vector2d position = run.position * bearing.clearance;
@@ -106,7 +107,7 @@ inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level
   // Both solve the same equations on the same mesh, the prototype to 1e-8.
   constexpr double same = 1e-6;
   EXPECT_LT((outcome.force - level.force).norm(), same * std::max(level.force.norm(), 10.0));
-  EXPECT_NEAR(outcome.thinnest.thickness * bearing.scales.thickness, level.thinnest, same * level.thinnest);
+  EXPECT_NEAR(outcome.thinnest.thickness * bearing.film->scales.thickness, level.thinnest, same * level.thinnest);
   EXPECT_NEAR(outcome.max_pressure, level.max_pressure, same * level.max_pressure);
   EXPECT_NEAR(outcome.min_pressure, level.min_pressure, same);
   EXPECT_NEAR(outcome.torque, level.torque, same * std::abs(level.torque));

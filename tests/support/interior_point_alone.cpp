@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/experiments/build.hpp"
@@ -13,7 +13,7 @@
 namespace bumpfoil {
 
 InteriorPointRun run_interior_point_alone(const Case& input, int increments) {
-  const Foils foils = *make_bearing_foils(input);
+  const BearingModel foils = *make_bearing_foils(input);
   NewtonSolver solver(foils.problem, {.max_mode_updates = 0, .max_events = 0});
   ContactState previous = ContactState::unstressed(foils.problem);
   ContactState state;

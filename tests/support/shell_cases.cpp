@@ -28,7 +28,7 @@ Matrix read_lines(const nlohmann::json& row, const std::string& key) {
   return matrix;
 }
 
-FilmBearing bearing_of(int bumps, int modes, WidthPart width, SheetModel sheet = {}) {
+BearingModel bearing_of(int bumps, int modes, WidthPart width, SheetModel sheet = {}) {
   Case input = reference_case();
   input.bump_foil.bumps = bumps;
   input.bump_foil.model = BumpFoilModel::frame;
@@ -38,9 +38,9 @@ FilmBearing bearing_of(int bumps, int modes, WidthPart width, SheetModel sheet =
 }
 
 /// P under a lobe of 1 bar. @param middle, extent  rad
-Matrix lobe(const FilmBearing& bearing, double middle, double extent) {
-  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
-  const double peak = 1e5 / bearing.scales.gas.ambient_pressure;
+Matrix lobe(const BearingModel& bearing, double middle, double extent) {
+  const FilmMesh& mesh = bearing.film->pads.front().foil.mesh;
+  const double peak = 1e5 / bearing.film->scales.gas.ambient_pressure;
   const Vector theta = mesh.angles();
   Matrix pressure = mesh.field(1.0);
   for (int k = 0; k < mesh.nodes(); ++k) {
@@ -54,11 +54,11 @@ Matrix lobe(const FilmBearing& bearing, double middle, double extent) {
 }
 
 /// Displacements at shell_zeta(), a row for each of these columns.
-Matrix displacements(const FilmBearing& bearing, const BondedAnswer& answer, const std::vector<int>& columns) {
+Matrix displacements(const BearingModel& bearing, const BondedAnswer& answer, const std::vector<int>& columns) {
   const std::vector<double>& zeta = shell_zeta();
   Matrix w(static_cast<Eigen::Index>(columns.size()), static_cast<Eigen::Index>(zeta.size()));
   for (Eigen::Index j = 0; j < w.cols(); ++j) {
-    const Vector shapes = bearing.pads.front().foil.lines.shapes(zeta[static_cast<std::size_t>(j)]);
+    const Vector shapes = bearing.film->pads.front().foil.lines.shapes(zeta[static_cast<std::size_t>(j)]);
     for (Eigen::Index i = 0; i < w.rows(); ++i) {
       w(i, j) = shapes.dot(answer.lift.col(columns[static_cast<std::size_t>(i)]));
     }
@@ -78,31 +78,32 @@ double extent_in_file() {
 }
 
 ShellNumbers held_crests(int modes) {
-  const FilmBearing bearing = bearing_of(26, modes, WidthPart::half);
-  const BondedAnswer answer =
-      bonded_answer(bearing, {.pressure = lobe(bearing, std::numbers::pi, extent_in_file()),
-                              .crest_lift = Matrix::Zero(bearing.pads.front().foil.lines.count(), bearing.bumps())});
+  const BearingModel bearing = bearing_of(26, modes, WidthPart::half);
+  const BondedAnswer answer = bonded_answer(
+      bearing, {.pressure = lobe(bearing, std::numbers::pi, extent_in_file()),
+                .crest_lift = Matrix::Zero(bearing.film->pads.front().foil.lines.count(), bearing.bumps())});
   return {.crest_w = {}, .span_w = displacements(bearing, answer, spans_behind(11, 15)), .moments = {}};
 }
 
 ShellNumbers nine_bumps(bool feet_slide, int modes, SheetModel sheet) {
-  const FilmBearing bearing = bearing_of(9, 1, WidthPart::half);
-  const FoilFilm& foil = bearing.pads.front().foil;
+  const BearingModel bearing = bearing_of(9, 1, WidthPart::half);
+  const FoilFilm& foil = bearing.film->pads.front().foil;
   const double fifth_crest = foil.mesh.angles()[foil.supports[4]];
   return press_bumps(
       {.bumps = 9, .middle = fifth_crest, .extent = extent_in_file(), .feet_slide = feet_slide, .sheet = sheet}, modes);
 }
 
 ShellNumbers tilted(bool feet_slide, int modes) {
-  const FilmBearing bearing = bearing_of(9, modes, WidthPart::whole);
-  const FoilFilm& foil = bearing.pads.front().foil;
+  const BearingModel bearing = bearing_of(9, modes, WidthPart::whole);
+  const FoilFilm& foil = bearing.film->pads.front().foil;
   const Vector at_crests = foil.mesh.angles()(foil.supports);
   const Vector outward = 0.5 * shell_file().at("tilt_m").get<double>() * (at_crests.array() - at_crests[4]).cos();
   const BondedAnswer answer = bonded_answer(bearing, {.feet_slide = feet_slide,
                                                       .pressure = foil.mesh.field(1.0),
                                                       .crest_lift = foil.lines.zeta * outward.transpose()});
-  return {
-      .crest_w = {}, .span_w = {}, .moments = bearing.half_width() * answer.crest_force.transpose() * foil.lines.zeta};
+  return {.crest_w = {},
+          .span_w = {},
+          .moments = bearing.film->half_width() * answer.crest_force.transpose() * foil.lines.zeta};
 }
 
 std::vector<FeShells> read_shells() {
@@ -131,10 +132,10 @@ const std::vector<double>& shell_zeta() {
 }
 
 ShellNumbers press_bumps(const PressedBumps& pressed, int modes) {
-  const FilmBearing bearing = bearing_of(pressed.bumps, modes, WidthPart::half, pressed.sheet);
+  const BearingModel bearing = bearing_of(pressed.bumps, modes, WidthPart::half, pressed.sheet);
   const BondedAnswer answer = bonded_answer(
       bearing, {.feet_slide = pressed.feet_slide, .pressure = lobe(bearing, pressed.middle, pressed.extent)});
-  return {.crest_w = displacements(bearing, answer, bearing.pads.front().foil.supports),
+  return {.crest_w = displacements(bearing, answer, bearing.film->pads.front().foil.supports),
           .span_w = displacements(bearing, answer, spans_behind(1, pressed.bumps - 1)),
           .moments = {}};
 }

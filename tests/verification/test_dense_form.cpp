@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -77,7 +77,7 @@ TEST_P(DenseForm, SolvesTheSameModesToTheSameState) {
   const Case& input = reference_cycles().at(GetParam()).input;
   const Cycle cycle = run_cycles(input).cycles.front();
   ASSERT_TRUE(cycle.converged());
-  const Foils foils = *make_bearing_foils(input);
+  const BearingModel foils = *make_bearing_foils(input);
   const DenseContacts dense = dense_bearing(input);
   const double largest_force = turning_increment(cycle).journal_top.normal_force.maxCoeff();
   const double largest_displacement = displacements(turning_increment(cycle)).cwiseAbs().maxCoeff();

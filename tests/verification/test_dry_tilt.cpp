@@ -38,7 +38,7 @@ Pushed pushed(bool stuck, int modes, double tilt) {
   Case input = reference_case();
   input.bump_foil.model = BumpFoilModel::frame;
   input.friction = {.top_bump = 0.0, .bump_sleeve = stuck ? 0.1 : 0.0};
-  const Foils foils = on_lines(make_foils(input), modes, {.slope = Eigen::Vector2d(tilt / length, 0.0)});
+  const BearingModel foils = on_lines(make_foils(input), modes, {.slope = Eigen::Vector2d(tilt / length, 0.0)});
   const auto system = make_mode_system(foils.problem);
   std::vector<ContactMode> contacts(static_cast<std::size_t>(foils.problem.contacts()), ContactMode::stick);
   const int lines = foils.crest_contacts();
@@ -156,8 +156,8 @@ Case some_case(bool pads, double friction) {
 }
 
 /// Moves the journal from the assembled state through `places`.
-Increment taken(const Foils& foils, const std::vector<Eigen::Vector2d>& places) {
-  FoilStepper stepper = make_stepper(std::make_shared<const Foils>(foils), {});
+Increment taken(const BearingModel& foils, const std::vector<Eigen::Vector2d>& places) {
+  FoilStepper stepper = make_stepper(std::make_shared<const BearingModel>(foils), {});
   Step step;
   stepper.assemble({}, step);
   for (const Eigen::Vector2d& place : places) {
@@ -187,7 +187,7 @@ const std::vector<Eigen::Vector2d> there{{40e-6, 5e-6}, {60e-6, -10e-6}};
 
 TEST(DryTilt, MomentsAndForcesAreDerivativesOfTheEnergyWithoutFriction) {
   for (const bool pads : {false, true}) {
-    const Foils uniform = make_foils(some_case(pads, 0.0));
+    const BearingModel uniform = make_foils(some_case(pads, 0.0));
     const Eigen::Vector2d slope(3e-4, -2e-4);
     for (const OverWidth& over_width : all_over_width) {
       SCOPED_TRACE(testing::Message() << "pads " << pads << ", " << over_width);
@@ -218,14 +218,14 @@ TEST(DryTilt, MomentsAndForcesAreDerivativesOfTheEnergyWithoutFriction) {
 
 /// A cone narrows one side and widens the other by as much, a barrel widens both: energy falls by the loads there.
 TEST(DryTilt, WideningsAreWorkedAgainstLikeTilts) {
-  const Foils uniform = make_foils(some_case(true, 0.0));
+  const BearingModel uniform = make_foils(some_case(true, 0.0));
   const Eigen::Vector2d place = there.back();
   const auto energy_at = [&](const WidthProfile& profile) {
     return taken(on_lines(uniform, 3, {.slope = {3e-4, 0.0}, .profile = profile}), {place}).elastic_energy;
   };
   const WidthProfile profile{.conicity = 6e-6, .crowning = -4e-6};
-  const Foils foils = on_lines(uniform, 3, {.slope = {3e-4, 0.0}, .profile = profile});
-  FoilStepper stepper = make_stepper(std::make_shared<const Foils>(foils), {});
+  const BearingModel foils = on_lines(uniform, 3, {.slope = {3e-4, 0.0}, .profile = profile});
+  FoilStepper stepper = make_stepper(std::make_shared<const BearingModel>(foils), {});
   Step assembled, pressed;
   stepper.assemble({}, assembled);
   stepper.advance(assembled.state, {.position = place}, pressed);
@@ -250,7 +250,7 @@ TEST(DryTilt, WideningsAreWorkedAgainstLikeTilts) {
 }
 
 TEST(DryTilt, IsMirroredWithTheBearing) {
-  const Foils uniform = make_foils(some_case(true, 0.1));
+  const BearingModel uniform = make_foils(some_case(true, 0.1));
   const Eigen::Vector2d slope(3e-4, -2e-4);
   const WidthProfile cone{.conicity = 5e-6, .crowning = 3e-6};
   const WidthProfile turned{.conicity = -5e-6, .crowning = 3e-6};
@@ -267,7 +267,7 @@ TEST(DryTilt, IsMirroredWithTheBearing) {
 /// Without tilt nothing varies over the width, also with friction and formed foils.
 TEST(DryTilt, OfNothingIsTheAlignedBearing) {
   for (const bool pads : {false, true}) {
-    const Foils uniform = make_foils(some_case(pads, 0.1));
+    const BearingModel uniform = make_foils(some_case(pads, 0.1));
     const Increment aligned = taken(uniform, there);
     for (const OverWidth& over_width : all_over_width) {
       SCOPED_TRACE(testing::Message() << "pads " << pads << ", " << over_width);
@@ -338,7 +338,7 @@ TEST(DryTilt, IsFoundFromTheMomentThatItNeeds) {
 
 /// Without a moment the journal stays parallel to equal halves, even with friction, and tilts if it is conical.
 TEST(DryTilt, WithoutAMomentEvensOutBothSides) {
-  const Foils uniform = make_foils(some_case(true, 0.1));
+  const BearingModel uniform = make_foils(some_case(true, 0.1));
   const Increment aligned = taken(uniform, there);
   const Eigen::Vector2d none = Eigen::Vector2d::Zero();
   const Increment free = taken(on_lines(uniform, 3, {.moment = none}), there);

@@ -88,17 +88,17 @@ TEST(FilmAsperities, StiffnessIsThatOfDifferences) {
 /// Input power is dissipated by shear, flow and friction; friction follows from the pressures at the columns.
 TEST(FilmAsperities, PowerIsDissipated) {
   const Case input = rough_case(300.0, {30.0, 0.0});
-  const FilmBearing bearing = make_film_bearing(input);
+  const BearingModel bearing = make_film_bearing(input);
   const RunningState state = rough_state(input);
   const FilmBearingOutcome& outcome = *state.outcome;
-  const FilmPad& pad = bearing.pads.front();
+  const FilmPad& pad = bearing.film->pads.front();
   double normal = 0.0;
-  for (int k = 0; k < bearing.columns(); ++k) {
-    const double h = bearing.scales.thickness * state.last->film.thickness(0, k);
-    normal += bearing.surroundings.asperities->pressure(h) * pad.foil.mesh.column_weight(k);
+  for (int k = 0; k < bearing.film->columns(); ++k) {
+    const double h = bearing.film->scales.thickness * state.last->film.thickness(0, k);
+    normal += bearing.film->surroundings.asperities->pressure(h) * pad.foil.mesh.column_weight(k);
   }
-  normal *= bearing.scales.radius * pad.foil.mesh.dtheta * input.bearing.axial_length;
-  EXPECT_NEAR(outcome.asperity_torque, 0.2 * bearing.scales.radius * normal, 1e-12);
+  normal *= bearing.film->scales.radius * pad.foil.mesh.dtheta * input.bearing.axial_length;
+  EXPECT_NEAR(outcome.asperity_torque, 0.2 * bearing.film->scales.radius * normal, 1e-12);
   EXPECT_GT(outcome.asperity_torque, 0.5 * outcome.torque);
   // The mesh makes an error of a few per cent of the rest; a wrong share of friction would be half of the total.
   EXPECT_NEAR(outcome.dissipation, outcome.power, 0.05 * outcome.power);
@@ -135,22 +135,22 @@ TEST(FilmAsperities, CarryATiltedJournal) {
   input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
   const RunningState state = rough_state(input);
   FilmStepper stepper(make_film_bearing(input));
-  const FilmBearing& bearing = stepper.bearing();
-  const Matrix pressures = asperity_pressures(bearing, state.last->film.thickness);
+  const BearingModel& bearing = stepper.bearing();
+  const Matrix pressures = asperity_pressures(*bearing.film, state.last->film.thickness);
   const Eigen::Index sides = pressures.rows() - 1;
   EXPECT_GT(state.outcome->asperity_force.x(), 1.0);
   EXPECT_GT(pressures.row(sides).maxCoeff(), 100.0 * pressures.row(0).maxCoeff());
-  EXPECT_GT(state.outcome->moment.x(), bearing.half_width() * 0.1 * state.outcome->asperity_force.x());
+  EXPECT_GT(state.outcome->moment.x(), bearing.film->half_width() * 0.1 * state.outcome->asperity_force.x());
 
   const auto force_at = [&](const JournalVector& journal) {
     BearingState moved = *state.last;
     OperatingPoint point = OperatingPoint::held_at(journal.head<2>(), moved.speed);
     point.tilt.value = journal.tail<2>();
     EXPECT_EQ(stepper.advance(point, moved).status, Status::converged);
-    return journal_force(bearing, moved.film, moved.speed);
+    return journal_force(*bearing.film, moved.film, moved.speed);
   };
   ASSERT_TRUE(state.stiffness.has_value());
-  const JournalVector journal = bearing.journal_of(*state.last);
+  const JournalVector journal = bearing.film->journal_of(*state.last);
   for (Eigen::Index i = 0; i < 4; ++i) {
     const JournalVector step = 2e-11 * JournalVector::Unit(4, i);
     const JournalVector difference = (force_at(journal + step) - force_at(journal - step)) / 4e-11;
@@ -158,7 +158,7 @@ TEST(FilmAsperities, CarryATiltedJournal) {
     expected.col(i) = difference;
     // Relative to the columns by displacements, or to those by slopes.
     const double largest = state.stiffness->middleCols(i - i % 2, 2).norm();
-    EXPECT_LT((bearing.by_slopes(expected) - *state.stiffness).col(i).norm(), 1e-5 * largest) << i;
+    EXPECT_LT((bearing.film->by_slopes(expected) - *state.stiffness).col(i).norm(), 1e-5 * largest) << i;
   }
   EXPECT_TRUE(state.held.sliding.has_value());
   EXPECT_NEAR(state.outcome->dissipation, state.outcome->power, 0.05 * state.outcome->power);

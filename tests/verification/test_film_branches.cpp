@@ -30,7 +30,7 @@ Found found_of(const Case& input) {
           .jumps = state.report.jumps,
           .loaded_bumps = state.outcome->loaded_bumps,
           .lifted_bumps = result.bearing->bumps() - state.outcome->last_loaded - 1,
-          .h_min = state.outcome->thinnest.thickness * result.bearing->scales.thickness};
+          .h_min = state.outcome->thinnest.thickness * result.bearing->film->scales.thickness};
 }
 
 /// The same state, unless one reports a jump, after which it may be another.

@@ -20,7 +20,7 @@ TEST(FilmOverFoils, MeetsThePrototypeOnTheCoarsestMesh) {
 /// Friction 0.1: the journal is pushed to 1.2 C_r in steps of 0.1 and drawn back to 0.4.
 TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
   const ReferencePath& path = reference_friction_path();
-  const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
+  const BearingModel bearing = film_reference_bearing(path.resolution, 0.1);
   FilmStepper stepper(bearing);
   BearingState state = resting(bearing, Eigen::Vector2d::Zero(), path.speed);
   double dissipated = 0.0;
@@ -38,7 +38,8 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
     const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
     // Contacts of the prototype are compliant by a proximal term: five of its printed digits are exact.
     EXPECT_LT((outcome.force - increment.force).norm(), 1e-5 * increment.force.norm());
-    EXPECT_NEAR(outcome.thinnest.thickness * bearing.scales.thickness, increment.thinnest, 1e-5 * increment.thinnest);
+    EXPECT_NEAR(outcome.thinnest.thickness * bearing.film->scales.thickness, increment.thinnest,
+                1e-5 * increment.thinnest);
     EXPECT_NEAR(outcome.power, increment.power, 1e-5 * increment.power);
     EXPECT_NEAR(dissipated, increment.dissipated, 1e-4 * increment.dissipated);
     EXPECT_EQ(outcome.loaded_bumps, increment.loaded_bumps);
@@ -72,7 +73,7 @@ TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
 /// With friction, after increments from unstressed foils to 0.8 C_r: closed contacts all stick, or keep their modes.
 TEST(FilmOverFoils, WhirlsOverFrictionAsThePrototypeDoes) {
   const ReferencePath& path = reference_friction_path();
-  const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
+  const BearingModel bearing = film_reference_bearing(path.resolution, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, path.speed, state).status, Status::converged);
@@ -90,20 +91,20 @@ TEST(FilmOverFoils, WhirlsOverFrictionAsThePrototypeDoes) {
 
 /// Foils and bumps made 1e9 times stiffer act as a rigid wall with a slot.
 TEST(FilmOverFoils, TendsToTheRigidSlot) {
-  FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
+  BearingModel bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
   const double speed = speed_of_rpm(45000.0);
   const Eigen::Vector2d position(0.5 * bearing.clearance, 0.1 * bearing.clearance);
-  SolvedFilm rigid =
-      solve_rigid_film(film_equation(bearing, bearing.pads.front(), speed), bearing.undeformed_thickness(position));
+  SolvedFilm rigid = solve_rigid_film(film_equation(*bearing.film, bearing.film->pads.front(), speed),
+                                      undeformed_thickness(bearing, position));
   ASSERT_EQ(rigid.report.status, Status::converged);
 
   constexpr double stiffer = 1e9;
   for (Matrix& block : bearing.problem.K.diagonal) block *= stiffer;
   for (Matrix& block : bearing.problem.K.upper) block *= stiffer;
-  bearing.pads.front().foil.top_foil.compliance_diagonal /= stiffer;
-  bearing.pads.front().foil.top_foil.compliance_off /= stiffer;
-  bearing.pads.front().foil.stiffness *= stiffer;
-  bearing.pads.front().foil.load_scale /= stiffer;
+  bearing.film->pads.front().foil.top_foil.compliance_diagonal /= stiffer;
+  bearing.film->pads.front().foil.top_foil.compliance_off /= stiffer;
+  bearing.film->pads.front().foil.stiffness *= stiffer;
+  bearing.film->pads.front().foil.load_scale /= stiffer;
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
@@ -118,10 +119,10 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
 
 /// Foil wrapped the other way and speed reversed: the mirrored bearing.
 TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
-  FilmBearing mirrored = bearing;
-  mirrored.pads.front().wrap_sign = -bearing.pads.front().wrap_sign;
-  mirrored.column_normals.row(1) *= -1.0;  // the weld is at -X
+  const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
+  BearingModel mirrored = bearing;
+  mirrored.film->pads.front().wrap_sign = -bearing.film->pads.front().wrap_sign;
+  mirrored.film->column_normals.row(1) *= -1.0;  // the weld is at -X
   const double speed = speed_of_rpm(45000.0);
   const double c = bearing.clearance;
   BearingState there, here;
@@ -139,7 +140,7 @@ TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
 TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
   double energy[2], moments[2];
   for (const int i : {0, 1}) {
-    const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
+    const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
     const double speed = speed_of_rpm(45000.0);
     BearingState state;
     FilmStepper stepper(bearing);
@@ -149,8 +150,9 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
     energy[i] = outcome.dissipation / outcome.power - 1.0;
 
     // T = Couette part - (x F_y - y F_x) / 2 - (sigma / 2) integral of (p - pa) du_t/dtheta.
-    const FilmMesh& mesh = bearing.pads.front().foil.mesh;
-    const FilmIntegrals sums = film_integrals(film_equation(bearing, bearing.pads.front(), speed), state.film);
+    const FilmMesh& mesh = bearing.film->pads.front().foil.mesh;
+    const FilmIntegrals sums =
+        film_integrals(film_equation(*bearing.film, bearing.film->pads.front(), speed), state.film);
     double turning = 0.0;
     for (int k = 0; k < mesh.columns; ++k) {
       for (int j = 0; j < mesh.rows; ++j) {
@@ -158,10 +160,10 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
         turning += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.film.lift(k + 1) - state.film.lift(k));
       }
     }
-    turning *= bearing.scales.force() * bearing.scales.thickness;
-    const double couette = bearing.scales.couette_torque(speed * bearing.scales.radius) * sums.couette;
+    turning *= bearing.film->scales.force() * bearing.film->scales.thickness;
+    const double couette = bearing.film->scales.couette_torque(speed * bearing.film->scales.radius) * sums.couette;
     const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
-    moments[i] = (couette - 0.5 * lever - 0.5 * bearing.pads.front().wrap_sign * turning) / outcome.torque - 1.0;
+    moments[i] = (couette - 0.5 * lever - 0.5 * bearing.film->pads.front().wrap_sign * turning) / outcome.torque - 1.0;
   }
   EXPECT_LT(std::abs(energy[0]), 2e-5);  // on 6x8
   EXPECT_LT(std::abs(moments[0]), 2e-5);

@@ -65,14 +65,14 @@ TEST(FilmFormed, RunsAsInThePrototype) {
     SCOPED_TRACE(reference.ratio);
     SCOPED_TRACE(reference.load);
     const Case input = formed_case(reference.ratio, reference.load);
-    const FilmBearing bearing = make_film_bearing(input);
+    const BearingModel bearing = make_film_bearing(input);
     const RunningState state = state_of(input);
     const double speed = state.last->speed;
     ASSERT_TRUE(state.held.sliding.has_value());
     // The prototype prints seven digits; near a double root half of them are exact.
     EXPECT_NEAR(state.held.sliding->rate.real() / speed, reference.growth, 2e-6);
     EXPECT_NEAR(std::abs(state.held.sliding->rate.imag()) / speed, reference.frequency, 2e-6);
-    EXPECT_NEAR(1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness, reference.h_min, 1e-5);
+    EXPECT_NEAR(1e6 * state.outcome->thinnest.thickness * bearing.film->scales.thickness, reference.h_min, 1e-5);
     EXPECT_NEAR(state.outcome->torque, reference.torque, 1e-6 * reference.torque);
     EXPECT_NEAR(to_degrees(state.outcome->attitude_angle), reference.attitude, 1e-4);
     const Vector& forces = state.last->contacts.normal_force;
@@ -133,7 +133,7 @@ double assembled_bulge(const FilmResolution& resolution) {
   FilmStepper stepper(make_film_bearing(input));
   const BearingState state = assembled(stepper, Eigen::Vector2d::Zero(), speed_of_rpm(45000.0));
   EXPECT_NEAR(bump_loads(stepper.bearing(), state)[25], 0.02549644, 1e-7);  // prototype, on any mesh
-  return -stepper.bearing().scales.thickness * state.film.lift.minCoeff();
+  return -stepper.film().scales.thickness * state.film.lift.minCoeff();
 }
 
 /// Rigid bumps: 0.1047423 R^2 kappa_0. The bumps here are compliant, and the maximum may lie half an interval from a

@@ -44,7 +44,7 @@ TEST(FilmHeld, GrowsAndDecaysAsInThePrototype) {
       {-45000.0, 9.81, {-0.8613, 0.7416}}, {-45000.0, 20.0, {-0.7257, 0.0}},     {-45000.0, 50.0, {-1.1258, 0.0}},
       {-45000.0, 100.0, {-1.2507, 0.0}},   {-45000.0, 200.0, {-0.4023, 1.3197}},
   };
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
+  const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
   FilmStepper stepper(bearing);
   for (const HeldReference& reference : references) {
     SCOPED_TRACE(reference.rpm);
@@ -65,8 +65,8 @@ TEST(FilmHeld, GrowsOnAFinerMeshAsInThePrototype) {
 /// matrices: unknowns P, U, M, displacements of the bump foil over c, contact forces over EI' c / p^3.
 class DensePencil {
  public:
-  DensePencil(const FilmBearing& bearing, const BearingState& state, bool stuck)
-      : bearing_(bearing), pad_(bearing.pads.front()), mesh_(pad_.foil.mesh), size_(bearing.dofs().size) {
+  DensePencil(const BearingModel& bearing, const BearingState& state, bool stuck)
+      : bearing_(bearing), pad_(bearing.film->pads.front()), mesh_(pad_.foil.mesh), size_(bearing.structure.dofs.size) {
     first_lift_ = Eigen::Index{mesh_.unknown_rows()} * mesh_.unknown_columns();
     first_bump_ = first_lift_ + 2 * Eigen::Index{mesh_.columns};
     first_force_ = first_bump_ + Eigen::Index{pad_.bumps()} * size_;
@@ -81,7 +81,7 @@ class DensePencil {
 
   /// Rightmost pole over the speed of rotation, of those with imaginary parts up to ten.
   [[nodiscard]] Complex rightmost(double speed) const {
-    const double unit = std::abs(speed) * bearing_.scales.squeeze_time();
+    const double unit = std::abs(speed) * bearing_.film->scales.squeeze_time();
     const double shift = 0.7 * unit;
     Complex found(-1e9, 0.0);
     const Eigen::VectorXcd inverses = eigenvalues(solve(J_ + shift * S_, S_)).value();
@@ -99,12 +99,12 @@ class DensePencil {
   [[nodiscard]] Eigen::Index moment(int k) const { return first_lift_ + mesh_.columns + k; }
   /// Index of a degree of freedom of a bump. That of the moment over the crest is unused.
   [[nodiscard]] Eigen::Index displacement(int bump, int place) const {
-    if (place == bearing_.dofs().top_u) return lift(pad_.foil.supports[static_cast<std::size_t>(bump)]);
+    if (place == bearing_.structure.dofs.top_u) return lift(pad_.foil.supports[static_cast<std::size_t>(bump)]);
     return first_bump_ + Eigen::Index{bump} * size_ + place;
   }
 
   void add_film(const BearingState& state) {
-    const ReynoldsEquation equation = film_equation(bearing_, pad_, state.speed);
+    const ReynoldsEquation equation = film_equation(*bearing_.film, pad_, state.speed);
     Matrix residual;
     FilmJacobian jacobian;
     linearise_reynolds(equation, state.film, residual, jacobian);
@@ -151,7 +151,9 @@ class DensePencil {
 
   void add_bumps() {
     const BlockTridiagonal& K = bearing_.problem.K;
-    const auto is_bump = [&](int i) { return i != bearing_.dofs().top_u && i != bearing_.dofs().top_moment; };
+    const auto is_bump = [&](int i) {
+      return i != bearing_.structure.dofs.top_u && i != bearing_.structure.dofs.top_moment;
+    };
     for (int b = 0; b < pad_.bumps(); ++b) {
       const auto at = static_cast<std::size_t>(b);
       for (int i = 0; i < size_; ++i) {
@@ -197,7 +199,7 @@ class DensePencil {
     });
   }
 
-  const FilmBearing& bearing_;
+  const BearingModel& bearing_;
   const FilmPad& pad_;
   const FilmMesh& mesh_;
   int size_;
@@ -216,7 +218,7 @@ Case short_foil(double friction_coefficient) {
 /// The journal is pushed towards +X step by step, so that bumps slip, and drawn back.
 TEST(FilmHeld, IsTheRightmostPoleOfAllEquations) {
   for (const double friction_coefficient : {0.0, 0.3}) {
-    const FilmBearing bearing = make_film_bearing(short_foil(friction_coefficient));
+    const BearingModel bearing = make_film_bearing(short_foil(friction_coefficient));
     FilmStepper stepper(bearing);
     for (const double rpm : {45000.0, -45000.0, -6000.0}) {
       BearingState state;

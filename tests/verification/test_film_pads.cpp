@@ -89,7 +89,7 @@ TEST(FilmPads, TurnWithTheLoadWhereTheyAreEqual) {
   ASSERT_EQ(follow(here.stepper, OperatingPoint::loaded_by(load, speed), here.state).status, Status::converged);
   ASSERT_EQ(follow(there.stepper, OperatingPoint::loaded_by(turn * load, speed), there.state).status,
             Status::converged);
-  EXPECT_LT((film_force(here.stepper.bearing(), here.state.film.pressure) - load).norm(), 1e-7 * load.norm());
+  EXPECT_LT((film_force(here.stepper.film(), here.state.film.pressure) - load).norm(), 1e-7 * load.norm());
   EXPECT_LT((turn * here.state.position - there.state.position).norm(), 1e-9 * here.stepper.bearing().clearance);
 }
 
@@ -186,7 +186,7 @@ TEST(FilmPads, CarryALoad) {
       BearingState moved = pads.state;
       const Eigen::Vector2d there = pads.state.position + (side == 0 ? -step : step) * Eigen::Vector2d::Unit(axis);
       ASSERT_EQ(pads.stepper.advance(OperatingPoint::held_at(there, speed), moved).status, Status::converged);
-      forces[static_cast<std::size_t>(side)] = film_force(pads.stepper.bearing(), moved.film.pressure);
+      forces[static_cast<std::size_t>(side)] = film_force(pads.stepper.film(), moved.film.pressure);
     }
     const Eigen::Vector2d rate = (forces[1] - forces[0]) / (2.0 * step);
     // Round-off in differences of 25 N over 2 nm, and curvature.
@@ -212,17 +212,17 @@ TEST(FilmPads, KeepTheirBalances) {
 
 /// Foils and bumps made 1e9 times stiffer act as rigid arcs.
 TEST(FilmPads, TendToRigidArcs) {
-  FilmBearing bearing = make_film_bearing(unlike_pads());
+  BearingModel bearing = make_film_bearing(unlike_pads());
   const Eigen::Vector2d position(6e-6, 4e-6);
-  const Matrix H = bearing.undeformed_thickness(position);
+  const Matrix H = undeformed_thickness(bearing, position);
   Eigen::Vector2d force(0.0, 0.0);
   constexpr double stiffer = 1e9;
-  for (FilmPad& pad : bearing.pads) {
-    const SolvedFilm rigid = solve_rigid_film(film_equation(bearing, pad, speed), part_of(pad, H));
+  for (FilmPad& pad : bearing.film->pads) {
+    const SolvedFilm rigid = solve_rigid_film(film_equation(*bearing.film, pad, speed), part_of(pad, H));
     ASSERT_EQ(rigid.report.status, Status::converged);
-    Matrix pressure = bearing.field(1.0);
+    Matrix pressure = bearing.film->field(1.0);
     pressure(Eigen::all, pad.columns()) = rigid.film.pressure;
-    force += film_force(bearing, pressure);
+    force += film_force(*bearing.film, pressure);
     pad.foil.top_foil.compliance_diagonal /= stiffer;
     pad.foil.top_foil.compliance_off /= stiffer;
     pad.foil.stiffness *= stiffer;
@@ -235,7 +235,7 @@ TEST(FilmPads, TendToRigidArcs) {
   bearing.assembled_gap.setZero();
   FilmStepper stepper(bearing);
   ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
-  const Eigen::Vector2d found = film_force(bearing, state.film.pressure);
+  const Eigen::Vector2d found = film_force(*bearing.film, state.film.pressure);
   EXPECT_LT((found - force).norm(), 5e-6 * force.norm());
   EXPECT_GT((found - force).norm(), 1e-12 * force.norm());
 }

@@ -28,7 +28,7 @@ struct PlainBearing {
     input.equilibrium->path = FilmPath::position_ray;
     input.equilibrium->positions = {{eccentricity * input.bearing.radial_clearance, 0.0}};
     input.equilibrium->speeds = {1.0};
-    const FilmScales scales = make_wall_bearing(input).scales;
+    const FilmScales scales = make_wall_bearing(input).film->scales;
     speed = bearing_number / scales.bearing_number(scales.radius);
     input.equilibrium->speeds = {speed};
     for (const double ratio : whirl_ratios) input.equilibrium->frequencies.push_back(ratio * speed);

@@ -17,7 +17,7 @@ const double film_speed = speed_of_rpm(45000.0);
 
 /// From a cold start.
 FilmBearingOutcome outcome_of(const Case& input, const Eigen::Vector2d& position) {
-  const FilmBearing bearing = make_film_bearing(input);
+  const BearingModel bearing = make_film_bearing(input);
   BearingState state;
   FilmStepper stepper(bearing);
   EXPECT_EQ(cold_start(stepper, position, film_speed, state).status, Status::converged);

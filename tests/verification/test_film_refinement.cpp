@@ -46,7 +46,7 @@ TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
     SCOPED_TRACE(limit.eccentricity);
     Eigen::Vector2d force[3];
     for (const int i : {0, 1, 2}) {
-      const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
+      const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
       FilmStepper stepper(bearing);
       BearingState state;
       const double speed = speed_of_rpm(45000.0);
@@ -54,7 +54,7 @@ TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
       const Eigen::Vector2d start = std::min(1.0, 0.7 / limit.eccentricity) * position;
       ASSERT_EQ(cold_start(stepper, start, speed, state).status, Status::converged);
       ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, speed), state).status, Status::converged);
-      force[i] = film_force(bearing, state.film.pressure);
+      force[i] = film_force(*bearing.film, state.film.pressure);
     }
     const double ratio = (force[1] - force[0]).norm() / (force[2] - force[1]).norm();
     EXPECT_GT(ratio, 3.4);

@@ -75,7 +75,7 @@ struct Held {
       : stepper(make_film_bearing(input)) {
     EXPECT_EQ(cold_start(stepper, 0.5 * position + beside, split_speed, state).status, Status::converged);
     OperatingPoint point = OperatingPoint::held_at({}, split_speed);
-    point.tilt = stepper.bearing().surroundings.tilt;
+    point.tilt = stepper.film().surroundings.tilt;
     for (const double part : {1.05, 1.0}) {
       point.journal = part * position + beside;
       EXPECT_EQ(follow(stepper, point, state).status, Status::converged);
@@ -95,8 +95,8 @@ TEST(FilmOnSplitFoils, OfEqualStripsIsThatOfNarrowBearings) {
     const Case input = split_case(0.1, gap);
     Held split(input, some_position);
     Held narrow(alone_case(input, 0), some_position);
-    EXPECT_FALSE(split.stepper.bearing().tilts());
-    ASSERT_EQ(split.stepper.bearing().pads.size(), 3U);
+    EXPECT_FALSE(split.stepper.film().tilts());
+    ASSERT_EQ(split.stepper.film().pads.size(), 3U);
     const FilmBearingOutcome& one = narrow.outcome;
     ASSERT_GT(one.force.norm(), 5.0);
     EXPECT_LT((split.outcome.force - 3.0 * one.force).norm(), 1e-9 * split.outcome.force.norm());
@@ -144,13 +144,13 @@ TEST(FilmOnSplitFoils, SolvesItsEquations) {
   input.width.crowning = 3e-6;
   input.film.side_pressure = {1.02e5, 1.015e5};
   const Held held(input, some_position);
-  const FilmBearing& bearing = held.stepper.bearing();
+  const BearingModel& bearing = held.stepper.bearing();
   ASSERT_FALSE(HasFailure());
   expect_solved(bearing, held.state);
-  const double c = bearing.scales.thickness;
+  const double c = bearing.film->scales.thickness;
   const double width = (input.bearing.axial_length - 2e-3) / strips;
-  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-    const FilmPad& pad = bearing.pads[k];
+  for (std::size_t k = 0; k < bearing.film->pads.size(); ++k) {
+    const FilmPad& pad = bearing.film->pads[k];
     const FilmMesh& mesh = pad.foil.mesh;
     const Matrix H = part_of(pad, held.state.film.thickness);
     const Matrix lifts = part_of(pad, held.state.film.lift);
@@ -160,7 +160,7 @@ TEST(FilmOnSplitFoils, SolvesItsEquations) {
       const double zeta = 2.0 * z / input.bearing.axial_length;
       const Vector lift = lifts.transpose() * pad.foil.lines.shapes(across);
       for (const int column : {0, 31, mesh.columns}) {
-        const Eigen::Vector2d normal = bearing.column_normals.col(pad.first_column + column);
+        const Eigen::Vector2d normal = bearing.film->column_normals.col(pad.first_column + column);
         const double h = bearing.clearance + 3e-6 * zeta * zeta - normal.dot(some_position + z * some_slope);
         EXPECT_NEAR(c * H(row, column), h + c * lift[column], 1e-15);
       }
@@ -168,7 +168,7 @@ TEST(FilmOnSplitFoils, SolvesItsEquations) {
     // Gas is fed only at the sides of the bearing.
     const Matrix P = part_of(pad, held.state.film.pressure);
     EXPECT_DOUBLE_EQ(P(0, 5), k == 0 ? 1.02e5 / 101325.0 : 1.0);
-    EXPECT_DOUBLE_EQ(P(mesh.rows, 5), k + 1 == bearing.pads.size() ? 1.015e5 / 101325.0 : 1.0);
+    EXPECT_DOUBLE_EQ(P(mesh.rows, 5), k + 1 == bearing.film->pads.size() ? 1.015e5 / 101325.0 : 1.0);
   }
   const FilmFlows& flows = held.outcome.flows;
   EXPECT_NEAR(flows.start - flows.end, flows.sides, 1e-9 * std::abs(flows.start));
@@ -191,10 +191,10 @@ TEST(FilmOnSplitFoils, IsMirroredWithThem) {
   EXPECT_LT((here.outcome.force - image.outcome.force).norm(), 1e-7 * here.outcome.force.norm());
   EXPECT_LT((here.outcome.moment + image.outcome.moment).norm(), 1e-7 * here.outcome.moment.norm());
   for (std::size_t k = 0; k < strips; ++k) {
-    const FilmBearing& one = here.stepper.bearing();
-    const FilmBearing& other = image.stepper.bearing();
-    const Matrix pressure = part_of(one.pads[k], here.state.film.pressure);
-    const Matrix mirrored = part_of(other.pads[strips - 1 - k], image.state.film.pressure).colwise().reverse();
+    const BearingModel& one = here.stepper.bearing();
+    const BearingModel& other = image.stepper.bearing();
+    const Matrix pressure = part_of(one.film->pads[k], here.state.film.pressure);
+    const Matrix mirrored = part_of(other.film->pads[strips - 1 - k], image.state.film.pressure).colwise().reverse();
     EXPECT_LT((pressure - mirrored).cwiseAbs().maxCoeff(), 1e-8);
   }
   const auto left_side = [](const FilmBearingOutcome& outcome) {
@@ -209,7 +209,7 @@ TEST(FilmOnSplitFoils, HasTheStiffnessOfDifferences) {
   input.width.tilt = {some_slope.x(), some_slope.y()};
   Held held(input, some_position);
   OperatingPoint point = OperatingPoint::held_at(some_position, split_speed);
-  point.tilt = held.stepper.bearing().surroundings.tilt;
+  point.tilt = held.stepper.film().surroundings.tilt;
   expect_stiffness_of_differences(held.stepper, point, held.state);
 }
 

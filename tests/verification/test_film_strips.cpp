@@ -47,7 +47,7 @@ Case staggered_case(double friction) {
   return input;
 }
 
-RunningState state_of(const Case& input, SharedFilmBearing& bearing) {
+RunningState state_of(const Case& input, SharedBearing& bearing) {
   const EquilibriumResult result = run_equilibrium(input);
   bearing = result.bearing;
   EXPECT_TRUE(result.states.front().found());
@@ -61,7 +61,7 @@ TEST(FilmOnStrips, ThatAreAlikeIsThatOnOneOfTheirWidth) {
   split.width.tilt = {4e-6 / split.bearing.axial_length, 2e-6 / split.bearing.axial_length};
   Case whole = split;
   whole.bump_foil.strips = 1;
-  SharedFilmBearing on_strips, on_one;
+  SharedBearing on_strips, on_one;
   const RunningState found = state_of(split, on_strips);
   const RunningState reference = state_of(whole, on_one);
   expect_solved(*on_strips, *found.last);
@@ -82,7 +82,7 @@ TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
   whole.bump_foil.strips = 1;
   FilmBearingOutcome outcome[2];
   for (const int which : {0, 1}) {
-    const FilmBearing bearing = make_film_bearing(which == 0 ? split : whole);
+    const BearingModel bearing = make_film_bearing(which == 0 ? split : whole);
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
@@ -105,7 +105,7 @@ TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
 void expect_held_at_rest_as_without_a_film(Case input) {
   input.asperity = AsperitySettings{.sigma = 0.01e-6, .pressure_factor = 240e6, .friction = 0.2};
   input.equilibrium->speeds = {0.0};
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState running = state_of(input, bearing);
 
   FoilStepper dry = make_stepper(make_bearing_foils(input));
@@ -143,8 +143,8 @@ TEST(FilmOnStrips, ThatAreStaggeredOrFormedHoldsAJournalAtRestAsWithoutAFilm) {
 /// The positions of crests follow from the geometry of each strip alone.
 TEST(FilmOnStrips, HasColumnsOverAllTheirCrests) {
   const Case input = staggered_case(0.0);
-  const FilmBearing bearing = make_film_bearing(input);
-  const FilmPad& pad = bearing.pads.front();
+  const BearingModel bearing = make_film_bearing(input);
+  const FilmPad& pad = bearing.film->pads.front();
   ASSERT_EQ(pad.stations, 3);
   ASSERT_EQ(pad.bumps(), 25);
   for (int support = 0; support < 75; ++support) {
@@ -152,7 +152,7 @@ TEST(FilmOnStrips, HasColumnsOverAllTheirCrests) {
     const PlacedPad alone = strip_of(bearing.placed.front(), strip);
     const Eigen::Matrix2Xd crests = outward_normals(alone.polar(alone.crests));
     const int column = pad.foil.supports[static_cast<std::size_t>(support)];
-    EXPECT_LT((bearing.column_normals.col(column) - crests.col(support / 3)).norm(), 1e-12);
+    EXPECT_LT((bearing.film->column_normals.col(column) - crests.col(support / 3)).norm(), 1e-12);
   }
 }
 
@@ -171,12 +171,12 @@ TEST(FilmOnStrips, ThatTouchNothingIsNoneOfTheirStagger) {
     Case level = staggered;
     staggered.bump_foil.strip[1].stagger = sixths / 6.0;
     level.top_foil.overhang = (0.5 + sixths / 6.0) * level.bump_foil.pitch.values.front();
-    SharedFilmBearing one, other;
+    SharedBearing one, other;
     const RunningState found = state_of(staggered, one);
     const RunningState reference = state_of(level, other);
     expect_solved(*one, *found.last);
-    ASSERT_EQ(one->columns(), other->columns());
-    ASSERT_EQ(one->pads.front().stations, 2);
+    ASSERT_EQ(one->film->columns(), other->film->columns());
+    ASSERT_EQ(one->film->pads.front().stations, 2);
     const Vector strips = strip_loads(*one, found.last->contacts);
     EXPECT_EQ(strips[1], 0.0);
     // Each to the tolerance of its solver.
@@ -192,11 +192,11 @@ TEST(FilmOnStrips, ThatTouchNothingIsNoneOfTheirStagger) {
 /// Exchanging the strips of both sides gives the mirror image of the film.
 TEST(FilmOnStrips, IsMirroredWithThem) {
   Case input = staggered_case(0.1);
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState found = state_of(input, bearing);
   expect_solved(*bearing, *found.last);
   std::reverse(input.bump_foil.strip.begin(), input.bump_foil.strip.end());
-  SharedFilmBearing other;
+  SharedBearing other;
   const RunningState mirrored = state_of(input, other);
   // Searches end when steps are below 1e-9.
   EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - found.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
@@ -209,7 +209,7 @@ TEST(FilmOnStrips, IsMirroredWithThem) {
 /// Derivatives of forces and moments by displacements and tilts.
 TEST(FilmOnStrips, HasTheStiffnessOfDifferences) {
   for (const Case& input : {differing_case(0.0), staggered_case(0.0)}) {
-    const FilmBearing bearing = make_film_bearing(input);
+    const BearingModel bearing = make_film_bearing(input);
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
@@ -234,10 +234,10 @@ TEST(FilmOnStrips, HasTheMeshErrorOfAMeshWithColumnsOverAllCrests) {
   ASSERT_TRUE(found.mesh_error.has_value());
   input.film.columns_per_pitch *= 2;
   input.film.rows *= 2;
-  SharedFilmBearing finer;
+  SharedBearing finer;
   const RunningState on_finer = state_of(input, finer);
-  const auto thinnest = [](const SharedFilmBearing& of, const RunningState& state) {
-    return of->scales.thickness * state.last->film.thickness.minCoeff();
+  const auto thinnest = [](const SharedBearing& of, const RunningState& state) {
+    return of->film->scales.thickness * state.last->film.thickness.minCoeff();
   };
   // Second order: the error is 4/3 of the difference to a mesh of half the spacing.
   const double expected = 4.0 / 3.0 * std::abs(thinnest(result.bearing, found) - thinnest(finer, on_finer));

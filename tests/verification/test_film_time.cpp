@@ -93,7 +93,7 @@ void expect_same(const BearingState& a, const BearingState& b) {
 }
 
 TEST(FilmTime, GoesOnFromAKeptStateToTheLastBit) {
-  const FilmBearing bearing = film_reference_bearing(coarse_film, 0.1);
+  const BearingModel bearing = film_reference_bearing(coarse_film, 0.1);
   FilmStepper stepper(bearing);
   const BearingState rest = state_under(stepper, {50.0, 0.0}, speed_of_rpm(-45000.0));
   const OperatingPoint to = OperatingPoint::loaded_by({55.0, 5.0}, rest.speed);
@@ -108,7 +108,7 @@ TEST(FilmTime, GoesOnFromAKeptStateToTheLastBit) {
 
 /// The load rotates, then stays constant.
 TEST(FilmTime, FrictionOpposesEverySlipAndStuckContactsDoNotCreep) {
-  const FilmBearing bearing = film_reference_bearing(coarse_film, 0.3);
+  const BearingModel bearing = film_reference_bearing(coarse_film, 0.3);
   FilmStepper stepper(bearing);
   const BearingState rest = state_under(stepper, {50.0, 0.0}, speed_of_rpm(-45000.0));
   const OperatingPoint still = OperatingPoint::loaded_by({50.0, 0.0}, rest.speed);
@@ -126,7 +126,7 @@ TEST(FilmTime, FrictionOpposesEverySlipAndStuckContactsDoNotCreep) {
   Step step;
   int slipping = 0;
   double dissipated = 0.0;
-  ASSERT_TRUE(march(stepper, program, state, step, [&](const Passage& at) {
+  ASSERT_TRUE(march(stepper_of(stepper), schedule_of(program), state, step, [&](const Passage& at) {
     EXPECT_TRUE(at.step.converged());
     const ContactState& contacts = at.step.state.contacts;
     EXPECT_EQ(at.step.state.slip_origin, at.from.contacts.x);

@@ -84,7 +84,7 @@ const Reference references[]{
      .parabola = {-0.32358, -0.33734, -0.34416, -0.33221}},
 };
 
-RunningState under(double load, const FilmResolution& resolution, SharedFilmBearing& bearing,
+RunningState under(double load, const FilmResolution& resolution, SharedBearing& bearing,
                    const std::optional<PerBump>& pitch = {}) {
   Case input = film_reference_case(resolution);
   if (pitch) input.bump_foil.pitch = *pitch;
@@ -98,19 +98,19 @@ RunningState under(double load, const FilmResolution& resolution, SharedFilmBear
 TEST(FilmOverTheWidth, MeetsThePrototype) {
   for (const Reference& reference : references) {
     SCOPED_TRACE(testing::Message() << reference.load << " N, elastic " << (reference.sheet == SheetModel::elastic));
-    SharedFilmBearing bearing;
+    SharedBearing bearing;
     const FilmResolution resolution{.columns_per_pitch = 6, .rows = 16, .width_modes = 3, .sheet = reference.sheet};
     const RunningState found = under(reference.load, resolution, bearing);
     ASSERT_TRUE(found.found());
     const BearingState& state = *found.last;
     expect_solved(*bearing, state);
-    const double um = 1e6 * bearing->scales.thickness;
+    const double um = 1e6 * bearing->film->scales.thickness;
     EXPECT_LT((1e6 * state.position - reference.position).norm(), 1e-4 * reference.least);
     EXPECT_NEAR(um * found.outcome->thinnest.thickness, reference.least, 1e-4 * reference.least);
     EXPECT_EQ(found.outcome->thinnest.row, 16);  // at the side
     EXPECT_NEAR(um * state.film.thickness.row(0).minCoeff(), reference.least_in_mid_plane, 1e-4 * reference.least);
     EXPECT_NEAR(found.outcome->max_pressure, reference.max_pressure, 1e-4);
-    const FoilFilm& foil = bearing->pads.front().foil;
+    const FoilFilm& foil = bearing->film->pads.front().foil;
     const Vector loads = bump_loads(*bearing, state);
     for (int i = 0; i < 4; ++i) {
       const int bump = first_of_bumps + i;
@@ -128,14 +128,14 @@ TEST(FilmOverTheWidth, MeetsThePrototype) {
 /// A foil that does not stretch stays uniform over the width, except at its free end.
 TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
   const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6};
-  SharedFilmBearing uniform;
+  SharedBearing uniform;
   const RunningState reference = under(80.0, coarse, uniform);
   ASSERT_TRUE(reference.found());
   FilmResolution with_parabola = coarse;
   with_parabola.width_modes = 3;
-  FilmBearing bearing = film_reference_bearing(with_parabola);
-  FoilFilm& foil = bearing.pads.front().foil;
-  const double R = bearing.scales.radius / foil.pitch;
+  BearingModel bearing = film_reference_bearing(with_parabola);
+  FoilFilm& foil = bearing.film->pads.front().foil;
+  const double R = bearing.film->scales.radius / foil.pitch;
   const double half_width = foil.mesh.rows * foil.mesh.dzeta * R;
   foil.membrane =
       membrane_rows(make_membrane({2}, half_width, R, 1e12, 0.29), R * foil.mesh.dtheta * foil.mesh.intervals);
@@ -152,7 +152,7 @@ TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
 /// is thinner than under a uniform foil by about as much as with equal pitches.
 TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
   const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6, .width_modes = 3};
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState equal = under(80.0, coarse, bearing);
   const RunningState said_one_by_one = under(80.0, coarse, bearing, PerBump(4.572e-3, 4.572e-3, Grading::linear));
   ASSERT_TRUE(equal.found() && said_one_by_one.found());
@@ -166,7 +166,7 @@ TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
   FilmResolution plain = coarse;
   plain.width_modes = 1;
   const auto thinning = [&](const RunningState& with_parabola, const std::optional<PerBump>& pitch) {
-    SharedFilmBearing uniform;
+    SharedBearing uniform;
     return 1.0 -
            with_parabola.outcome->thinnest.thickness / under(80.0, plain, uniform, pitch).outcome->thinnest.thickness;
   };
@@ -177,7 +177,7 @@ TEST(FilmOverTheWidth, TakesPitchesThatDiffer) {
 /// Stiffness is the derivative of the force, with all modes over the width.
 TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
   for (const SheetModel sheet : {SheetModel::held, SheetModel::elastic}) {
-    const FilmBearing bearing =
+    const BearingModel bearing =
         film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width_modes = 3, .sheet = sheet});
     FilmStepper stepper(bearing);
     BearingState state;
@@ -208,7 +208,7 @@ TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
 /// With friction all lines of a crest slide together, and friction is at most f times their loads.
 TEST(FilmOverTheWidth, CrestsSlideAsOneUnlessTheSheetGivesWay) {
   const auto largest_difference = [](SheetModel sheet) {
-    const FilmBearing bearing =
+    const BearingModel bearing =
         film_reference_bearing({.columns_per_pitch = 4, .rows = 4, .width_modes = 3, .sheet = sheet}, 0.1);
     FilmStepper stepper(bearing);
     BearingState state;
@@ -222,8 +222,8 @@ TEST(FilmOverTheWidth, CrestsSlideAsOneUnlessTheSheetGivesWay) {
     const Eigen::Index size = bearing.problem.K.block_size();
     double difference = 0.0;
     for (Eigen::Index b = 0; b < bearing.bumps(); ++b) {
-      const double inner = state.contacts.x[b * size + bearing.place(0, bearing.dofs().crest_u)];
-      const double outer = state.contacts.x[b * size + bearing.place(1, bearing.dofs().crest_u)];
+      const double inner = state.contacts.x[b * size + bearing.place(0, bearing.structure.dofs.crest_u)];
+      const double outer = state.contacts.x[b * size + bearing.place(1, bearing.structure.dofs.crest_u)];
       EXPECT_NE(inner, 0.0);
       difference = std::max(difference, std::abs(inner - outer));
     }
@@ -267,7 +267,7 @@ const TiltedReference tilted_references[]{
      .max_pressure = 2.4778272087600834},
 };
 
-RunningState tilted(const Case& input, SharedFilmBearing& bearing) {
+RunningState tilted(const Case& input, SharedBearing& bearing) {
   EquilibriumResult result = run_equilibrium(input);
   bearing = result.bearing;
   return result.states.front();
@@ -284,12 +284,12 @@ Case tilted_case(const FilmResolution& resolution, double load) {
 TEST(FilmUnderATiltedJournal, MeetsThePrototype) {
   for (const TiltedReference& reference : tilted_references) {
     SCOPED_TRACE(reference.modes);
-    SharedFilmBearing bearing;
+    SharedBearing bearing;
     const RunningState found =
         tilted(tilted_case({.columns_per_pitch = 6, .rows = 12, .width_modes = reference.modes}, 100.0), bearing);
     ASSERT_TRUE(found.found());
     expect_solved(*bearing, *found.last);
-    const double um = 1e6 * bearing->scales.thickness;
+    const double um = 1e6 * bearing->film->scales.thickness;
     const double least = reference.least_over_the_width.back();
     EXPECT_LT((1e6 * found.last->position - reference.position).norm(), 1e-4 * least);
     for (std::size_t i = 0; i < 5; ++i) {
@@ -308,7 +308,7 @@ const FilmResolution coarse_with_slopes{.columns_per_pitch = 4, .rows = 4, .widt
 TEST(FilmUnderATiltedJournal, IsTheMirrorImageOfTheOppositeTilt) {
   Case input = tilted_case(coarse_with_slopes, 80.0);
   input.width.tilt[1] = 0.4 * input.width.tilt[0];
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState found = tilted(input, bearing);
   ASSERT_TRUE(found.found());
   EXPECT_LT(
@@ -317,7 +317,7 @@ TEST(FilmUnderATiltedJournal, IsTheMirrorImageOfTheOppositeTilt) {
       1e-18);
   Case opposite = input;
   for (double& slope : opposite.width.tilt) slope *= -1.0;
-  SharedFilmBearing same;
+  SharedBearing same;
   const RunningState mirrored = tilted(opposite, same);
   ASSERT_TRUE(mirrored.found());
   // Searches end when steps are below 1e-9.
@@ -338,7 +338,7 @@ TEST(FilmUnderAConicalJournal, IsTheMirrorImageOfTheOppositeCone) {
   Case input = tilted_case(coarse_with_slopes, 80.0);
   input.width.tilt = {0.0, 0.0};
   input.width.conicity = 4e-6;
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState held = tilted(input, bearing);
   ASSERT_TRUE(held.found());
   expect_solved(*bearing, *held.last);
@@ -364,19 +364,19 @@ TEST(FilmUnderABarrelShapedJournal, IsTheSameOnHalfTheWidthAndOnAllOfIt) {
   Case input = tilted_case(coarse_with_slopes, 80.0);
   input.width.tilt = {0.0, 0.0};
   input.width.crowning = 3e-6;
-  SharedFilmBearing half;
+  SharedBearing half;
   const RunningState reference = tilted(input, half);
   ASSERT_TRUE(reference.found());
-  ASSERT_FALSE(half->tilts());
+  ASSERT_FALSE(half->film->tilts());
   input.width.moment = {0.0, 0.0};
-  SharedFilmBearing whole;
+  SharedBearing whole;
   const RunningState found = tilted(input, whole);
   ASSERT_TRUE(found.found());
   EXPECT_LT((found.last->film.pressure.bottomRows(5) - reference.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_LT(found.last->tilt.norm(), 1e-9 * half->scales.thickness);
+  EXPECT_LT(found.last->tilt.norm(), 1e-9 * half->film->scales.thickness);
   input.width.moment.clear();
   input.width.crowning = 0.0;
-  SharedFilmBearing straight;
+  SharedBearing straight;
   const RunningState cylinder = tilted(input, straight);
   EXPECT_EQ(cylinder.outcome->thinnest.row, 4);  // at the side
   EXPECT_EQ(reference.outcome->thinnest.row, 0);
@@ -385,15 +385,15 @@ TEST(FilmUnderABarrelShapedJournal, IsTheSameOnHalfTheWidthAndOnAllOfIt) {
 /// Where foils are uniform, a journal without tilt gives the film of half the width.
 TEST(FilmUnderATiltedJournal, IsThatOfHalfTheWidthWithoutTilt) {
   const FilmResolution half{.columns_per_pitch = 4, .rows = 4};
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState reference = under(80.0, half, bearing);
   Case input = tilted_case(half, 80.0);
   input.width.moment = {0.0, 0.0};
-  SharedFilmBearing whole;
+  SharedBearing whole;
   const RunningState found = tilted(input, whole);
   ASSERT_TRUE(reference.found() && found.found());
   EXPECT_LT((found.last->film.pressure.bottomRows(5) - reference.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_LT(found.last->tilt.norm(), 1e-9 * bearing->scales.thickness);
+  EXPECT_LT(found.last->tilt.norm(), 1e-9 * bearing->film->scales.thickness);
   EXPECT_LT((found.stiffness->topLeftCorner<2, 2>() - *reference.stiffness).norm(), 1e-6 * reference.stiffness->norm());
   // Force and tilt are uncoupled there.
   EXPECT_LT(found.stiffness->topRightCorner(2, 2).norm(), 1e-8 * reference.stiffness->norm());
@@ -407,7 +407,7 @@ TEST(FilmUnderATiltedJournal, StiffnessIsTheDerivativeOfForceAndMoment) {
     FilmResolution resolution = coarse_with_slopes;
     resolution.sheet = sheet;
     resolution.width = WidthPart::whole;
-    const FilmBearing bearing = film_reference_bearing(resolution);
+    const BearingModel bearing = film_reference_bearing(resolution);
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
@@ -431,14 +431,14 @@ TEST(FilmUnderATiltedJournal, StiffnessIsTheDerivativeOfForceAndMoment) {
 TEST(FilmUnderATiltedJournal, SlidesLinearlyOverTheWidth) {
   Case input = tilted_case(coarse_with_slopes, 100.0);
   input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState found = tilted(input, bearing);
   ASSERT_TRUE(found.found());
   expect_solved(*bearing, *found.last);
   const Eigen::Index size = bearing->problem.K.block_size();
   double slope = 0.0;
   double bow = 0.0;
-  for (const int unknown : {bearing->dofs().crest_u, bearing->dofs().foot_u.front()}) {
+  for (const int unknown : {bearing->structure.dofs.crest_u, bearing->structure.dofs.foot_u.front()}) {
     for (Eigen::Index b = 0; b < bearing->bumps(); ++b) {
       const auto on_line = [&](Eigen::Index s) {
         return found.last->contacts.x[b * size + bearing->place(s, unknown)];
@@ -457,12 +457,12 @@ TEST(FilmUnderATiltedJournal, ActsOnPads) {
   input.bump_foil.bumps = 8;
   input.pads.resize(3);
   for (std::size_t k = 0; k < 3; ++k) input.pads[k].weld_angle = static_cast<double>(k) * 2.0 * std::numbers::pi / 3.0;
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState found = tilted(input, bearing);
   ASSERT_TRUE(found.found());
-  EXPECT_LT(
-      (journal_force(*bearing, found.last->film, found.last->speed).head<2>() - Eigen::Vector2d(40.0, 0.0)).norm(),
-      1e-6);
+  EXPECT_LT((journal_force(*bearing->film, found.last->film, found.last->speed).head<2>() - Eigen::Vector2d(40.0, 0.0))
+                .norm(),
+            1e-6);
   EXPECT_GT(found.outcome->moment.x(), 0.0);  // it resists the tilt
 }
 
@@ -474,7 +474,7 @@ TEST(FilmBetweenSidePressures, CarriesGasFromSideToSide) {
       EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{50.0, 0.0}}, .paths = ComparedPaths::one};
   const double ambient = input.gas.ambient_pressure;
   input.film.side_pressure = {1.2 * ambient, ambient};
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   const RunningState found = tilted(input, bearing);
   ASSERT_TRUE(found.found());
   expect_solved(*bearing, *found.last);
@@ -486,7 +486,7 @@ TEST(FilmBetweenSidePressures, CarriesGasFromSideToSide) {
   EXPECT_GT(found.outcome->moment.norm(), 1e-3);  // N m: the pressure of the fed side presses on it
 
   std::swap(input.film.side_pressure[0], input.film.side_pressure[1]);
-  SharedFilmBearing same;
+  SharedBearing same;
   const RunningState mirrored = tilted(input, same);
   ASSERT_TRUE(mirrored.found());
   EXPECT_LT((mirrored.last->film.pressure.colwise().reverse() - found.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
@@ -81,8 +81,8 @@ TEST(LargeDisplacements, EnergyBalanceConverges) {
 }
 
 TEST(LargeDisplacements, TangentsAreThoseOfTheDeformedFoils) {
-  const SharedFoils shared = make_bearing_foils(large_frame_case(Geometry::nonlinear, 0.1));
-  const Foils& foils = *shared;
+  const SharedBearing shared = make_bearing_foils(large_frame_case(Geometry::nonlinear, 0.1));
+  const BearingModel& foils = *shared;
   const Eigen::Vector2d n = unit_vector(0.0);
   NewtonSolver solver(foils.problem, {.law_tolerance = 1e-12});
   ContactState state = ContactState::unstressed(foils.problem);
@@ -93,7 +93,7 @@ TEST(LargeDisplacements, TangentsAreThoseOfTheDeformedFoils) {
   };
   double force = 0.0;
   for (int i = 0; i <= 25; ++i) force = push(79.5e-6 * i / 25.0);
-  const auto tangents_of = [&](const SharedFoils& of) {
+  const auto tangents_of = [&](const SharedBearing& of) {
     BearingState where = BearingState::unstressed(foils);
     where.contacts = state;
     return make_stepper(of).tangents(where).along(n);
@@ -103,9 +103,9 @@ TEST(LargeDisplacements, TangentsAreThoseOfTheDeformedFoils) {
   const double slope = (push(79.5e-6 + step) - force) / step;
   EXPECT_NEAR(slope, tangents.loading.value(), 1e-3 * *tangents.loading);
   // The stiffness of the undeformed foils in the same contact modes is different.
-  Foils undeformed = foils;
+  BearingModel undeformed = foils;
   undeformed.problem.law.reset();
-  const double other = tangents_of(std::make_shared<const Foils>(undeformed)).loading.value();
+  const double other = tangents_of(std::make_shared<const BearingModel>(undeformed)).loading.value();
   EXPECT_GT(std::abs(other / *tangents.loading - 1.0), 0.02);
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"

@@ -139,9 +139,9 @@ Complex bdf2_derivative(double nu, double dt) {
 struct UnbalancedMass {
   explicit UnbalancedMass(double friction) : bearing(film_reference_bearing({6, 8}, friction)) {
     // As in the prototype: held at 0.1 C_r, then loaded in ten equal increments.
-    const FilmBearing& of = bearing.bearing();
+    const BearingModel& of = bearing.bearing();
     EXPECT_EQ(cold_start(bearing, 0.1 * of.clearance * load.normalized(), speed, rest).status, Status::converged);
-    const Eigen::Vector2d held = film_force(of, rest.film.pressure);
+    const Eigen::Vector2d held = film_force(*of.film, rest.film.pressure);
     for (int i = 1; i <= 10; ++i) {
       const Eigen::Vector2d to = held + 0.1 * i * (load - held);
       EXPECT_EQ(follow(bearing, OperatingPoint::loaded_by(to, speed), rest).status, Status::converged);
@@ -368,7 +368,7 @@ TEST(RotorMarch, FindsTheOrbitOfARigidRotor) {
 }
 
 /// A short march of a point mass from rest, kicked and unbalanced.
-Eigen::Matrix2Xd kicked(const FilmBearing& bearing, const BearingState& rest, const Eigen::Vector2d& load,
+Eigen::Matrix2Xd kicked(const BearingModel& bearing, const BearingState& rest, const Eigen::Vector2d& load,
                         const Eigen::Matrix2d& image) {
   FilmStepper film(bearing);
   MachineStepper stepper(make_point_mass(1.0), {&film});
@@ -393,7 +393,7 @@ Eigen::Matrix2Xd kicked(const FilmBearing& bearing, const BearingState& rest, co
 /// differences are round-off.
 TEST(RotorMarch, IsTurnedAndMirroredWithItsBearing) {
   Case input = film_reference_case({4, 4}, 0.1);
-  const FilmBearing bearing = make_film_bearing(input);
+  const BearingModel bearing = make_film_bearing(input);
   FilmStepper stepper(bearing);
   const Eigen::Vector2d load(60.0, 10.0);
   const BearingState rest = state_under(stepper, load, speed_of_rpm(-45000.0));
@@ -471,7 +471,7 @@ TEST(RotorMarch, IsOfSecondOrderWithFriction) {
 
 /// Two equal bearings of a rotor that does not tilt act as one that carries half of it.
 TEST(RotorMarch, OnTwoEqualBearingsIsThatOfAPointMass) {
-  const FilmBearing bearing = film_reference_bearing({4, 4}, 0.1);
+  const BearingModel bearing = film_reference_bearing({4, 4}, 0.1);
   FilmStepper left(bearing);
   FilmStepper right(bearing);
   const Eigen::Vector2d load(60.0, 10.0);
@@ -499,8 +499,8 @@ TEST(RotorMarch, OnTwoEqualBearingsIsThatOfAPointMass) {
 /// At -20,000 rpm whirl grows until the film vanishes: the march ends with a status and the last state.
 TEST(RotorMarch, EndsWhereTheFilmIsGone) {
   constexpr double floor = 0.4e-6;  // m
-  const FilmBearing reference = film_reference_bearing({6, 8});
-  const double c = reference.scales.thickness;
+  const BearingModel reference = film_reference_bearing({6, 8});
+  const double c = reference.film->scales.thickness;
   FilmStepper bearing(reference, {.newton = {.thickness_floor = floor / c}});
   const double speed = speed_of_rpm(-20000.0);
   const Eigen::Vector2d load(earth_gravity, 0.0);

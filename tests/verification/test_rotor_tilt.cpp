@@ -31,7 +31,7 @@ constexpr double earth = 9.81;  // m/s^2
 const FilmResolution whole_width{.columns_per_pitch = 4, .rows = 3, .width_modes = 3, .width = WidthPart::whole};
 
 /// A bearing on its whole width. @param tilt  of its journal before the rotor tilts, m at the side
-FilmBearing tilting_bearing(const JournalTilt& tilt = {}, double conicity = 0.0) {
+BearingModel tilting_bearing(const JournalTilt& tilt = {}, double conicity = 0.0) {
   const Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3, .width_modes = 3});
   return make_film_bearing(make_foils(input), gas_of(input.gas), whole_width,
                            {.tilt = tilt, .profile = {.conicity = conicity}});
@@ -47,9 +47,9 @@ RigidRotorDesign rigid(double mass, double transverse_inertia, std::vector<doubl
 
 /// A rotor in equilibrium on bearings that resist tilts, its weight along +X.
 struct TiltingMachine {
-  TiltingMachine(Rotor carried, const std::vector<FilmBearing>& films, double rpm) : rotor(std::move(carried)) {
+  TiltingMachine(Rotor carried, const std::vector<BearingModel>& films, double rpm) : rotor(std::move(carried)) {
     for (std::size_t i = 0; i < films.size(); ++i) {
-      rotor.bearings[i].half_width = films[i].tilts() ? films[i].half_width() : 0.0;
+      rotor.bearings[i].half_width = films[i].film->tilts() ? films[i].film->half_width() : 0.0;
       steppers.emplace_back(films[i]);
     }
     for (FilmStepper& stepper : steppers) pointers.push_back(&stepper);
@@ -68,7 +68,7 @@ struct TiltingMachine {
     return found ? found->whirls : std::vector<Whirl>{};
   }
   [[nodiscard]] JournalVector force(std::size_t i) const {
-    return journal_force(steppers[i].bearing(), states[i].film, states[i].speed);
+    return journal_force(steppers[i].film(), states[i].film, states[i].speed);
   }
 
   Rotor rotor;
@@ -90,10 +90,10 @@ double distance_to_nearest(const std::vector<Whirl>& whirls, Complex rate) {
 TEST(TiltingRotor, WhirlsAsTheTwoByTwoEquationsOfEqualBearingsSay) {
   const double l = 0.03;
   const Rotor rotor = make_rigid_rotor(rigid(2.0, 1.2e-3, {-l, l}));
-  const FilmBearing film = tilting_bearing();
+  const BearingModel film = tilting_bearing();
   TiltingMachine machine(rotor, {film, film}, -14000.0);
   for (const BearingState& state : machine.states) EXPECT_LT(state.tilt.norm(), 1e-12);
-  const double h = film.half_width();
+  const double h = film.film->half_width();
   int cylindrical = 0;
   int conical = 0;
   for (const Whirl& whirl : machine.whirls()) {
@@ -126,7 +126,7 @@ TEST(TiltingRotor, WhirlsAsTheTwoByTwoEquationsOfEqualBearingsSay) {
 /// both are one model.
 TEST(TiltingRotor, ThatIsHeldLevelWhirlsAsOnHalfTheWidth) {
   FilmResolution uniform{.columns_per_pitch = 4, .rows = 3};
-  const FilmBearing on_half = film_reference_bearing(uniform);
+  const BearingModel on_half = film_reference_bearing(uniform);
   const Case input = film_reference_case(uniform);
   uniform.width = WidthPart::whole;
   TiltingMachine whole(make_point_mass(1.0), {make_film_bearing(make_foils(input), gas_of(input.gas), uniform)},
@@ -146,7 +146,7 @@ TEST(TiltingRotor, ThatIsHeldLevelWhirlsAsOnHalfTheWidth) {
 TEST(TiltingRotor, OnBearingsFarApartTiltsAsOnForcesAlone) {
   double before = 0.0;
   for (const double l : {0.25, 0.5}) {
-    const FilmBearing film = tilting_bearing();
+    const BearingModel film = tilting_bearing();
     TiltingMachine machine(make_rigid_rotor(rigid(2.0, 0.8 * l * l, {-l, l})), {film, film}, -14000.0);
     Rotor by_forces = machine.rotor;
     for (RotorStation& bearing : by_forces.bearings) bearing.tilt.setZero();
@@ -243,7 +243,7 @@ TEST(TiltingRotor, FollowsItsLinearResponseInTime) {
   EXPECT_LT((once.tail(2) - linear->tail(2)).norm(), 0.03 * linear->tail(2).norm());
   EXPECT_GT(0.03 * linear->tail(2).norm(), 0.2 * linear->head(2).norm());  // it tilts
   for (std::size_t i = 0; i < 2; ++i) {
-    const JournalVector place = machine.steppers[i].bearing().journal_of(state.bearings[i]);
+    const JournalVector place = machine.steppers[i].film().journal_of(state.bearings[i]);
     EXPECT_LT((place - stepper.journals()[i].place(state.rotor.y)).norm(), 1e-15);
     EXPECT_NE(state.bearings[i].tilt, machine.states[i].tilt);
   }
@@ -272,7 +272,7 @@ StabilityResult stability_of(const std::vector<std::string>& width) {
 
 /// Half widths, stations and moments from the case are those of the machine.
 TEST(TiltingRotor, IsThatOfItsCase) {
-  const FilmBearing film = tilting_bearing();
+  const BearingModel film = tilting_bearing();
   TiltingMachine machine(make_rigid_rotor(rigid(2.0, 1.2e-3, {-0.03, 0.03})), {film, film}, -14000.0);
   const StabilityResult of_case = stability_of({"width.modes=3"});
   ASSERT_TRUE(of_case.map.points[0].sliding.has_value());
@@ -281,8 +281,9 @@ TEST(TiltingRotor, IsThatOfItsCase) {
   for (const Whirl& whirl : of_case.map.points[0].sliding->whirls) {
     EXPECT_LT(distance_to_nearest(expected, whirl.rate), 1e-7 * std::abs(whirl.rate));
   }
-  EXPECT_FALSE(stability_of({}).machine.bearings[0]->tilts());
-  EXPECT_TRUE(stability_of({"width.modes=2", "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"}).machine.bearings[0]->tilts());
+  EXPECT_FALSE(stability_of({}).machine.bearings[0]->film->tilts());
+  EXPECT_TRUE(
+      stability_of({"width.modes=2", "width.tilt=[\"0.1 mrad\", \"0 mrad\"]"}).machine.bearings[0]->film->tilts());
 }
 
 /// Results of journals: they tilt with the rotor, on bearings misaligned by 0.1 mrad, and moments and forces of both
@@ -304,11 +305,11 @@ TEST(TiltingRotor, TellsTiltsAndMomentsOfItsJournals) {
   double moment = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
-    const FilmBearing& bearing = *result.machine.bearings[i];
+    const BearingModel& bearing = *result.machine.bearings[i];
     const BearingState& state = result.map.points[0].states[i];
     const double arm = result.machine.rotor.bearings[i].z;
     const double of_bearing = values("moment_x")[i];
-    moment += of_bearing + arm * journal_force(bearing, state.film, state.speed)[0];
+    moment += of_bearing + arm * journal_force(*bearing.film, state.film, state.speed)[0];
     largest = std::max(largest, std::abs(of_bearing));
   }
   EXPECT_GT(largest, 1e-3);

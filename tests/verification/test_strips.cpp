@@ -69,8 +69,8 @@ struct Taken {
 };
 
 /// Moves the journal from the assembled state through `places`.
-Taken taken_to(const Foils& foils, const std::vector<Eigen::Vector2d>& places) {
-  FoilStepper stepper = make_stepper(std::make_shared<const Foils>(foils), {});
+Taken taken_to(const BearingModel& foils, const std::vector<Eigen::Vector2d>& places) {
+  FoilStepper stepper = make_stepper(std::make_shared<const BearingModel>(foils), {});
   Step step;
   stepper.assemble({}, step);
   for (const Eigen::Vector2d& place : places) {
@@ -164,7 +164,7 @@ TEST(Strips, HavePointsThatIntegrateOverTheirWidth) {
     const double length = input.bearing.axial_length;
     const double width = strip_width(input);
     EXPECT_NEAR(strips * width + (strips - 1) * input.bump_foil.strip_gap, length, 1e-15);
-    const Foils foils = on_strips(make_foils(input), 3, {});
+    const BearingModel foils = on_strips(make_foils(input), 3, {});
     ASSERT_EQ(std::ssize(foils.points), 2 * strips);
     double sum = 0.0;
     double first = 0.0;

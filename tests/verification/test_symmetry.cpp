@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
@@ -101,7 +101,7 @@ TEST(Symmetry, TenTimesStifferFoilsAnswerWithTenTimesTheForce) {
 
 TEST(Symmetry, HeldJournalDoesNotCreep) {
   const Case input = rough_bearing();
-  const Foils foils = *make_bearing_foils(input);
+  const BearingModel foils = *make_bearing_foils(input);
   NewtonSolver solver(foils.problem);
   ContactState state = ContactState::unstressed(foils.problem);
   for (int k = 0; k <= 20; ++k) {

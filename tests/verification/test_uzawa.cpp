@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/origin/uzawa.hpp"
 #include "support/bearing_cases.hpp"
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Entries, UzawaStudy,
                                          Entry{{.tau_f = 1e-8}, true, 1, &UzawaDeviation::loop_energy, 1.001e-2}));
 
 TEST(UzawaHold, NothingCreepsInABearingThatIsHeld) {
-  const Foils foils = *make_bearing_foils(uzawa_study_case());
+  const BearingModel foils = *make_bearing_foils(uzawa_study_case());
   UzawaSolver solver(foils.problem, uzawa_options_for(foils.problem));
   ContactState state = ContactState::unstressed(foils.problem);
   ContactLoading loading;

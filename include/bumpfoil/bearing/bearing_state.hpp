@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/path_follower.hpp"
 #include "bumpfoil/film/film_solver.hpp"
 #include "bumpfoil/film/foil_film.hpp"
@@ -31,7 +31,7 @@ struct BearingState : Excitation {
   double dissipated_energy{};      ///< by friction since then, J
 
   /// Unstressed foils before their assembly.
-  static BearingState unstressed(const Foils& foils);
+  static BearingState unstressed(const BearingModel& foils);
 
   /// Friction refers to where the contacts are now.
   void begin_increment() { slip_origin = contacts.x; }

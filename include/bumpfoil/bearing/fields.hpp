@@ -60,17 +60,17 @@ struct FoilFields {
 Vector largest_pad_forces(const FoilFields& fields);
 
 /// Loads of one interface at a state, N: what is reported as open carries nothing.
-Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface);
+Vector interface_loads(const BearingModel& foils, const ContactState& state, Interface interface);
 
 /// Stresses of a pad (from 0) at unknowns of the problem: of the mean over the width; of bump foils whose strips differ
 /// in thickness the largest of all strips.
-FoilStress pad_stress(const Foils& foils, const Vector& x, int pad);
+FoilStress pad_stress(const BearingModel& foils, const Vector& x, int pad);
 
 /// Load of the top foil on all crests of each strip, N; nothing where they move alike.
-Vector strip_loads(const Foils& foils, const ContactState& state);
+Vector strip_loads(const BearingModel& foils, const ContactState& state);
 
 /// Fields for `increments` increments of the foils, to be filled by record().
-FoilFields make_fields(const Foils& foils, int increments);
+FoilFields make_fields(const BearingModel& foils, int increments);
 
 /// How far the crest of each bump came nearer to the middle between its feet, m. The weld is a foot that stays in
 /// place.
@@ -78,6 +78,6 @@ FoilFields make_fields(const Foils& foils, int increments);
 Vector bump_compression(const FoilStructure& structure, const Vector& x);
 
 /// Writes the fields of a state into row `increment`.
-void record(const Foils& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields);
+void record(const BearingModel& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields);
 
 }  // namespace bumpfoil

@@ -15,13 +15,13 @@ struct BearingEnergy {
   [[nodiscard]] double total() const { return gas + foils + asperities; }
 };
 
-BearingEnergy bearing_energy(const FilmBearing& bearing, const BearingState& state);
+BearingEnergy bearing_energy(const BearingModel& bearing, const BearingState& state);
 
 /// Powers of the film of a bearing, W, see FilmPowers. With the work of the journal,
 ///
 ///     entrained + supplied = dissipated + friction of the foils + d(energy)/dt - F.dx/dt
 ///
 /// where F holds the journal, friction of asperities on it aside.
-FilmPowers film_powers(const FilmBearing& bearing, const BearingState& state);
+FilmPowers film_powers(const FilmModel& film, const BearingState& state);
 
 }  // namespace bumpfoil

@@ -88,7 +88,7 @@ struct JointMove {
 
 /// The operating point of a state: by the position of its journal or by the load that it carries, by its tilt or by the
 /// moment, as those of another one. @param like  whose controls count
-OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, const OperatingPoint& like);
+OperatingPoint point_of(const BearingModel& bearing, const BearingState& state, const OperatingPoint& like);
 
 /// How a state responds to slow motions of the journal.
 struct SlowMotion {
@@ -125,8 +125,8 @@ struct HeldMotions {
 /// own states: they belong to the caller. One thread at a time; steppers may share the bearing.
 class FilmStepper {
  public:
-  explicit FilmStepper(SharedFilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
-  explicit FilmStepper(FilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
+  explicit FilmStepper(SharedBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
+  explicit FilmStepper(BearingModel bearing, const FilmBearingOptions& options = FilmBearingOptions());
   ~FilmStepper();
 
   /// The move that leads to an operating point, in the time `dt` (s).
@@ -180,7 +180,8 @@ class FilmStepper {
   /// Both. Where no contact slips they are one.
   [[nodiscard]] HeldMotions held_motions(const BearingState& state);
 
-  [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
+  [[nodiscard]] const BearingModel& bearing() const { return *bearing_; }
+  [[nodiscard]] const FilmModel& film() const { return *bearing_->film; }
   [[nodiscard]] const FilmBearingOptions& options() const { return options_; }
 
   /// Solves for several bearings at the end of a move of the body that connects their journals, all in one Newton
@@ -195,7 +196,7 @@ class FilmStepper {
                                                  std::vector<BearingState>& states);
 
  private:
-  SharedFilmBearing bearing_;
+  SharedBearing bearing_;
   FilmBearingOptions options_;
   std::unique_ptr<FilmNewton> newton_;
 };

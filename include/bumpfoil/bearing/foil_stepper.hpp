@@ -23,11 +23,11 @@ using FollowerMaker =
 /// In all functions `step` receives the result, its storage is reused, and it must not hold the state to start from.
 class FoilStepper {
  public:
-  FoilStepper(SharedFoils foils, const FollowerMaker& make_follower);
+  FoilStepper(SharedBearing foils, const FollowerMaker& make_follower);
 
   /// Switches to other foils with the same stiffness and contacts; only their gaps may differ. An assembly must follow.
   /// @return false if these are others; then it keeps those it has
-  [[nodiscard]] bool set_foils(const SharedFoils& foils);
+  [[nodiscard]] bool set_foils(const SharedBearing& foils);
 
   /// From the unstressed foils in one step. Work starts at zero; the dissipation is that of the assembly.
   void assemble(const Excitation& excitation, Step& step);
@@ -47,14 +47,14 @@ class FoilStepper {
   /// From the contact modes of `state` and the tangent of the foils.
   [[nodiscard]] TangentMatrices tangents(const BearingState& state);
 
-  [[nodiscard]] const Foils& foils() const { return *foils_; }
+  [[nodiscard]] const BearingModel& foils() const { return *foils_; }
   /// Whether increments are followed from one change of contact to the next.
   [[nodiscard]] bool follows_events() const { return follower_->follows_events(); }
   /// What converged states meet.
   [[nodiscard]] SolverBounds bounds() const { return follower_->bounds(); }
 
  private:
-  SharedFoils foils_;
+  SharedBearing foils_;
   std::shared_ptr<ModeSystem> modes_;  ///< shared with the follower: no other is made for tangents
   std::unique_ptr<PathFollower> follower_;
   FrictionDissipation dissipation_;

@@ -36,10 +36,10 @@ struct Increment {
 
 /// Position and forces of a state along the unit vector `direction`, work and dissipation, and how the step to it
 /// ended. Index and branch are left to the caller, energy and residuals not a number: check_increment() finds them.
-Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vector2d& direction);
+Increment place_increment(const BearingModel& foils, const Step& step, const Eigen::Vector2d& direction);
 
 /// Fills in elastic energy and residuals of a state.
-void check_increment(const Foils& foils, const BearingState& state, Increment& increment);
+void check_increment(const BearingModel& foils, const BearingState& state, Increment& increment);
 
 /// An increment that failed on its way to `step`'s place: everything that is not known is not a number.
 Increment failed_increment(const Step& step, const Eigen::Vector2d& direction);

@@ -14,11 +14,11 @@ namespace bumpfoil {
 /// The foils of the bearing of a case, pressed by its journal without a film.
 /// @param commands  that are to run them
 /// @throws Error (input) if the case cannot be built, or run by one of them
-SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands = {});
+SharedBearing make_bearing_foils(const Case& input, const std::vector<std::string>& commands = {});
 
 /// The strip of a case between its plate and the base.
 /// @throws Error (input) if the case cannot be built, has no strip, or is of the Le Lez (2007) model
-SharedFoils make_strip_foils(const Case& input);
+SharedBearing make_strip_foils(const Case& input);
 
 /// The solver of a case, made for a contact problem: this is where the method of the source paper comes in
 /// (origin/uzawa.hpp).
@@ -29,11 +29,11 @@ std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, c
                                                  Rates rates = Rates::by_solves);
 
 /// Takes foils from state to state by the solver of a case.
-FoilStepper make_stepper(SharedFoils foils, const SolverSettings& settings = {}, Rates rates = Rates::by_solves);
+FoilStepper make_stepper(SharedBearing foils, const SolverSettings& settings = {}, Rates rates = Rates::by_solves);
 
 /// The bearing of a case, in gas.
 /// @throws Error (input) if the case cannot be built
-FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
+BearingModel make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
 
 /// The mesh of the case.
 FilmResolution resolution_of(const Case& input);
@@ -47,6 +47,6 @@ FilmSurroundings surroundings_of(const Case& input, double ambient);
 double thickness_floor(const Case& input);
 
 /// The bearing in the gas and on the mesh of the case.
-FilmBearing make_film_bearing(const Case& input);
+BearingModel make_film_bearing(const Case& input);
 
 }  // namespace bumpfoil

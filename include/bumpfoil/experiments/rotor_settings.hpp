@@ -67,11 +67,11 @@ RotorForces forces_on(const RotorSettings& settings, const Rotor& rotor);
 
 /// A rotor and the bearings that carry it.
 struct Machine {
-  std::vector<SharedFilmBearing> bearings;  ///< in the order of Rotor::bearings; those that are alike are one
-  std::vector<double> thickness_floors;     ///< of each: h below which its surfaces count as touching, m
-  Rotor rotor;                              ///< as it was reduced
-  double reduction_error{};                 ///< see ReducedRotor
-  std::vector<Eigen::Vector2d> loads;       ///< on the bearings by its weight, N
+  std::vector<SharedBearing> bearings;   ///< in the order of Rotor::bearings; those that are alike are one
+  std::vector<double> thickness_floors;  ///< of each: h below which its surfaces count as touching, m
+  Rotor rotor;                           ///< as it was reduced
+  double reduction_error{};              ///< see ReducedRotor
+  std::vector<Eigen::Vector2d> loads;    ///< on the bearings by its weight, N
 
   /// Places of the rotor that results tell of: its bearings, then its stations.
   [[nodiscard]] std::vector<RotorStation> places() const;

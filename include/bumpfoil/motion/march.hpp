@@ -30,8 +30,21 @@ enum class Verdict {
 /// Called after every increment, failed ones included.
 using Observer = std::function<Verdict(const Passage&)>;
 
-/// Takes increment `taken` = 1..steps of a leg from a state into `step`.
-using Taker = std::function<void(const Leg& leg, int taken, const BearingState& from, Step& step)>;
+/// Takes a bearing from state to state, with a film or without: increment `taken` = 1..steps of a leg, from a state
+/// into `step`. How it is found is the business of the stepper: followed from event to event, over folds, in parts.
+using BearingStepper = std::function<void(const Leg& leg, int taken, const BearingState& from, Step& step)>;
+
+/// Of a bearing without a film.
+/// @param stepper  outlives what is returned
+/// @param largest  load of the legs, N; of legs by positions any
+/// @param reach    loads are not looked for beyond this displacement, m
+BearingStepper stepper_of(FoilStepper& stepper, double largest, double reach);
+
+/// Of a running bearing: quasi-static increments by follow(), those that take time by one step of BDF2 each. An
+/// increment in time that Newton's method fails to find is taken again in 2, 4, ... 128 equal parts; friction refers to
+/// the start of each part.
+/// @param stepper  outlives what is returned
+BearingStepper stepper_of(FilmStepper& stepper);
 
 /// Decides which leg comes next; nothing at the end. It may depend on what was observed.
 using Schedule = std::function<const Leg*()>;
@@ -40,26 +53,12 @@ using Schedule = std::function<const Leg*()>;
 Schedule schedule_of(const Program& program);
 
 /// Runs through a schedule, increment by increment, by the loop that all marches share. The observer decides what is
-/// recorded, accumulated or watched; halving increments, following events and crossing folds is done by the stepper.
+/// recorded, accumulated or watched.
 /// @param state  where the march begins; receives the last state that was kept
 /// @param step   receives the increments, one after the other; its storage is reused
 /// @return whether the schedule was taken to its end
-bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Step& step, const Observer& observe);
-
-/// Runs foils through a schedule.
-/// @param largest  load of the schedule, N; of one by positions any
-/// @param reach    loads are not looked for beyond this displacement, m
-bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, double reach, BearingState& state,
-           Step& step, const Observer& observe);
-
-/// Takes foils through a program.
-bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
+bool march(const BearingStepper& take, const Schedule& next_leg, BearingState& state, Step& step,
            const Observer& observe);
-
-/// Runs a running bearing through a program: quasi-static increments by follow(), those that take time by one step of
-/// BDF2 each. An increment in time that Newton's method fails to find is taken again in 2, 4, ... 128 equal parts;
-/// friction refers to the start of each part.
-bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe);
 
 /// A step of a machine in time, as its observer sees it.
 struct MachineStep {

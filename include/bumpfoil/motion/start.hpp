@@ -13,7 +13,7 @@ using Beginning = std::function<FilmReport(FilmStepper& stepper, double clearanc
 /// By how much the clearance is opened, m, for a running bearing to start: where foils leave too little room for a
 /// film, until they leave c.
 /// @param floor  film thickness that counts as contact, m
-double clearance_offset_to_start(const FilmBearing& bearing, double floor);
+double clearance_offset_to_start(const BearingModel& bearing, double floor);
 
 /// Closes a clearance in equal increments.
 /// @param to  where it is closed, by the same position or load

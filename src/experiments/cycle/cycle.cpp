@@ -16,10 +16,10 @@ bool CycleResult::converged() const {
          std::all_of(cycles.begin(), cycles.end(), [](const Cycle& cycle) { return cycle.converged(); });
 }
 
-CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings)
+CycleRunner::CycleRunner(SharedBearing foils, const SolverSettings& settings)
     : foils_(std::move(foils)), settings_(settings) {}
 
-void CycleRunner::set_foils(SharedFoils foils) {
+void CycleRunner::set_foils(SharedBearing foils) {
   for (std::optional<FoilStepper>* stepper : {&exact_, &fast_}) {
     if (*stepper && !(*stepper)->set_foils(foils)) stepper->reset();
   }

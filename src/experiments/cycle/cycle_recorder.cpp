@@ -66,7 +66,7 @@ class CycleRecorder {
   }
 
  private:
-  [[nodiscard]] const Foils& foils() const { return stepper_.foils(); }
+  [[nodiscard]] const BearingModel& foils() const { return stepper_.foils(); }
 
   void draw(const Step& step, const Increment& next) {
     for (const Waypoint& point : step.waypoints) {
@@ -93,7 +93,7 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
   const Eigen::Vector2d normal = unit_vector(cycle.direction);
   cycle.due = due;
   if (cycle.course == Course::push && step.converged()) {
-    const Foils& foils = stepper.foils();
+    const BearingModel& foils = stepper.foils();
     const Vector& gap = step.state.contacts.gap;
     for (int line = 0; line < foils.journal_contacts(); ++line) {
       const auto first = first_contact_displacement(gap(foils.pressed(line)), foils.normals_on(line), normal);
@@ -110,7 +110,8 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
   const bool good = recorder.add(step, plan.program.front().branch, false, state.position.dot(normal));
   bool interrupted = good && stopped();
   if (good && !interrupted) {
-    march(stepper, plan.program, plan.reach, state, step, [&](const Passage& at) {
+    const BearingStepper take = stepper_of(stepper, largest_place(plan.program), plan.reach);
+    march(take, schedule_of(plan.program), state, step, [&](const Passage& at) {
       const double displacement = at.leg.control == Control::displacement ? at.leg.line.base.dot(normal) + at.target
                                                                           : at.step.state.position.dot(normal);
       if (!recorder.add(at.step, at.leg.branch, at.ends_leg, displacement)) return Verdict::refuse;

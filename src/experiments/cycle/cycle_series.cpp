@@ -48,7 +48,7 @@ double approach(FoilStepper& stepper, const Approach& way, Step& step) {
                          .begin = 0.0,
                          .end = distance.norm(),
                          .steps = way.steps}};
-  const bool there = march(stepper, lead_in, way.reach, state, step,
+  const bool there = march(stepper_of(stepper, largest_place(lead_in), way.reach), schedule_of(lead_in), state, step,
                            [](const Passage& at) { return at.step.converged() ? Verdict::go_on : Verdict::refuse; });
   if (!there) return assembly_dissipation;
   step.state = std::move(state);

@@ -14,7 +14,7 @@ constexpr double largest_imbalance = 1e-7;
 constexpr int most_bumps_kept = 32'768;
 
 /// The location of a contact in result numbering.
-CycleEvent located(const Foils& foils, const StepEvent& event, Branch branch, const Eigen::Vector2d& direction) {
+CycleEvent located(const BearingModel& foils, const StepEvent& event, Branch branch, const Eigen::Vector2d& direction) {
   const int block = event.contact / foils.contacts_per_block();
   const int pair = event.contact % foils.contacts_per_block();
   CycleEvent out{.branch = branch,

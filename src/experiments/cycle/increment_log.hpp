@@ -45,7 +45,7 @@ class IncrementLog {
   void finish();
 
  private:
-  [[nodiscard]] const Foils& foils() const { return stepper_.foils(); }
+  [[nodiscard]] const BearingModel& foils() const { return stepper_.foils(); }
 
   FoilStepper& stepper_;
   bool everything_;

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -109,7 +109,7 @@ void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
 /// Shape of formed top foils without a journal.
 void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (std::none_of(pads.begin(), pads.end(), [](const PlacedPad& pad) { return is_formed(pad.alone); })) return;
-  const Foils foils = pads.front().strips > 1 ? make_film_foils(input) : foils_without_journal(input);
+  const BearingModel foils = pads.front().strips > 1 ? make_film_foils(input) : foils_without_journal(input);
   if (foils.assembly.empty()) return;
   NamedNumbers formed{"formed_radius", "m", "radius that the top foil is formed to before its assembly", {}};
   NamedNumbers hold{"assembled_hold_down", "N", "load of the top foil on its last bump, without a journal", {}};

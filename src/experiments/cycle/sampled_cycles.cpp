@@ -8,7 +8,7 @@
 namespace bumpfoil {
 
 CycleResult SampledCycleRunner::run(const Case& sampled, const ProgressCallback& progress) {
-  SharedFoils foils = make_bearing_foils(sampled, {"cycle"});
+  SharedBearing foils = make_bearing_foils(sampled, {"cycle"});
   if (runner_ && settings_ == sampled.solver) {
     runner_->set_foils(std::move(foils));
   } else {

@@ -25,7 +25,7 @@ constexpr double frequency_intervals = 9.0;
 
 /// How a state responds to small motions: with sliding contacts that keep sliding, and with full stick.
 struct Impedances {
-  const FilmBearing& bearing;
+  const BearingModel& bearing;
   std::optional<FilmImpedance> moving, stuck;
 
   /// @param rates  at which accuracy is ensured, 1/s
@@ -39,8 +39,8 @@ struct Impedances {
     for (const double frequency : frequencies) {
       FilmWhirl& whirl = whirls.emplace_back();
       whirl.frequency = frequency;
-      if (moving) whirl.impedance = bearing.by_slopes(moving->at({0.0, frequency}));
-      if (stuck) whirl.stuck_impedance = bearing.by_slopes(stuck->at({0.0, frequency}));
+      if (moving) whirl.impedance = bearing.film->by_slopes(moving->at({0.0, frequency}));
+      if (stuck) whirl.stuck_impedance = bearing.film->by_slopes(stuck->at({0.0, frequency}));
     }
     return whirls;
   }
@@ -75,11 +75,11 @@ int open_light_contacts(ContactState& contacts) {
 }
 
 /// Adds the maximum stresses of all pads to a state.
-void find_stresses(const FilmBearing& bearing, RunningState& found) {
+void find_stresses(const BearingModel& bearing, RunningState& found) {
   const BearingState& state = *found.last;
-  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-    const FilmPad& pad = bearing.pads[k];
-    const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
+  for (std::size_t k = 0; k < bearing.film->pads.size(); ++k) {
+    const FilmPad& pad = bearing.film->pads[k];
+    const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.film->scales.thickness;
     const Vector of_lines = state.film.moment(Eigen::all, pad.columns()).cwiseAbs().rowwise().maxCoeff();
     const double top =
         moment * of_lines.cwiseQuotient(pad.foil.lines.weight).maxCoeff() / bearing.stress[k].top_section_modulus;
@@ -93,7 +93,7 @@ void find_stresses(const FilmBearing& bearing, RunningState& found) {
 
 }  // namespace
 
-void check_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
+void check_state(const SharedBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
                  RunningState& found) {
   const auto begin = std::chrono::steady_clock::now();
   FilmStepper stepper(bearing);
@@ -101,8 +101,8 @@ void check_state(const SharedFilmBearing& bearing, const EquilibriumSettings& se
   found.outcome = film_bearing_outcome(*bearing, state);
   const auto moving = stepper.slow_motion(state);
   const auto stuck = stepper.slow_motion(state, true);
-  if (moving) found.stiffness = bearing->by_slopes(moving->stiffness);
-  if (stuck) found.stuck_stiffness = bearing->by_slopes(stuck->stiffness);
+  if (moving) found.stiffness = bearing->film->by_slopes(moving->stiffness);
+  if (stuck) found.stuck_stiffness = bearing->film->by_slopes(stuck->stiffness);
   if (moving || stuck) {
     found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
   }

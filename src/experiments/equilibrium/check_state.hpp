@@ -6,7 +6,7 @@ namespace bumpfoil {
 
 /// Adds derived results to a state, with a stepper of its own: the walk may already be at the next state.
 /// @param tabulates  whether to add results for rotor dynamics
-void check_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
+void check_state(const SharedBearing& bearing, const EquilibriumSettings& settings, bool tabulates,
                  RunningState& found);
 
 }  // namespace bumpfoil

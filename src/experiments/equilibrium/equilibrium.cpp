@@ -72,7 +72,7 @@ class PathWalker {
  private:
   [[nodiscard]] FilmBearingOptions options(double thickness_floor) const {
     FilmBearingOptions options;
-    options.newton.thickness_floor = thickness_floor / result_.bearing->scales.thickness;
+    options.newton.thickness_floor = thickness_floor / result_.bearing->film->scales.thickness;
     options.keep_going = [this] { return !progress_ || progress_(fraction()); };
     return options;
   }
@@ -144,12 +144,11 @@ class PathWalker {
   }
 
   [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
-    return start_along_load * (starting_->bearing().assembled_clearance + clearance_offset_) *
-           point.journal.normalized();
+    return start_along_load * (starting_->film().assembled_clearance + clearance_offset_) * point.journal.normalized();
   }
 
   [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
-    const double farthest = start_towards_position * (starting_->bearing().assembled_clearance + clearance_offset_);
+    const double farthest = start_towards_position * (starting_->film().assembled_clearance + clearance_offset_);
     return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
   }
 
@@ -173,7 +172,8 @@ class PathWalker {
     const OperatingPoint from = point_of(*result_.bearing, *state_, point);
     if (from == point) return;
     int taken = 0;
-    march(*starting_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const Passage& at) {
+    const Program program{bumpfoil::ramp(from, point, settings_.steps)};
+    march(stepper_of(*starting_), schedule_of(program), *state_, step_, [&](const Passage& at) {
       total += at.step.film;
       done_of_state_ = static_cast<double>(++taken % settings_.steps) / settings_.steps;
       return at.step.converged() ? Verdict::go_on : Verdict::stop;
@@ -273,7 +273,7 @@ std::optional<RunningState> stable_instead(const EquilibriumResult& result, cons
 }  // namespace
 
 void add_least_torque_speeds(EquilibriumResult& result) {
-  if (!result.bearing->surroundings.asperities) return;
+  if (!result.bearing->film->surroundings.asperities) return;
   for (RunningState& state : result.states) {
     // States of the same path, journal and direction of rotation, by increasing speed.
     std::vector<const RunningState*> curve;
@@ -322,7 +322,7 @@ std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
   return paths;
 }
 
-FilmBearing require_running_bearing(const Case& input) {
+BearingModel require_running_bearing(const Case& input) {
   if (!input.equilibrium) {
     throw Error(ErrorKind::input, {{"", 0, "equilibrium", "", "this table is missing", "add [equilibrium]"}});
   }
@@ -331,7 +331,7 @@ FilmBearing require_running_bearing(const Case& input) {
 
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
                                   const std::function<bool(double)>& progress, StateCheckers* checkers) {
-  const auto bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
+  const auto bearing = std::make_shared<const BearingModel>(require_running_bearing(input));
   if (paths.empty()) paths.push_back(input.equilibrium->path);
   EquilibriumResult result =
       find_states(bearing, *input.equilibrium, thickness_floor(input), paths, progress, checkers);
@@ -348,7 +348,7 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
   return result;
 }
 
-EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
+EquilibriumResult find_states(const SharedBearing& bearing, const EquilibriumSettings& equilibrium,
                               double thickness_floor, const std::vector<FilmPath>& paths,
                               const std::function<bool(double)>& progress, StateCheckers* checkers) {
   EquilibriumResult result;
@@ -359,7 +359,7 @@ EquilibriumResult find_states(const SharedFilmBearing& bearing, const Equilibriu
   PathWalker walker(equilibrium, thickness_floor, result, progress, checkers, states);
   try {
     for (const FilmPath path : paths) {
-      for (const auto& chain : chains_of(path, equilibrium, bearing->surroundings.tilt)) walker.walk(path, chain);
+      for (const auto& chain : chains_of(path, equilibrium, bearing->film->surroundings.tilt)) walker.walk(path, chain);
     }
   } catch (...) {
     if (checkers) checkers->finish();

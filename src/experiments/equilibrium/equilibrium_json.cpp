@@ -13,29 +13,29 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Part of the force carried by each of several pads; null if unknown.
-void add_pad_forces(Json& json, const FilmBearing& bearing, const RunningState& state, bool known) {
-  if (bearing.pads.size() == 1) return;
+void add_pad_forces(Json& json, const BearingModel& bearing, const RunningState& state, bool known) {
+  if (bearing.film->pads.size() == 1) return;
   for (const int axis : {0, 1}) {
     Json& forces = json[axis == 0 ? "pad_forces_x_N" : "pad_forces_y_N"];
-    for (Eigen::Index k = 0; k < std::ssize(bearing.pads); ++k) {
+    for (Eigen::Index k = 0; k < std::ssize(bearing.film->pads); ++k) {
       forces.push_back(known ? Json(state.outcome->pad_forces(axis, k)) : Json());
     }
   }
 }
 
 /// Stiffness and damping at each frequency.
-void add_motions(Json& json, const FilmBearing& bearing, const RunningState& state) {
+void add_motions(Json& json, const BearingModel& bearing, const RunningState& state) {
   json["motions"] = Json::array();
   for (const FilmWhirl& whirl : state.found() ? state.whirls : std::vector<FilmWhirl>{}) {
     Json& motion = json["motions"].emplace_back(Json{{"frequency_rad_per_s", whirl.frequency}});
-    for (const WhirlQuantity& quantity : whirl_quantities(bearing.motions())) {
+    for (const WhirlQuantity& quantity : whirl_quantities(bearing.film->motions())) {
       motion[key_of(quantity.name(), quantity.unit)] = value_json(quantity.value(whirl), {});
     }
   }
 }
 
 /// Quantities found for a state, even if it is not the requested one.
-Json found_json(const FilmBearing& bearing, const RunningState& state) {
+Json found_json(const BearingModel& bearing, const RunningState& state) {
   Json json;
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
     if (quantity.is(tag::requested)) continue;
@@ -47,7 +47,7 @@ Json found_json(const FilmBearing& bearing, const RunningState& state) {
 
 }  // namespace
 
-Json state_json(const FilmBearing& bearing, const RunningState& state) {
+Json state_json(const BearingModel& bearing, const RunningState& state) {
   Json json;
   json["name"] = name_of_state(state);
   for (const RunningQuantity& quantity : running_quantities(bearing)) {

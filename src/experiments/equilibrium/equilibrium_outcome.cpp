@@ -23,20 +23,20 @@ constexpr double margin_of_overhang = 2.0;
 constexpr double linear_part = 0.1;
 
 /// The part that flutters in an unstable state, its location, and advice.
-std::string flutter_text(const FilmBearing& bearing, const RunningState& state) {
+std::string flutter_text(const BearingModel& bearing, const RunningState& state) {
   const auto& [sliding, stuck] = state.held;
   const HeldMotion& motion = sliding && (!stuck || sliding->rate.real() >= stuck->rate.real()) ? *sliding : *stuck;
   const HeldPlace place = held_place(bearing, motion);
-  const FilmPad& pad = bearing.pads[place.pad];
+  const FilmPad& pad = bearing.film->pads[place.pad];
   const double speed = std::abs(state.last->speed);
   const double per_revolution = 2.0 * std::numbers::pi * motion.rate.real() / speed;
   const double frequency = motion.rate.imag() / (2.0 * std::numbers::pi);
   std::string text = fmt::format(
       "the top foil{} moves most {:.4g} deg from the weld and would {}{}",
-      bearing.pads.size() > 1 ? fmt::format(" of pad {}", place.pad + 1) : "", to_degrees(place.theta),
+      bearing.film->pads.size() > 1 ? fmt::format(" of pad {}", place.pad + 1) : "", to_degrees(place.theta),
       frequency > 0.0 ? fmt::format("flutter at {:.4g} Hz", frequency) : "snap over",
       speed > 0.0 ? fmt::format(", growing {:.3g}-fold each revolution", std::exp(per_revolution)) : std::string());
-  if (bearing.surface_speed(pad, state.last->speed) < 0.0) {
+  if (bearing.film->surface_speed(pad, state.last->speed) < 0.0) {
     const int lifted = lifted_bumps_at_entry(bearing, state);
     text += fmt::format(
         "; the gas enters at the free end{}: hold it down (top_foil.formed_radius = \"seated\", a feed by "
@@ -49,30 +49,30 @@ std::string flutter_text(const FilmBearing& bearing, const RunningState& state) 
 /// Film thickness at the free end of a pad below which its overhang alone may flutter, m. With the last crest as a
 /// clamp and an infinite bearing number, P H is constant under the overhang l, and EI' u'''' = pa L (u_in - u) / h is
 /// unstable below h = pa L l^4 / (24.35 EI').
-double fluttering_thickness(const FilmBearing& bearing, const FilmPad& pad) {
+double fluttering_thickness(const FilmModel& film, const FilmPad& pad) {
   const FilmMesh& mesh = pad.foil.mesh;
-  const double R = bearing.scales.radius;
+  const double R = film.scales.radius;
   const Vector theta = mesh.angles();
   const double overhang = R * (theta[mesh.columns] - theta[pad.foil.supports.back()]);
   const double p = pad.foil.pitch;
   const double bending_stiffness = pad.foil.stiffness * p * p * p;
-  const double width = 2.0 * bearing.half_width() * pad.part;
-  return bearing.scales.gas.ambient_pressure * width * std::pow(overhang, 4) / (24.35 * bending_stiffness);
+  const double width = 2.0 * film.half_width() * pad.part;
+  return film.scales.gas.ambient_pressure * width * std::pow(overhang, 4) / (24.35 * bending_stiffness);
 }
 
 /// The first pad whose film at the free end, at the gas inlet, is near this thickness.
-std::string overhang_text(const FilmBearing& bearing, const RunningState& state) {
-  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-    const FilmPad& pad = bearing.pads[k];
-    if (bearing.surface_speed(pad, state.last->speed) >= 0.0) continue;
+std::string overhang_text(const FilmModel& film, const RunningState& state) {
+  for (std::size_t k = 0; k < film.pads.size(); ++k) {
+    const FilmPad& pad = film.pads[k];
+    if (film.surface_speed(pad, state.last->speed) >= 0.0) continue;
     const Eigen::Index end = pad.first_column + pad.foil.mesh.columns;
-    const double h = bearing.scales.thickness * state.last->film.thickness(0, end);
-    const double least = fluttering_thickness(bearing, pad);
+    const double h = film.scales.thickness * state.last->film.thickness(0, end);
+    const double least = fluttering_thickness(film, pad);
     if (h >= margin_of_overhang * least) continue;
     return fmt::format(
         "the film at the free end{} is {:.3g} um thick, and below about {:.3g} um the overhang of the top foil "
         "flutters by itself: shorten top_foil.overhang",
-        bearing.pads.size() > 1 ? fmt::format(" of pad {}", k + 1) : "", 1e6 * h, 1e6 * least);
+        film.pads.size() > 1 ? fmt::format(" of pad {}", k + 1) : "", 1e6 * h, 1e6 * least);
   }
   return {};
 }
@@ -141,7 +141,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
             "bumps on sleeve: its stability is doubtful",
             name_of_state(state), state.light_contacts, state.light_contacts == 1 ? "" : "s"));
       }
-      if (const std::string overhang = overhang_text(*result.bearing, state); !overhang.empty()) {
+      if (const std::string overhang = overhang_text(*result.bearing->film, state); !overhang.empty()) {
         lines.push_back(fmt::format("{}: {}", name_of_state(state), overhang));
       }
       if (!stable.value_or(true) && unstable++ == 0) {
@@ -153,7 +153,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
           fmt::format("{}: the state is nearly singular: the top foil moves {:.3g} times as far as the journal; "
                       "stiffness and coefficients at low frequencies hold only for motions below {:.2g} nm",
                       name_of_state(state), *state.foil_response,
-                      1e9 * linear_part * state.outcome->thinnest.thickness * result.bearing->scales.thickness /
+                      1e9 * linear_part * state.outcome->thinnest.thickness * result.bearing->film->scales.thickness /
                           *state.foil_response));
     }
     const auto compare = [&](std::string_view foil, std::optional<double> stress, std::optional<double> yield_stress) {
@@ -189,7 +189,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
         "{}: {} ends in another state, with a minimum film thickness of {:.4g} um instead of {:.4g} um: the history of "
         "the bearing decides which one it runs in; compare all paths with --paths",
         name_of_state(state), name_of(other.path), 1e6 * other.minimum_film_thickness,
-        1e6 * state.outcome->thinnest.thickness * result.bearing->scales.thickness));
+        1e6 * state.outcome->thinnest.thickness * result.bearing->film->scales.thickness));
   }
   // One line for all: on most paths it concerns all states or none.
   if (lifted > 0) {

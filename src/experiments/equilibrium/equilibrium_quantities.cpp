@@ -23,69 +23,69 @@ double relative(double part, double whole_of_it) {
 }
 
 template <Control control, int axis>
-double requested_journal(const FilmBearing&, const RunningState& state) {
+double requested_journal(const BearingModel&, const RunningState& state) {
   return state.requested.control == control ? state.requested.journal[axis] : absent;
 }
 
 template <int axis>
-double position(const FilmBearing&, const RunningState& state) {
+double position(const BearingModel&, const RunningState& state) {
   return state.last->position[axis];
 }
 
 template <int axis>
-double force(const FilmBearing&, const RunningState& state) {
+double force(const BearingModel&, const RunningState& state) {
   return state.outcome->force[axis];
 }
 
 template <int axis>
-double tilt(const FilmBearing& bearing, const RunningState& state) {
-  return state.last->tilt[axis] / bearing.half_width();
+double tilt(const BearingModel& bearing, const RunningState& state) {
+  return state.last->tilt[axis] / bearing.film->half_width();
 }
 
 template <int axis>
-double moment(const FilmBearing&, const RunningState& state) {
+double moment(const BearingModel&, const RunningState& state) {
   return state.outcome->moment[axis];
 }
 
 template <double FilmBearingOutcome::*member>
-double of(const FilmBearing&, const RunningState& state) {
+double of(const BearingModel&, const RunningState& state) {
   return (*state.outcome).*member;
 }
 
 template <double FilmBearingOutcome::*member>
-double length(const FilmBearing& bearing, const RunningState& state) {
-  return (*state.outcome).*member * bearing.scales.thickness;
+double length(const BearingModel& bearing, const RunningState& state) {
+  return (*state.outcome).*member * bearing.film->scales.thickness;
 }
 
 template <double FilmBearingOutcome::*member>
-double pressure(const FilmBearing& bearing, const RunningState& state) {
-  return (*state.outcome).*member * bearing.scales.gas.ambient_pressure;
+double pressure(const BearingModel& bearing, const RunningState& state) {
+  return (*state.outcome).*member * bearing.film->scales.gas.ambient_pressure;
 }
 
 template <double FilmFlows::*member>
-double flow(const FilmBearing&, const RunningState& state) {
+double flow(const BearingModel&, const RunningState& state) {
   return state.outcome->flows.*member;
 }
 
 template <int FilmBearingOutcome::*member>
-double bump_number(const FilmBearing&, const RunningState& state) {
+double bump_number(const BearingModel&, const RunningState& state) {
   const int bump = (*state.outcome).*member;
   return bump < 0 ? absent : bump + 1;
 }
 
 template <std::optional<JournalMatrix> RunningState::*member, int row, int column>
-double entry(const FilmBearing&, const RunningState& state) {
+double entry(const BearingModel&, const RunningState& state) {
   return state.*member ? (*(state.*member))(row, column) : absent;
 }
 
 /// At the first of the frequencies.
 template <std::optional<JournalMatrixC> FilmWhirl::*member, int row, int column>
-double whirl_stiffness(const FilmBearing&, const RunningState& state) {
+double whirl_stiffness(const BearingModel&, const RunningState& state) {
   if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
   return (*(state.whirls.front().*member))(row, column).real();
 }
 template <std::optional<JournalMatrixC> FilmWhirl::*member, int row, int column>
-double whirl_damping(const FilmBearing&, const RunningState& state) {
+double whirl_damping(const BearingModel&, const RunningState& state) {
   if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
   const double frequency = state.whirls.front().frequency;
   return frequency == 0.0 ? absent : (*(state.whirls.front().*member))(row, column).imag() / frequency;
@@ -96,49 +96,49 @@ double over_speed(double rate, const RunningState& state) {
   return state.last->speed == 0.0 ? absent : rate / std::abs(state.last->speed);
 }
 template <std::optional<HeldMotion> HeldMotions::*member>
-double held_growth(const FilmBearing&, const RunningState& state) {
+double held_growth(const BearingModel&, const RunningState& state) {
   const auto& motion = state.held.*member;
   return motion ? over_speed(motion->rate.real(), state) : absent;
 }
 template <std::optional<HeldMotion> HeldMotions::*member>
-double held_whirl_ratio(const FilmBearing&, const RunningState& state) {
+double held_whirl_ratio(const BearingModel&, const RunningState& state) {
   const auto& motion = state.held.*member;
   return motion ? over_speed(motion->rate.imag(), state) : absent;
 }
 
 template <std::optional<CriticalMass> RunningState::*member>
-double critical_mass_of(const FilmBearing&, const RunningState& state) {
+double critical_mass_of(const BearingModel&, const RunningState& state) {
   return state.*member ? (*(state.*member)).mass : absent;
 }
 template <std::optional<CriticalMass> RunningState::*member>
-double critical_whirl_ratio(const FilmBearing&, const RunningState& state) {
+double critical_whirl_ratio(const BearingModel&, const RunningState& state) {
   return state.*member ? over_speed((*(state.*member)).frequency, state) : absent;
 }
 
 /// A limit, if requested and found.
 using LimitOfState = std::optional<FilmLimit> RunningState::*;
 template <LimitOfState limit>
-double limit_value(const FilmBearing&, const RunningState& state) {
+double limit_value(const BearingModel&, const RunningState& state) {
   return state.*limit ? (*(state.*limit)).value : absent;
 }
 template <LimitOfState limit>
-double limit_bound(const FilmBearing&, const RunningState& state) {
+double limit_bound(const BearingModel&, const RunningState& state) {
   return state.*limit && (*(state.*limit)).found() ? static_cast<double>((*(state.*limit)).bounded_by) : absent;
 }
 template <LimitOfState limit>
-double unstable_from(const FilmBearing&, const RunningState& state) {
+double unstable_from(const BearingModel&, const RunningState& state) {
   return state.*limit && !(*(state.*limit)).unstable.empty() ? (*(state.*limit)).unstable.front().from : absent;
 }
 template <LimitOfState limit>
-double unstable_to(const FilmBearing&, const RunningState& state) {
+double unstable_to(const BearingModel&, const RunningState& state) {
   return state.*limit && !(*(state.*limit)).unstable.empty() ? (*(state.*limit)).unstable.back().to : absent;
 }
 
 template <int FilmReport::*member>
-double cost(const FilmBearing&, const RunningState& state) {
+double cost(const BearingModel&, const RunningState& state) {
   return state.report.*member;
 }
-using B = FilmBearing;
+using B = BearingModel;
 using S = RunningState;
 using By = Control;
 
@@ -168,7 +168,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B&, const S& state) { return to_degrees(state.outcome->attitude_angle); }, csv | headline | sampled,
      "attitude angle", shown::degrees},
     {"h_min", "m", "minimum film thickness of all nodes",
-     [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
+     [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.film->scales.thickness; },
      csv | headline | leading | sampled, "minimum film thickness", shown::micrometres},
     {"h_min_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
      [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.theta); },
@@ -176,8 +176,8 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"h_min_z", "m", "distance of the minimum film thickness from the mid-plane",
      [](const B& bearing, const S& state) {
        const FilmBearingOutcome& outcome = *state.outcome;
-       return bearing.half_width() *
-              bearing.pads[static_cast<std::size_t>(outcome.thinnest_pad)].zeta(outcome.thinnest.row);
+       return bearing.film->half_width() *
+              bearing.film->pads[static_cast<std::size_t>(outcome.thinnest_pad)].zeta(outcome.thinnest.row);
      },
      csv | of_width, "minimum film thickness: at, from mid-plane", ShownUnit{"mm", 1e-3}},
     {"h_min_pad", "1", "pad with the minimum film thickness",
@@ -193,7 +193,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      "force, mesh error", shown::newtons},
     {"h_min_vertex", "m", "minimum film thickness by a parabola through its node and both neighbours",
      [](const B& bearing, const S& state) {
-       return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
+       return state.outcome->thinnest.vertex_thickness * bearing.film->scales.thickness;
      },
      sampled, "minimum film thickness, by a parabola"},
     {"h_min_vertex_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
@@ -349,7 +349,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
        const Vector loads = bump_loads(bearing, *state.last);
        double least = std::numeric_limits<double>::infinity();
        Eigen::Index bumps = 0;
-       for (const FilmPad& pad : bearing.pads) least = std::min(least, loads[(bumps += pad.bumps()) - 1]);
+       for (const FilmPad& pad : bearing.film->pads) least = std::min(least, loads[(bumps += pad.bumps()) - 1]);
        return least;
      },
      csv | of_foils | sampled, "hold-down of the free end", shown::newtons},
@@ -440,46 +440,48 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
 
 /// Displacement by P_k over the width, at zeta = 1: 0 for foils without this mode.
 template <int k>
-Vector mode_of_top_foil(const FilmBearing& bearing, const BearingState& state) {
-  const WidthLines& lines = bearing.pads.front().foil.lines;
+Vector mode_of_top_foil(const BearingModel& bearing, const BearingState& state) {
+  const WidthLines& lines = bearing.film->pads.front().foil.lines;
   const auto place = std::find(lines.orders.begin(), lines.orders.end(), k) - lines.orders.begin();
-  if (place == std::ssize(lines.orders)) return Vector::Zero(bearing.columns());
-  return bearing.scales.thickness * (lines.to_modes.row(place) * state.film.lift).transpose();
+  if (place == std::ssize(lines.orders)) return Vector::Zero(bearing.film->columns());
+  return bearing.film->scales.thickness * (lines.to_modes.row(place) * state.film.lift).transpose();
 }
 
 constexpr auto column_table = std::to_array<ColumnQuantity>({
     {"film_thickness", "m", "film thickness, the same over the width",
-     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       return bearing.scales.thickness * state.film.thickness.row(0).transpose();
+     [](const BearingModel& bearing, const BearingState& state) -> Vector {
+       return bearing.film->scales.thickness * state.film.thickness.row(0).transpose();
      },
      of_uniform_film},
     {"line_load", "N/m", "gauge pressure, integrated over the width",
-     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // all meshes have the same rows
-       Vector load = Vector::Zero(bearing.columns());
+     [](const BearingModel& bearing, const BearingState& state) -> Vector {
+       const FilmMesh& mesh = bearing.film->pads.front().foil.mesh;  // all meshes have the same rows
+       Vector load = Vector::Zero(bearing.film->columns());
        for (int j = 0; j <= mesh.rows; ++j) {
          load.array() += mesh.row_weight(j) * (state.film.pressure.row(j).transpose().array() - 1.0);
        }
-       return mesh.copies() * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
+       return mesh.copies() * bearing.film->scales.gas.ambient_pressure * bearing.film->scales.radius * mesh.dzeta *
+              load;
      }},
     {"asperity_pressure", "Pa", "pressure of asperities, mean over those around, the same over the width",
-     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       return bearing.scales.gas.ambient_pressure *
-              asperity_pressures(bearing, state.film.thickness).row(0).transpose();
+     [](const BearingModel& bearing, const BearingState& state) -> Vector {
+       return bearing.film->scales.gas.ambient_pressure *
+              asperity_pressures(*bearing.film, state.film.thickness).row(0).transpose();
      },
      of_asperities | of_uniform_film},
     {"film_top_displacement", "m", "deflection of the top foil in the mean over the width, positive outward",
-     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       return bearing.scales.thickness * (state.film.lift.transpose() * bearing.pads.front().foil.lines.weight);
+     [](const BearingModel& bearing, const BearingState& state) -> Vector {
+       return bearing.film->scales.thickness *
+              (state.film.lift.transpose() * bearing.film->pads.front().foil.lines.weight);
      }},
     {"film_top_slope", "m", "deflection of the top foil at its side z > 0 beyond the mean, linear over the width",
      mode_of_top_foil<1>, of_slope},
     {"film_top_parabola", "m", "deflection of the top foil at its sides beyond the mean, as a parabola over the width",
      mode_of_top_foil<2>, of_parabola},
     {"film_top_moment", "N m", "bending moment of the top foil",
-     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
-       Vector moment = bearing.scales.thickness * state.film.moment.colwise().sum().transpose();
-       for (const FilmPad& pad : bearing.pads) moment(pad.columns()) *= pad.foil.stiffness * pad.foil.pitch;
+     [](const BearingModel& bearing, const BearingState& state) -> Vector {
+       Vector moment = bearing.film->scales.thickness * state.film.moment.colwise().sum().transpose();
+       for (const FilmPad& pad : bearing.film->pads) moment(pad.columns()) *= pad.foil.stiffness * pad.foil.pitch;
        return moment;
      }},
 });
@@ -507,13 +509,15 @@ std::string unstable_ranges_text(const FilmLimit& limit) {
   return text;
 }
 
-std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits) {
+std::vector<RunningQuantity> running_quantities(const BearingModel& bearing, bool limits) {
   std::vector<RunningQuantity> quantities(running_quantity_table.begin(), running_quantity_table.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
-    return (quantity.is(of_limits) && !limits) || (quantity.is(of_asperities) && !bearing.surroundings.asperities) ||
-           (quantity.is(of_foils) && bearing.bumps() == 0) || (quantity.is(of_pads) && bearing.pads.size() == 1) ||
-           (quantity.is(of_width) && !bearing.varies_over_the_width() && !bearing.has_slits()) ||
-           (quantity.is(of_tilt) && !bearing.tilts()) || (quantity.is(of_slits) && !bearing.has_slits());
+    return (quantity.is(of_limits) && !limits) ||
+           (quantity.is(of_asperities) && !bearing.film->surroundings.asperities) ||
+           (quantity.is(of_foils) && bearing.bumps() == 0) ||
+           (quantity.is(of_pads) && bearing.film->pads.size() == 1) ||
+           (quantity.is(of_width) && !bearing.film->varies_over_the_width() && !bearing.film->has_slits()) ||
+           (quantity.is(of_tilt) && !bearing.film->tilts()) || (quantity.is(of_slits) && !bearing.film->has_slits());
   });
   return quantities;
 }
@@ -522,8 +526,8 @@ std::span<const RunningQuantity> all_running_quantities() {
   return running_quantity_table;
 }
 
-bool has_mode(const FilmBearing& bearing, int k) {
-  const std::vector<int>& orders = bearing.pads.front().foil.lines.orders;
+bool has_mode(const BearingModel& bearing, int k) {
+  const std::vector<int>& orders = bearing.film->pads.front().foil.lines.orders;
   return std::find(orders.begin(), orders.end(), k) != orders.end();
 }
 
@@ -531,19 +535,19 @@ std::span<const ColumnQuantity> column_quantities() {
   return column_table;
 }
 
-double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state) {
+double value_of(const RunningQuantity& quantity, const BearingModel& bearing, const RunningState& state) {
   return quantity.is(requested) || state.found() ? quantity.value(bearing, state) : absent;
 }
 
-Matrix film_pressure(const FilmBearing& bearing, const BearingState& state) {
-  return bearing.scales.gas.ambient_pressure * state.film.pressure;
+Matrix film_pressure(const BearingModel& bearing, const BearingState& state) {
+  return bearing.film->scales.gas.ambient_pressure * state.film.pressure;
 }
 
-std::string running_bump_text(const FilmBearing& bearing, int bump) {
-  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-    const int bumps = bearing.pads[k].bumps();
+std::string running_bump_text(const BearingModel& bearing, int bump) {
+  for (std::size_t k = 0; k < bearing.film->pads.size(); ++k) {
+    const int bumps = bearing.film->pads[k].bumps();
     if (bump < bumps)
-      return bearing.pads.size() == 1 ? fmt::format("{}", bump + 1) : fmt::format("{}.{}", k + 1, bump + 1);
+      return bearing.film->pads.size() == 1 ? fmt::format("{}", bump + 1) : fmt::format("{}.{}", k + 1, bump + 1);
     bump -= bumps;
   }
   return {};
@@ -579,7 +583,7 @@ std::string name_of_state(const RunningState& state) {
                      name_of_point(state.requested));
 }
 
-std::string running_failure(const FilmBearing& bearing, const RunningState& state) {
+std::string running_failure(const BearingModel& bearing, const RunningState& state) {
   if (state.found()) return {};
   std::string text = fmt::format("{}: {}", name_of_state(state), explanation(state.report.status));
   if (state.outcome) {
@@ -588,7 +592,7 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
         "{:.5g}) N, minimum film thickness {:.4g} um",
         state.last->speed / shown::revolutions.size, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
         state.outcome->force.x(), state.outcome->force.y(),
-        1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness);
+        1e6 * state.outcome->thinnest.thickness * bearing.film->scales.thickness);
     if (state.last->clearance_offset > 0.0) {
       text += fmt::format(", with the clearance at {:.5g} um, closing to {:.5g} um",
                           1e6 * (bearing.clearance + state.last->clearance_offset), 1e6 * bearing.clearance);
@@ -597,23 +601,23 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
   return text;
 }
 
-HeldPlace held_place(const FilmBearing& bearing, const HeldMotion& motion) {
-  const auto behind = std::find_if(bearing.pads.begin(), bearing.pads.end(),
+HeldPlace held_place(const BearingModel& bearing, const HeldMotion& motion) {
+  const auto behind = std::find_if(bearing.film->pads.begin(), bearing.film->pads.end(),
                                    [&](const FilmPad& pad) { return pad.first_column > motion.column; });
   const FilmPad& pad = *std::prev(behind);
-  return {.pad = static_cast<std::size_t>(std::distance(bearing.pads.begin(), behind)) - 1,
+  return {.pad = static_cast<std::size_t>(std::distance(bearing.film->pads.begin(), behind)) - 1,
           .theta = pad.foil.mesh.angles()[motion.column - pad.first_column]};
 }
 
-int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state) {
+int lifted_bumps_at_entry(const BearingModel& bearing, const RunningState& state) {
   if (!state.found()) return 0;
   const Vector loads = bump_loads(bearing, *state.last);
   if (!(loads.array() > 0.0).any()) return 0;
   Eigen::Index most = 0;
   Eigen::Index bump = 0;
-  for (const FilmPad& pad : bearing.pads) {
+  for (const FilmPad& pad : bearing.film->pads) {
     Vector own = loads.segment(bump, pad.bumps());
-    if (bearing.surface_speed(pad, state.requested.speed) < 0.0) own.reverseInPlace();
+    if (bearing.film->surface_speed(pad, state.requested.speed) < 0.0) own.reverseInPlace();
     most = std::max(most, std::find_if(own.begin(), own.end(), [](double load) { return load > 0.0; }) - own.begin());
     bump += pad.bumps();
   }

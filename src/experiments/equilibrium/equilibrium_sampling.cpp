@@ -53,12 +53,12 @@ EnsembleLayout equilibrium_layout(const Case& input) {
 }
 
 /// Values for the bumps of all strips of a split top foil together.
-std::vector<double> of_all_strips(const FilmBearing& bearing, const Vector& loads) {
-  if (!bearing.has_slits()) return {loads.begin(), loads.end()};
+std::vector<double> of_all_strips(const BearingModel& bearing, const Vector& loads) {
+  if (!bearing.film->has_slits()) return {loads.begin(), loads.end()};
   std::vector<double> sums;
   Eigen::Index first = 0;
-  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-    const Eigen::Index bumps = bearing.pads[k].bumps();
+  for (std::size_t k = 0; k < bearing.film->pads.size(); ++k) {
+    const Eigen::Index bumps = bearing.film->pads[k].bumps();
     if (bearing.placed[k].strip == 0) sums.resize(sums.size() + static_cast<std::size_t>(bumps));
     Eigen::Map<Vector>(sums.data(), std::ssize(sums)).tail(bumps) += loads.segment(first, bumps);
     first += bumps;
@@ -66,7 +66,7 @@ std::vector<double> of_all_strips(const FilmBearing& bearing, const Vector& load
   return sums;
 }
 
-SampledPlace sampled_state(const std::vector<RunningQuantity>& quantities, const FilmBearing& bearing,
+SampledPlace sampled_state(const std::vector<RunningQuantity>& quantities, const BearingModel& bearing,
                            const RunningState& state) {
   SampledPlace place{
       .values = each(quantities, [&](const RunningQuantity& quantity) { return value_of(quantity, bearing, state); })};

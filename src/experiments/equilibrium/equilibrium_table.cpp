@@ -51,7 +51,7 @@ void add_quantity(const EquilibriumResult& result, const RunningQuantity& quanti
 
 /// Fraction of the force on each of several pads.
 void add_pads(const EquilibriumResult& result, std::span<const RunningState> states, Table& table) {
-  const std::size_t pads = result.bearing->pads.size();
+  const std::size_t pads = result.bearing->film->pads.size();
   for (std::size_t k = 0; pads > 1 && k < pads; ++k) {
     table.add(shown_column(fmt::format("force of pad {}", k + 1), shown::newtons),
               each(states, [k](const RunningState& state) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/equilibrium/whirl_quantities.hpp"
 
@@ -42,7 +43,7 @@ Table film_coefficient_table(const EquilibriumResult& result) {
   }
   table.add({"path", "", ""}, each(rows, [](const Row& row) { return std::string(name_of(row.state.path)); }));
   table.add({"frequency", "rad/s", ""}, each(rows, [](const Row& row) { return row.whirl.frequency; }));
-  for (const WhirlQuantity& quantity : whirl_quantities(result.bearing->motions())) {
+  for (const WhirlQuantity& quantity : whirl_quantities(result.bearing->film->motions())) {
     table.add({quantity.name(), quantity.unit, quantity.long_name},
               each(rows, [&quantity](const Row& row) { return quantity.value(row.whirl); }));
   }

@@ -161,7 +161,7 @@ class LimitSearch {
   /// A place with its film thickness and stability.
   Place place(double demand, const BearingState& state, int jumps) {
     Place found{.demand = demand,
-                .h = stepper_.bearing().scales.thickness * state.film.thickness.minCoeff(),
+                .h = stepper_.film().scales.thickness * state.film.thickness.minCoeff(),
                 .state = state,
                 .jumps = jumps};
     if (is_thick(found)) found.stable = stepper_.held_motions(state).is_stable();
@@ -187,7 +187,7 @@ class LimitSearch {
 };
 
 /// One limit, from the end of a load ramp.
-FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLimitKind kind, double speed,
+FilmLimit find_limit(const SharedBearing& bearing, const Case& input, FilmLimitKind kind, double speed,
                      const Eigen::Vector2d& load, const std::function<bool()>& keep_going) {
   EquilibriumSettings at_start = *input.equilibrium;
   at_start.speeds = {speed};
@@ -195,7 +195,7 @@ FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLi
   const EquilibriumResult begin = find_states(bearing, at_start, thickness_floor(input), {FilmPath::load_ramp},
                                               [&](double) { return keep_going(); });
   const RunningState& start = begin.states.front();
-  FilmStepper stepper(bearing, {.newton = {.thickness_floor = thickness_floor(input) / bearing->scales.thickness},
+  FilmStepper stepper(bearing, {.newton = {.thickness_floor = thickness_floor(input) / bearing->film->scales.thickness},
                                 .keep_going = keep_going});
   LimitSearch search(stepper, *input.film.h_lift_off, kind, start.requested);
   return start.found() ? search.find(*start.last) : search.nothing(start.report.status);
@@ -207,7 +207,7 @@ std::size_t place_in(const std::vector<Value>& list, const Value& value) {
   return static_cast<std::size_t>(std::find(list.begin(), list.end(), value) - list.begin());
 }
 
-std::vector<FilmLimit> find_limits(const SharedFilmBearing& bearing, const Case& input,
+std::vector<FilmLimit> find_limits(const SharedBearing& bearing, const Case& input,
                                    const std::function<bool(double)>& progress) {
   const EquilibriumSettings& equilibrium = *input.equilibrium;
   const auto total = static_cast<double>(equilibrium.loads.size() + equilibrium.speeds.size());
@@ -228,7 +228,7 @@ std::vector<FilmLimit> find_limits(const SharedFilmBearing& bearing, const Case&
 
 std::vector<FilmLimit> run_film_limits(const Case& input, const std::function<bool(double)>& progress) {
   require_valid(input, {"limits"});
-  return find_limits(std::make_shared<const FilmBearing>(make_film_bearing(input)), input, progress);
+  return find_limits(std::make_shared<const BearingModel>(make_film_bearing(input)), input, progress);
 }
 
 void add_film_limits(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress) {

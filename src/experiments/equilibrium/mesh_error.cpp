@@ -55,8 +55,8 @@ Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
 }
 
 /// A state of `from` transferred to the mesh of `to`: not a solution there, but close.
-BearingState transferred(const FilmBearing& from, const FilmBearing& to, const BearingState& state) {
-  BearingState found = resting(to, from.journal_of(state), state.speed, state.clearance_offset);
+BearingState transferred(const BearingModel& from, const BearingModel& to, const BearingState& state) {
+  BearingState found = resting(to, from.film->journal_of(state), state.speed, state.clearance_offset);
   found.contacts.gap = state.contacts.gap;
   found.contacts.normal_force = state.contacts.normal_force;
   found.contacts.friction_force = state.contacts.friction_force;
@@ -64,11 +64,11 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
   const Eigen::Index from_size = from.problem.K.block_size();
   const Eigen::Index to_size = to.problem.K.block_size();
   const Eigen::Index shared = from.first_pressure();
-  const Eigen::Index lines = from.pads.front().foil.lines.count();
+  const Eigen::Index lines = from.film->pads.front().foil.lines.count();
   const Eigen::Index behind = from_size - from.behind_pressures();
-  for (std::size_t k = 0; k < from.pads.size(); ++k) {
-    const FilmPad& pad = from.pads[k];
-    const FilmPad& other = to.pads[k];
+  for (std::size_t k = 0; k < from.film->pads.size(); ++k) {
+    const FilmPad& pad = from.film->pads[k];
+    const FilmPad& other = to.film->pads[k];
     const FilmMesh& mesh = other.foil.mesh;
     const Eigen::Index columns = mesh.nodes();
     const Matrix pressure = resampled(part_of(pad, state.film.pressure), mesh.rows + 1, columns);
@@ -88,10 +88,10 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
       const Eigen::Index first = other.block_of(i) * to_size + to.first_pressure(other.station_of(i));
       const int crest = other.first_column + other.foil.supports[static_cast<std::size_t>(i)];
       const auto over_crest = found.film.pressure.col(crest).segment(mesh.first_unknown_row(), mesh.unknown_rows());
-      found.contacts.x.segment(first, mesh.unknown_rows()) = to.scales.thickness * (over_crest.array() - 1.0);
+      found.contacts.x.segment(first, mesh.unknown_rows()) = to.film->scales.thickness * (over_crest.array() - 1.0);
     }
   }
-  found.film.thickness += to.over_the_width(found.film.lift);
+  found.film.thickness += to.film->over_the_width(found.film.lift);
   return found;
 }
 
@@ -104,12 +104,12 @@ double part_of_difference(const FilmResolution& own, const FilmResolution& other
 
 }  // namespace
 
-MeshComparison::MeshComparison(const Case& input, SharedFilmBearing bearing)
-    : bearing_(std::move(bearing)), thickness_floor_(thickness_floor(input) / bearing_->scales.thickness) {
+MeshComparison::MeshComparison(const Case& input, SharedBearing bearing)
+    : bearing_(std::move(bearing)), thickness_floor_(thickness_floor(input) / bearing_->film->scales.thickness) {
   const FilmResolution own = resolution_of(input);
   const FilmResolution other = other_resolution(own, input.bump_foil.least_columns_per_pitch());
-  other_ = std::make_shared<const FilmBearing>(
-      make_film_bearing(*bearing_, bearing_->scales.gas, other, bearing_->surroundings));
+  other_ = std::make_shared<const BearingModel>(
+      make_film_bearing(*bearing_, bearing_->film->scales.gas, other, bearing_->film->surroundings));
   part_ = part_of_difference(own, other);
 }
 
@@ -118,8 +118,8 @@ std::optional<MeshError> MeshComparison::estimate(const RunningState& state) con
   BearingState found = transferred(*bearing_, *other_, *state.last);
   if (stepper.advance(state.requested, found).status != Status::converged) return {};
   const double thickness =
-      (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_->scales.thickness;
-  Eigen::Vector2d force = journal_force(*other_, found.film, found.speed).head<2>() - state.outcome->force;
+      (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_->film->scales.thickness;
+  Eigen::Vector2d force = journal_force(*other_->film, found.film, found.speed).head<2>() - state.outcome->force;
   if (state.requested.by_load()) {
     if (!state.stiffness) return {};
     force = state.stiffness->topLeftCorner<2, 2>() * (state.last->position - found.position);

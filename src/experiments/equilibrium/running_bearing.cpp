@@ -22,7 +22,7 @@ class ParallelCheckers : public StateCheckers {
  public:
   ParallelCheckers(const Case& input, tbb::task_group& group) : input_(input), group_(group) {}
 
-  void take(const SharedFilmBearing& bearing, RunningState& state, const std::function<void()>& check) override {
+  void take(const SharedBearing& bearing, RunningState& state, const std::function<void()>& check) override {
     if (!meshes_) meshes_.emplace(input_, bearing);
     group_.run([this, &state, check] {
       check();
@@ -43,7 +43,7 @@ class ParallelCheckers : public StateCheckers {
 };
 
 double minimum_film_thickness(const EquilibriumResult& result, const RunningState& state) {
-  return state.last->film.thickness.minCoeff() * result.bearing->scales.thickness;
+  return state.last->film.thickness.minCoeff() * result.bearing->film->scales.thickness;
 }
 
 /// States of `result` for which another path reaches a different film.

@@ -62,7 +62,7 @@ class StateDataset {
 
   /// Fraction of the force on each of several pads.
   void add_pads() {
-    if (result_.bearing->pads.size() == 1) return;
+    if (result_.bearing->film->pads.size() == 1) return;
     for (const int axis : {0, 1}) {
       const char letter = axis == 0 ? 'x' : 'y';
       add({fmt::format("pad_force_{}", letter), "N", fmt::format("part of force_{} carried by the pad", letter)},
@@ -96,42 +96,44 @@ class StateDataset {
 };
 
 /// Positions of the columns, and their pads.
-void add_columns(const FilmBearing& bearing, Dataset& data) {
-  Vector theta(bearing.columns());
-  Vector phi(bearing.columns());
-  Vector number(bearing.columns());
-  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-    const FilmPad& pad = bearing.pads[k];
+void add_columns(const BearingModel& bearing, Dataset& data) {
+  const FilmModel& film = *bearing.film;
+  Vector theta(film.columns());
+  Vector phi(film.columns());
+  Vector number(film.columns());
+  for (std::size_t k = 0; k < film.pads.size(); ++k) {
+    const FilmPad& pad = film.pads[k];
     const Vector angles = pad.foil.mesh.angles();
     theta(pad.columns()) = angles;
     phi(pad.columns()) = bearing.placed[k].polar(angles);
     number(pad.columns()).setConstant(static_cast<double>(k + 1));
   }
-  data.dims.push_back({"column", static_cast<std::size_t>(bearing.columns())});
+  data.dims.push_back({"column", static_cast<std::size_t>(film.columns())});
   data.add_coordinate({"column_theta", "rad", "angle of the column from the weld along the foil"}, {"column"},
                       node_values(theta));
   data.add_coordinate({"column_phi", "rad", "polar angle of the column from X towards Y"}, {"column"},
                       node_values(phi));
-  if (bearing.pads.size() == 1) return;
+  if (film.pads.size() == 1) return;
   data.add_coordinate({"column_pad", "1", "pad that the column belongs to"}, {"column"}, node_values(number));
 }
 
 void add_geometry(const Case& input, const EquilibriumResult& result, const ResultLayout& layout, Dataset& data) {
-  const FilmBearing& bearing = *result.bearing;
+  const BearingModel& bearing = *result.bearing;
+  const FilmModel& film = *bearing.film;
   data.add_dimension({"state", "1", "state of the running bearing, in the order of computation", {Form::whole}},
                      numbers_from(1.0, result.states.size()));
   add_foils(layout, "sleeve", data);
   add_columns(bearing, data);
-  const int rows = bearing.pads.front().foil.mesh.rows + 1;
+  const int rows = film.pads.front().foil.mesh.rows + 1;
   data.dims.push_back({"row", static_cast<std::size_t>(rows)});
-  const double side = 0.5 * input.bearing.axial_length * bearing.pads.front().part;
+  const double side = 0.5 * input.bearing.axial_length * film.pads.front().part;
   data.add_coordinate({"z", "m",
-                       bearing.has_slits() ? "distance of the row from the middle of its strip, at pad_z; the last row "
-                                             "is the edge of the strip"
-                                           : "distance of the row from the mid-plane of the bearing; the last row is "
-                                             "its side"},
-                      {"row"}, node_values(Vector::LinSpaced(rows, bearing.tilts() ? -side : 0.0, side)));
-  const Gas& gas = bearing.scales.gas;
+                       film.has_slits() ? "distance of the row from the middle of its strip, at pad_z; the last row "
+                                          "is the edge of the strip"
+                                        : "distance of the row from the mid-plane of the bearing; the last row is "
+                                          "its side"},
+                      {"row"}, node_values(Vector::LinSpaced(rows, film.tilts() ? -side : 0.0, side)));
+  const Gas& gas = film.scales.gas;
   data.add_coordinate({"gas_viscosity", "Pa s", "viscosity of the gas"}, {}, {gas.viscosity});
   data.add_coordinate({"ambient_pressure", "Pa", "pressure at the edges of the film and behind the foils"}, {},
                       {gas.ambient_pressure});
@@ -149,31 +151,32 @@ void add_requested_positions(const EquilibriumResult& result, Dataset& data) {
 }
 
 void add_film(const EquilibriumResult& result, StateDataset& states) {
-  const FilmBearing& bearing = *result.bearing;
+  const BearingModel& bearing = *result.bearing;
   states
       .add({"pressure", "Pa", "pressure of the film"}, {"row", "column"},
            [&bearing](const RunningState& state) { return film_pressure(bearing, *state.last); })
       .compressed = true;
-  const bool uniform = bearing.has_foils() && !bearing.varies_over_the_width();
+  const bool uniform = bearing.has_foils() && !bearing.film->varies_over_the_width();
   if (!uniform) {
     states
         .add({"film_thickness", "m", "film thickness"}, {"row", "column"},
              [&bearing](const RunningState& state) -> Matrix {
-               return bearing.scales.thickness * state.last->film.thickness;
+               return bearing.film->scales.thickness * state.last->film.thickness;
              })
         .compressed = true;
-    if (bearing.surroundings.asperities) {
+    if (bearing.film->surroundings.asperities) {
       states
           .add({"asperity_pressure", "Pa", "pressure of asperities, mean over those around"}, {"row", "column"},
                [&bearing](const RunningState& state) -> Matrix {
-                 return bearing.scales.gas.ambient_pressure * asperity_pressures(bearing, state.last->film.thickness);
+                 return bearing.film->scales.gas.ambient_pressure *
+                        asperity_pressures(*bearing.film, state.last->film.thickness);
                })
           .compressed = true;
     }
   }
   if (!bearing.has_foils()) return;
   for (const ColumnQuantity& quantity : column_quantities()) {
-    if (quantity.is(tag::of_asperities) && !bearing.surroundings.asperities) continue;
+    if (quantity.is(tag::of_asperities) && !bearing.film->surroundings.asperities) continue;
     if (quantity.is(tag::of_slope) && !has_mode(bearing, 1)) continue;
     if (quantity.is(tag::of_parabola) && !has_mode(bearing, 2)) continue;
     if (quantity.is(tag::of_uniform_film) && !uniform) continue;
@@ -188,7 +191,7 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
 /// Foil quantities, as without a film, except for the contact with the journal, which does not exist.
 void add_fields(const EquilibriumResult& result, const ResultLayout& layout, const Wording& wording,
                 StateDataset& states) {
-  const Foils& foils = *result.bearing;
+  const BearingModel& foils = *result.bearing;
   const auto fields = std::make_shared<FoilFields>(make_fields(foils, static_cast<int>(result.states.size())));
   for (std::size_t i = 0; i < result.states.size(); ++i) {
     if (!result.states[i].found()) continue;
@@ -252,7 +255,7 @@ Dataset equilibrium_dataset(const EquilibriumSettings& settings, const Equilibri
                       each(journals, [](const Eigen::Vector2d& vector) { return vector.y(); }));
   // Requested values are equal over rows and columns: stored as coordinates.
   states.add_quantities(tag::demand);
-  if (const std::size_t pads = result.bearing->pads.size(); pads > 1) {
+  if (const std::size_t pads = result.bearing->film->pads.size(); pads > 1) {
     data.add_dimension({"pad", "1", "pad, in the order of the case", {Form::whole}}, numbers_from(1.0, pads));
   }
   states.add_pads();
@@ -264,7 +267,7 @@ EquilibriumResult equilibrium_not_begun(const Case& input) {
   EquilibriumResult result;
   Case bearing = input;
   bearing.equilibrium.reset();  // a layout of all speeds is not a runnable case
-  result.bearing = std::make_shared<const FilmBearing>(make_film_bearing(bearing));
+  result.bearing = std::make_shared<const BearingModel>(make_film_bearing(bearing));
   result.states = planned_states(*input.equilibrium, Status::interrupted);
   result.with_limits = input.equilibrium->limits;
   return result;

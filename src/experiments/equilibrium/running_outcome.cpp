@@ -27,7 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
-  const FilmBearing& bearing = *result.bearing;
+  const BearingModel& bearing = *result.bearing;
   Json json;
   json["states"] = spread.states;
   for (const RunningQuantity& quantity : running_quantities(bearing)) {

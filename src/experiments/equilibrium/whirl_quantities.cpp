@@ -79,7 +79,7 @@ void add_whirls(const EquilibriumSettings& settings, const EquilibriumResult& re
   const std::size_t count = frequencies.size();
   data.add_dimension({"frequency", "rad/s", "angular frequency of small motions about the state"}, frequencies);
   dims.emplace_back("frequency");
-  for (const WhirlQuantity& quantity : whirl_quantities(result.bearing->motions())) {
+  for (const WhirlQuantity& quantity : whirl_quantities(result.bearing->film->motions())) {
     std::vector<double> values(result.states.size() * count, absent);
     for (std::size_t i = 0; i < result.states.size(); ++i) {
       if (!result.states[i].found()) continue;

@@ -69,7 +69,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
   }
 
   [[nodiscard]] std::optional<DataAnswer> answer(const Case& input, const Rig& rig) const override {
-    const auto bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
+    const auto bearing = std::make_shared<const BearingModel>(require_running_bearing(input));
     const auto groups = groups_on(input.equilibrium->path);
     std::vector<std::vector<double>> values(quantities_.size(), std::vector<double>(places_.size(), absent));
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
@@ -111,7 +111,7 @@ class MeasuredEquilibriumData final : public MeasuredData {
 
   /// Adds the measured quantities of a state that was found: small motions have the frequency of the settings or that
   /// of the rotation.
-  void add_answers(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, RunningState& state) const {
+  void add_answers(const SharedBearing& bearing, const EquilibriumSettings& settings, RunningState& state) const {
     if (!state.found()) return;
     state.outcome = film_bearing_outcome(*bearing, *state.last);
     if (!has_coefficients_) return;

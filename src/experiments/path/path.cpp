@@ -67,7 +67,7 @@ constexpr double length_rounding = 1e-12;
 /// Identifies the orbits in the sequence of increments.
 class OrbitCounter {
  public:
-  OrbitCounter(const PathSettings& path, int increments, const Foils& foils)
+  OrbitCounter(const PathSettings& path, int increments, const BearingModel& foils)
       : steps_(path.is_orbit() ? path.steps : 0),
         lead_in_(increments - 1 - path.orbits * steps_),
         force_rounding_(foils.round_off.force),
@@ -158,7 +158,7 @@ void follow(FoilStepper& stepper, const PathSettings& path, const ProgressCallba
   }
   if (goes_on) {
     const double reach = stepper.foils().clearance + stepper.foils().rise;
-    goes_on = march(stepper, path_schedule(path), largest_load(path), reach, state, step,
+    goes_on = march(stepper_of(stepper, largest_load(path), reach), path_schedule(path), state, step,
                     [&](const Passage& at) { return add(at.ends_leg) ? Verdict::go_on : Verdict::refuse; });
   }
   if (!goes_on && cycle.converged()) cycle.status = Status::interrupted;
@@ -185,7 +185,7 @@ int path_increments(const PathSettings& path) {
 }
 
 CycleResult run_path(const Case& input, const ProgressCallback& progress, const RecordSink& sink) {
-  const SharedFoils foils = make_bearing_foils(input, {"path"});
+  const SharedBearing foils = make_bearing_foils(input, {"path"});
   const PathSettings* const path = input.settings.find<PathSettings>();
   if (path == nullptr) throw Error(ErrorKind::input, {{"", 0, "path", "", "this table is missing", "add [path]"}});
   if (!sink) require_memory(*path, foils->bumps());

@@ -8,7 +8,7 @@
 namespace bumpfoil {
 
 CycleResult run_strip(const Case& input, const ProgressCallback& progress, Recording recording) {
-  const SharedFoils foils = make_strip_foils(input);
+  const SharedBearing foils = make_strip_foils(input);
   const StripSettings& strip = *input.strip;
   CycleCourse course{.direction = 0.0,
                      .amplitude = strip.amplitude,

@@ -51,16 +51,18 @@ constexpr auto place_quantity_table = std::to_array<PlaceQuantity>({
 constexpr double no_asperity_load = 1e-9;
 
 double asperity_load(const BearingView& view) {
-  const FilmBearing& bearing = view.bearing;
-  if (!bearing.surroundings.asperities) return 0.0;
-  const Matrix pressures = asperity_pressures(bearing, view.state.film.thickness);
-  const double load = asperity_force(bearing, pressures, 0.0).head<2>().norm();
+  const BearingModel& bearing = view.bearing;
+  if (!bearing.film->surroundings.asperities) return 0.0;
+  const Matrix pressures = asperity_pressures(*bearing.film, view.state.film.thickness);
+  const double load = asperity_force(*bearing.film, pressures, 0.0).head<2>().norm();
   return load < no_asperity_load ? 0.0 : load;
 }
 
 constexpr auto bearing_quantity_table = std::to_array<BearingQuantity>({
     {"h_min", "m", "minimum film thickness",
-     [](const BearingView& view) { return view.bearing.scales.thickness * view.state.film.thickness.minCoeff(); }},
+     [](const BearingView& view) {
+       return view.bearing.film->scales.thickness * view.state.film.thickness.minCoeff();
+     }},
     {"power", "W", "power of the film against rotation",
      [](const BearingView& view) { return film_bearing_outcome(view.bearing, view.state).power; }},
     {"asperity_load", "N", "force that asperities carry", asperity_load},

@@ -20,7 +20,7 @@ struct StepView {
 
 /// A bearing at the end of a step.
 struct BearingView {
-  const FilmBearing& bearing;
+  const BearingModel& bearing;
   const BearingState& state;
 };
 

@@ -124,7 +124,8 @@ class VibrationRunner {
   void take(const Program& program, BearingState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
     FoilStepper& stepper = foils_.stepper();
     Step step;
-    march(stepper, program, foils_.reach(), state, step, [&](const Passage& at) {
+    const BearingStepper one_step = stepper_of(stepper, largest_place(program), foils_.reach());
+    march(one_step, schedule_of(program), state, step, [&](const Passage& at) {
       if (forces != nullptr) {
         const Vector& loads = at.from.contacts.normal_force;
         forces->push_back(holding_force(stepper.foils(), loads));

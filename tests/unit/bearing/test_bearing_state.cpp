@@ -10,7 +10,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(BearingState, OfUnstressedFoilsIsAllZeroAndOpen) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   const BearingState state = BearingState::unstressed(*foils);
   EXPECT_EQ(state.contacts.x, Vector::Zero(foils->problem.K.rows()));
   EXPECT_EQ(state.slip_origin, state.contacts.x);

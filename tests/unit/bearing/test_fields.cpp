@@ -14,7 +14,7 @@ namespace {
 
 /// An invented state of the reference bearing: bump 3 in contact, all else open. Recorded as increment 1 of 2.
 struct Example {
-  Foils foils = *make_bearing_foils(case_with_given_constants());
+  BearingModel foils = *make_bearing_foils(case_with_given_constants());
   BearingState state = BearingState::unstressed(foils);
 
   Example() {
@@ -102,7 +102,7 @@ TEST(FieldsUnderAFilm, AreThoseOfFoilsUnderTheirLoads) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
     input.bump_foil.model = model;
-    const FilmBearing bearing = make_film_bearing(input);
+    const BearingModel bearing = make_film_bearing(input);
     FilmStepper stepper(bearing);
     BearingState state;
     ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.0}, speed_of_rpm(45000.0), state).status,
@@ -111,11 +111,11 @@ TEST(FieldsUnderAFilm, AreThoseOfFoilsUnderTheirLoads) {
     record(bearing, state, 0, fields);
     EXPECT_EQ((fields.top_bump.normal_force.array() > 0.0).count(), film_bearing_outcome(bearing, state).loaded_bumps);
     for (Eigen::Index b = 0; b < bearing.bumps(); ++b) {
-      const int crest = bearing.pads.front().foil.supports[static_cast<std::size_t>(b)];
-      EXPECT_NEAR(fields.top_displacement(0, b), state.film.lift(crest) * bearing.scales.thickness, 1e-15);
+      const int crest = bearing.film->pads.front().foil.supports[static_cast<std::size_t>(b)];
+      EXPECT_NEAR(fields.top_displacement(0, b), state.film.lift(crest) * bearing.film->scales.thickness, 1e-15);
       // The moment over a crest, from the film and from the stress.
-      const double moment = bearing.pads.front().foil.stiffness * bearing.pads.front().foil.pitch *
-                            bearing.scales.thickness * std::abs(state.film.moment(crest));
+      const double moment = bearing.film->pads.front().foil.stiffness * bearing.film->pads.front().foil.pitch *
+                            bearing.film->scales.thickness * std::abs(state.film.moment(crest));
       EXPECT_NEAR(fields.stress.top_crest(0, b), moment / bearing.stress.front().top_section_modulus,
                   1e-9 * fields.stress.top_crest.maxCoeff());
     }
@@ -133,7 +133,7 @@ TEST(FieldsUnderAFilm, HaveTheBumpsOfAllPadsInARow) {
     input.pads.assign(3, {.lobe = 8e-6});
     const double speed = speed_of_rpm(45000.0);
     const auto fields_of = [speed](const Case& one) {
-      const FilmBearing bearing = make_film_bearing(one);
+      const BearingModel bearing = make_film_bearing(one);
       BearingState state;
       FilmStepper stepper(bearing);
       EXPECT_EQ(cold_start(stepper, {12e-6, -4e-6}, speed, state).status, Status::converged);

@@ -10,7 +10,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(BearingEnergy, OfGasAtRestIsNone) {
-  const FilmBearing bearing = film_reference_bearing({4, 3});
+  const BearingModel bearing = film_reference_bearing({4, 3});
   const BearingEnergy energy = bearing_energy(bearing, resting(bearing, Eigen::Vector2d(0.0, 0.0), 0.0));
   EXPECT_EQ(energy.total(), 0.0);
 }
@@ -19,10 +19,10 @@ TEST(BearingEnergy, OfGasAtRestIsNone) {
 /// on the bumps the contact forces.
 TEST(BearingEnergy, OfFoilsIsHalfOfLoadTimesWay) {
   FilmStepper stepper(film_reference_bearing({4, 3}, 0.1));
-  const FilmBearing& bearing = stepper.bearing();
+  const BearingModel& bearing = stepper.bearing();
   const BearingState state = state_under(stepper, {60.0, 10.0}, speed_of_rpm(-45000.0));
-  const FilmPad& pad = bearing.pads.front();
-  const double c = bearing.scales.thickness;
+  const FilmPad& pad = bearing.film->pads.front();
+  const double c = bearing.film->scales.thickness;
   const Eigen::Index n = pad.foil.top_foil.size();
   const Vector moments = pad.foil.stiffness * pad.foil.pitch * c * state.film.moment.row(0).head(n).transpose();
   const double top =
@@ -37,7 +37,7 @@ TEST(BearingEnergy, OfFoilsIsHalfOfLoadTimesWay) {
   const int size = bearing.problem.K.block_size();
   const Vector forces = contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force);
   for (int b = 0; b < bearing.problem.K.blocks(); ++b) {
-    const Eigen::Index at = Eigen::Index{b} * size + bearing.dofs().top_u;
+    const Eigen::Index at = Eigen::Index{b} * size + bearing.structure.dofs.top_u;
     pushed += 0.5 * forces[at] * state.contacts.x[at];
   }
   EXPECT_NEAR(energy.foils, top + bumps - pushed, 1e-6 * energy.foils);
@@ -53,22 +53,22 @@ TEST(BearingEnergy, AsperitiesHoldWhatTheirPressuresWouldDo) {
   tilted.width.tilt = {1e-5, 2e-5};
   tilted.width.crowning = 0.2e-6;
   for (const Case& one : {input, tilted}) {
-    const FilmBearing bearing = make_film_bearing(one);
+    const BearingModel bearing = make_film_bearing(one);
     const auto energy_at = [&](const JournalVector& journal) {
       return bearing_energy(bearing, resting(bearing, journal, 0.0)).asperities;
     };
-    JournalVector journal = JournalVector::Zero(bearing.motions());
+    JournalVector journal = JournalVector::Zero(bearing.film->motions());
     journal[0] = 30.5e-6;
-    if (bearing.tilts()) journal.tail<2>() << 0.3e-6, -0.1e-6;
-    const Matrix thickness = bearing.undeformed_thickness(journal);
-    const JournalVector force = asperity_force(bearing, asperity_pressures(bearing, thickness), 0.0);
+    if (bearing.film->tilts()) journal.tail<2>() << 0.3e-6, -0.1e-6;
+    const Matrix thickness = undeformed_thickness(bearing, journal);
+    const JournalVector force = asperity_force(*bearing.film, asperity_pressures(*bearing.film, thickness), 0.0);
     EXPECT_GT(force[0], 1.0);
     for (Eigen::Index i = 0; i < journal.size(); ++i) {
       const JournalVector step = 1e-10 * JournalVector::Unit(journal.size(), i);
       const double slope = (energy_at(journal + step) - energy_at(journal - step)) / 2e-10;
       EXPECT_NEAR(slope, force[i], 1e-6 * force.norm()) << i;
     }
-    if (!bearing.tilts()) continue;
+    if (!bearing.film->tilts()) continue;
     EXPECT_GT(force[2], 0.01 * force[0]);  // the side that the journal leans to is pressed
   }
 }
@@ -77,9 +77,9 @@ TEST(BearingEnergy, AsperitiesHoldWhatTheirPressuresWouldDo) {
 /// of the dissipation but that by shear, up to the error of the mesh.
 TEST(FilmPowers, OfABearingAreThoseOfItsFlow) {
   FilmStepper stepper(film_reference_bearing({8, 6}));
-  const FilmBearing& bearing = stepper.bearing();
+  const BearingModel& bearing = stepper.bearing();
   const BearingState state = state_under(stepper, {60.0, 10.0}, speed_of_rpm(-45000.0));
-  const FilmPowers powers = film_powers(bearing, state);
+  const FilmPowers powers = film_powers(*bearing.film, state);
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   const double by_pressure = outcome.dissipation - outcome.couette_dissipation;
   EXPECT_GT(by_pressure, 0.1);  // W

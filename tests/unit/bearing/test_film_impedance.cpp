@@ -74,7 +74,7 @@ TEST(ReducedForces, AreNotGivenWhereTheSpaceCannotHoldThem) {
 /// rate.
 TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
+  const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
   FilmStepper stepper(bearing);
   BearingState rest;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.2 * bearing.clearance);

@@ -11,7 +11,7 @@ namespace {
 constexpr FilmResolution four_rows{.columns_per_pitch = 4, .rows = 4};
 
 TEST(FilmStepper, KeepsTheHistoryOfFriction) {
-  const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
+  const BearingModel bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -29,7 +29,7 @@ TEST(FilmStepper, KeepsTheHistoryOfFriction) {
 
 TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing(four_rows);
+  const BearingModel bearing = film_reference_bearing(four_rows);
   FilmStepper stepper(bearing);
   BearingState state;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.1 * bearing.clearance);
@@ -47,7 +47,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
       const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
       ASSERT_EQ(stepper.advance(OperatingPoint::held_at(there, speed), moved).status, Status::converged);
       force[side] = film_bearing_outcome(bearing, moved).force;
-      lift[side] = bearing.scales.thickness * moved.film.lift.row(0).transpose();
+      lift[side] = bearing.film->scales.thickness * moved.film.lift.row(0).transpose();
     }
     response = std::max(response, (lift[1] - lift[0]).cwiseAbs().maxCoeff() / (2.0 * h));
     // Forces of tens of newtons are good to 1e-9 N: 1e-6 of a few MN/m.
@@ -59,7 +59,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
 /// The tangent is exact to first order: half the way departs from it by a quarter.
 TEST(FilmStepper, DepartsFromItsTangentWithTheSquareOfTheWay) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing(four_rows);
+  const BearingModel bearing = film_reference_bearing(four_rows);
   FilmStepper stepper(bearing);
   BearingState start;
   ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
@@ -76,12 +76,12 @@ TEST(FilmStepper, DepartsFromItsTangentWithTheSquareOfTheWay) {
 }
 
 TEST(FilmStepper, StatesAreApartByTheMostOfPlacePressureAndFoil) {
-  const FilmBearing bearing = film_reference_bearing(four_rows);
+  const BearingModel bearing = film_reference_bearing(four_rows);
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.3 * bearing.clearance, 0.0}, 0.0, state).status, Status::converged);
   BearingState other = state;
-  other.position.y() += 0.25 * bearing.scales.thickness;
+  other.position.y() += 0.25 * bearing.film->scales.thickness;
   EXPECT_NEAR(stepper.distance(state, other), 0.25, 1e-12);
   other.film.lift(0, 1) -= 0.5;
   EXPECT_NEAR(stepper.distance(state, other), 0.5, 1e-12);
@@ -91,7 +91,7 @@ TEST(FilmStepper, StatesAreApartByTheMostOfPlacePressureAndFoil) {
 
 TEST(FilmStepper, StuckContactsAreStiffer) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
+  const BearingModel bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
@@ -103,7 +103,7 @@ TEST(FilmStepper, StuckContactsAreStiffer) {
 
 TEST(FilmStepper, ImpedanceAtRestIsTheStiffness) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
+  const BearingModel bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);

@@ -28,7 +28,7 @@ Excitation at(const Eigen::Vector2d& position) {
   return {.position = position};
 }
 
-double direct_force(const Foils& foils, const BearingState& state) {
+double direct_force(const BearingModel& foils, const BearingState& state) {
   return holding_force(foils, state.contacts.normal_force).dot(push);
 }
 
@@ -47,7 +47,7 @@ class PushedStepper : public testing::TestWithParam<SolverName> {
     EXPECT_TRUE(step.converged());
   }
 
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   FoilStepper stepper = make_stepper(foils, solver(GetParam()));
   BearingState state;
   Step step;
@@ -138,7 +138,7 @@ TEST(FoilStepper, CountsTheFrictionOfTheAssembly) {
 
 /// Gap offsets that change with the journal at rest: a bump that grows by 60 um.
 TEST(FoilStepper, FollowsGapsThatChange) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   Case grown = case_with_given_constants();
   grown.bump_foil.height_errors.assign(26, 0.0);
   grown.bump_foil.height_errors[3] = 60e-6;
@@ -161,7 +161,7 @@ TEST(FoilStepper, FollowsGapsThatChange) {
 TEST(FoilStepper, APressureLiftsTheTopFoilAsTheClosedFormSays) {
   Case input = case_with_given_constants();
   input.bearing.radial_clearance = 1.9e-3;
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const TopFoilBeam beam = make_top_foil_beam(make_bearing_design(input));
   const double end_angle = input.bump_foil.bumps * input.bump_foil.pitch.values.front() / input.bearing.radius;
   constexpr double q = -0.5;  // N/m: less than a millimetre, though the foil is soft
@@ -209,7 +209,7 @@ class Pushed : public testing::TestWithParam<double> {
 
   TangentStiffnesses tangents() { return stepper.tangents(state).along(n); }
 
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   const Eigen::Vector2d n = unit_vector(GetParam());
   NewtonSolver solver{foils->problem};
   FoilStepper stepper = make_stepper(foils);
@@ -251,7 +251,7 @@ TEST_P(Pushed, ColumnsOfTheTangentMatrixAreForcesOfMotions) {
 INSTANTIATE_TEST_SUITE_P(TangentStiffnesses, Pushed, testing::Values(0.0, pi, 1.0, 4.0));
 
 TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   BearingState state = BearingState::unstressed(*foils);
   state.contacts.mode.assign(78, ContactMode::stick);
   for (std::size_t i = 0; i < 26; ++i) state.contacts.mode[3 * i] = ContactMode::open;
@@ -261,14 +261,14 @@ TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
 }
 
 TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {
-  Foils loose = *make_bearing_foils(case_with_given_constants());
+  BearingModel loose = *make_bearing_foils(case_with_given_constants());
   // No spring holds crest 8 along the foil any more.
   loose.problem.K.diagonal[7].row(0).setZero();
   loose.problem.K.diagonal[7].col(0).setZero();
   loose.problem.K.upper[6].col(0).setZero();
   loose.problem.K.upper[7].row(0).setZero();
   loose.structure.K = loose.problem.K;
-  const auto foils = std::make_shared<const Foils>(loose);
+  const auto foils = std::make_shared<const BearingModel>(loose);
   BearingState state = BearingState::unstressed(*foils);
   state.contacts.mode.assign(78, ContactMode::open);
   const TangentStiffnesses tangent = make_stepper(foils).tangents(state).along(unit_vector(0.0));

@@ -15,7 +15,7 @@ const Eigen::Vector2d up(0.0, 1.0);
 
 /// An invented step of the reference bearing: bump 3 in contact, all else open.
 struct IncrementExample {
-  SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  SharedBearing foils = make_bearing_foils(case_with_given_constants());
   Step step;
 
   IncrementExample() {

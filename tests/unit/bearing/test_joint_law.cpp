@@ -35,7 +35,7 @@ TEST(JointLaw, AddsWhatAllJournalsCarry) {
 }
 
 TEST(JointLaw, OfOneBearingIsThatOfItsJournal) {
-  const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).scales;
+  const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).film->scales;
   const Eigen::Vector2d q(3e-6, -1e-6);
   const Eigen::Vector2d F(20.0, 5.0);
   for (const JournalLaw& one :
@@ -64,8 +64,7 @@ TEST(SolveTogether, LetsBearingsShareALoad) {
   }
   const std::vector<BearingState> held = states;
 
-  JointMove move{.law = law_of_one(loaded_journal(Eigen::Vector2d(40.0, 0.0), smooth.bearing().scales)),
-                 .speed = speed};
+  JointMove move{.law = law_of_one(loaded_journal(Eigen::Vector2d(40.0, 0.0), smooth.film().scales)), .speed = speed};
   move.law.journals.push_back(move.law.journals.front());
   move.law.journals.back().force.setZero();
   Eigen::VectorXd y = begin;
@@ -78,7 +77,7 @@ TEST(SolveTogether, LetsBearingsShareALoad) {
     ASSERT_EQ(both[i]->advance(OperatingPoint::held_at(y, speed), alone).status, Status::converged);
     // Friction has one path here, and so a state has: to the tolerance of a step.
     EXPECT_LT(both[i]->distance(alone, states[i]), 1e-8);
-    carried += film_force(both[i]->bearing(), states[i].film.pressure);
+    carried += film_force(both[i]->film(), states[i].film.pressure);
   }
   EXPECT_LT((carried - Eigen::Vector2d(40.0, 0.0)).norm(), 1e-7);
 

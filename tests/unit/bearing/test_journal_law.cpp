@@ -11,7 +11,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(JournalLaw, IsAPositionOrALoad) {
-  const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).scales;
+  const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).film->scales;
   const Eigen::Vector2d q(3e-6, -1e-6);
   const Eigen::Vector2d F(20.0, 5.0);
   const Eigen::Vector2d target(5e-6, 2e-6);
@@ -29,7 +29,7 @@ TEST(JournalLaw, IsAPositionOrALoad) {
 }
 
 TEST(JournalLaw, MayHoldThePlaceInTheMidPlaneAndTheTiltInTwoWays) {
-  const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).scales;
+  const FilmScales scales = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}).film->scales;
   const Eigen::Vector2d load(50.0, -3.0);
   const Eigen::Vector2d tilt(2e-6, 1e-6);
   const JournalLaw law = with_tilt(loaded_journal(load, scales), held_journal(tilt, scales));
@@ -49,16 +49,17 @@ TEST(JournalLaw, MayHoldThePlaceInTheMidPlaneAndTheTiltInTwoWays) {
 
 /// A journal held by springs with their rest position at q*: the film carries F* + k (q* - q).
 TEST(JournalLaw, MayBeThatOfASpring) {
-  const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 3}));
+  const auto bearing =
+      std::make_shared<const BearingModel>(film_reference_bearing({.columns_per_pitch = 4, .rows = 3}));
   const double speed = speed_of_rpm(45000.0);
   FilmStepper stepper(bearing, {.newton = {.step_tolerance = 1e-10}});
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, Status::converged);
-  JournalLaw spring = loaded_journal(Eigen::Vector2d(10.0, 2.0), bearing->scales);
+  JournalLaw spring = loaded_journal(Eigen::Vector2d(10.0, 2.0), bearing->film->scales);
   spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, about the stiffness of the bearing
   spring.position = state.position;
   ASSERT_EQ(stepper.advance(Move{spring, speed}, state).status, Status::converged);
-  const Eigen::Vector2d carried = film_force(*bearing, state.film.pressure);
+  const Eigen::Vector2d carried = film_force(*bearing->film, state.film.pressure);
   EXPECT_GT((state.position - spring.position).norm(), 0.01e-6);  // it moved
   // Tolerance of a step, 1e-10 c, times the stiffness of both.
   EXPECT_LT((spring.force + 2e6 * (spring.position - state.position) - carried).norm(), 1e-7);

@@ -111,8 +111,8 @@ TEST(MakeMachine, HasABearingForEachPlace) {
   // Film thicknesses are in units of the clearance of their bearing.
   BearingState state;
   state.film.thickness = Matrix::Ones(2, 2);
-  EXPECT_DOUBLE_EQ(machine.thinnest_film(1, state), machine.bearings[1]->scales.thickness);
-  EXPECT_DOUBLE_EQ(machine.thinnest_film({state, state}), machine.bearings[1]->scales.thickness);
+  EXPECT_DOUBLE_EQ(machine.thinnest_film(1, state), machine.bearings[1]->film->scales.thickness);
+  EXPECT_DOUBLE_EQ(machine.thinnest_film({state, state}), machine.bearings[1]->film->scales.thickness);
 }
 
 TEST(RotorSettingsOf, WantsATable) {

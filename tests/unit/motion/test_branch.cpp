@@ -14,7 +14,7 @@ namespace {
 constexpr FilmResolution branch_resolution{.columns_per_pitch = 4, .rows = 4};
 
 TEST(Branch, ColdStartsAndFollowsToSolutions) {
-  const FilmBearing bearing = film_reference_bearing(branch_resolution);
+  const BearingModel bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -31,7 +31,7 @@ TEST(Branch, ColdStartsAndFollowsToSolutions) {
 }
 
 TEST(Branch, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
-  const FilmBearing bearing = film_reference_bearing(branch_resolution);
+  const BearingModel bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing);
   const BearingState rest = resting(bearing, Eigen::Vector2d::Zero(), 0.0);
   BearingState state = rest;
@@ -55,7 +55,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
       SCOPED_TRACE(testing::Message() << clearance << ' ' << f);
       Case input = film_reference_case(branch_resolution, f);
       input.bearing.radial_clearance = clearance;
-      const FilmBearing bearing = make_film_bearing(input);
+      const BearingModel bearing = make_film_bearing(input);
       FilmStepper stepper(bearing);
       BearingState state;
       const double clearance_offset = 10e-6 - clearance;
@@ -68,7 +68,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
       ASSERT_EQ(follow(stepper, loaded, state).status, Status::converged);
       EXPECT_EQ(state.clearance_offset, 0.0);
       expect_solved(bearing, state);
-      EXPECT_LT((film_force(bearing, state.film.pressure) - load).norm(), 1e-7);  // N
+      EXPECT_LT((film_force(*bearing.film, state.film.pressure) - load).norm(), 1e-7);  // N
       EXPECT_GT(state.position.x(), -clearance);
       if (clearance <= 0.0) {
         EXPECT_GT(bump_loads(bearing, state).minCoeff(), -1e-9);  // N
@@ -86,7 +86,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
 }
 
 TEST(Branch, SaysWhenSurfacesTouch) {
-  const FilmBearing bearing = film_reference_bearing(branch_resolution);
+  const BearingModel bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing, {.newton = {.thickness_floor = 0.5}});
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -101,12 +101,12 @@ TEST(Branch, SaysWhenSurfacesTouch) {
 /// method can also reach a state there in one solve, but an arbitrary one.)
 TEST(Branch, JumpsWhereTheBranchUnderALoadEnds) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8}, 0.1);
+  const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8}, 0.1);
   const auto end_of = [&](int steps) {
     FilmStepper stepper(bearing);
     BearingState state;
     EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
-    const Eigen::Vector2d from = film_force(bearing, state.film.pressure);
+    const Eigen::Vector2d from = film_force(*bearing.film, state.film.pressure);
     int jumps = 0;
     for (int i = 1; i <= steps; ++i) {
       const Eigen::Vector2d load = from + static_cast<double>(i) / steps * (Eigen::Vector2d(20.0, 0.0) - from);
@@ -121,7 +121,7 @@ TEST(Branch, JumpsWhereTheBranchUnderALoadEnds) {
 }
 
 TEST(Branch, FindsThePositionThatCarriesALoad) {
-  const FilmBearing bearing = film_reference_bearing(branch_resolution);
+  const BearingModel bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);

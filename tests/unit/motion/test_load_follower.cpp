@@ -49,7 +49,7 @@ class FollowedLoad : public testing::TestWithParam<BumpFoilModel> {
     return holding_force(*foils, at.contacts.normal_force);
   }
 
-  const SharedFoils foils = make_bearing_foils(scattered_case());
+  const SharedBearing foils = make_bearing_foils(scattered_case());
 };
 
 TEST_P(FollowedLoad, DoesNotDependOnTheIncrements) {
@@ -122,7 +122,7 @@ TEST_P(FollowedLoad, IsTheLimitOfManySmallIncrements) {
 INSTANTIATE_TEST_SUITE_P(Models, FollowedLoad, testing::Values(BumpFoilModel::truss, BumpFoilModel::frame));
 
 TEST(FollowLoad, SaysWhereNothingDeterminesTheWay) {
-  const SharedFoils foils = make_bearing_foils(reference_case());
+  const SharedBearing foils = make_bearing_foils(reference_case());
   FoilStepper stepper = make_stepper(foils, {.name = SolverName::events, .uzawa = {}});
   Step step;
   stepper.assemble({}, step);
@@ -145,7 +145,7 @@ TEST(FollowLoad, SaysThatNothingIsInTheWay) {
 }
 
 TEST(FollowLoad, PutsOneStepBehindAnother) {
-  const SharedFoils foils = make_bearing_foils(reference_case());
+  const SharedBearing foils = make_bearing_foils(reference_case());
   Step whole;
   make_stepper(foils, {}).assemble({}, whole);
   Step part = whole;

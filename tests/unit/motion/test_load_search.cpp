@@ -31,7 +31,7 @@ class LoadedBearing : public testing::TestWithParam<SolverName> {
     return holding_force(*foils, at.contacts.normal_force);
   }
 
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   FoilStepper stepper = make_stepper(foils, {.name = GetParam(), .uzawa = {}});
   BearingState state;
 };
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(LoadSearch, LoadedBearing,
                          testing::Values(SolverName::newton, SolverName::events, SolverName::uzawa));
 
 TEST(LoadSearch, FindsTheFirstLoadAcrossAnOpenGap) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   FoilStepper stepper = make_stepper(foils);
   Step first, step;
   stepper.assemble({}, first);
@@ -83,7 +83,7 @@ TEST(LoadSearch, FindsTheFirstLoadAcrossAnOpenGap) {
 }
 
 TEST(LoadSearch, StandsStillWhereTheLoadIsThere) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   FoilStepper stepper = make_stepper(foils);
   Step first, loaded, again;
   stepper.assemble({}, first);

@@ -32,7 +32,7 @@ class Machine : public ::testing::Test {
   double speed_ = speed_of_rpm(-45000.0);
   double dt_ = 2.0 * std::numbers::pi / (100.0 * std::abs(speed_));
   Eigen::Vector2d load_{30.0, 0.0};
-  SharedFilmBearing bearing_ = std::make_shared<const FilmBearing>(film_reference_bearing({4, 3}, 0.1));
+  SharedBearing bearing_ = std::make_shared<const BearingModel>(film_reference_bearing({4, 3}, 0.1));
   FilmStepper left_{bearing_}, right_{bearing_};
   MachineStepper stepper_{make_rigid_rotor({.mass = 2.0,
                                             .transverse_inertia = 5e-3,
@@ -92,7 +92,7 @@ TEST_F(Machine, ObeysItsEquations) {
       EXPECT_NEAR(bearing.time - rest_.time, end.time, 1e-15);
       EXPECT_EQ(bearing.last_step.dt, dt);
       EXPECT_EQ(bearing.slip_origin, from.bearings[i].contacts.x);  // each time step is a friction increment
-      balance -= B.transpose() * journal_force(*bearing_, bearing.film, speed);
+      balance -= B.transpose() * journal_force(*bearing_->film, bearing.film, speed);
     }
     // Round-off of y in M y / dt^2, about 1e-20 m times 1e10 N/m.
     EXPECT_LT(balance.norm(), 1e-8);

@@ -20,10 +20,10 @@ class March : public ::testing::Test {
   }
 
   [[nodiscard]] bool take(const Program& program, const Observer& observe) {
-    return march(stepper_, program, 0.3e-3, state_, step_, observe);
+    return march(stepper_of(stepper_, largest_place(program), 0.3e-3), schedule_of(program), state_, step_, observe);
   }
 
-  SharedFoils foils_{make_bearing_foils(case_with_given_constants())};
+  SharedBearing foils_{make_bearing_foils(case_with_given_constants())};
   FoilStepper stepper_ = make_stepper(foils_);
   Step step_;
   BearingState state_;
@@ -75,7 +75,7 @@ TEST_F(March, ALoadOfZeroIsAMillionthOfTheLargest) {
 }
 
 TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}, 0.1);
+  const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}, 0.1);
   FilmStepper stepper(bearing);
   const double speed = speed_of_rpm(45000.0);
   BearingState state;
@@ -91,7 +91,7 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   step.substeps = 7;  // from an earlier march
   int taken = 0;
   BearingState before = state;
-  ASSERT_TRUE(march(stepper, program, state, step, [&](const Passage& at) {
+  ASSERT_TRUE(march(stepper_of(stepper), schedule_of(program), state, step, [&](const Passage& at) {
     EXPECT_TRUE(at.step.converged());
     EXPECT_EQ(at.step.substeps, 0);
     EXPECT_EQ(at.from.contacts.x, before.contacts.x);
@@ -106,12 +106,12 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   EXPECT_EQ(taken, 7);
   EXPECT_NEAR(state.time, 5.0 * dt, 1e-18);
   EXPECT_EQ(state.speed, 0.9 * speed);
-  EXPECT_LT((film_force(bearing, state.film.pressure) - loaded.journal).norm(), 1e-3);  // N, for P to 1e-6
+  EXPECT_LT((film_force(*bearing.film, state.film.pressure) - loaded.journal).norm(), 1e-3);  // N, for P to 1e-6
 }
 
 /// A prescribed journal moves by at most 0.00625 C_r per iteration: longer distances need more iterations.
 TEST(FilmMarch, AStepInTimeThatFailsIsTakenInParts) {
-  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}, 0.1);
+  const BearingModel bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}, 0.1);
   FilmBearingOptions options;
   FilmStepper patient(bearing, options);
   options.newton.max_iterations = 8;
@@ -124,7 +124,7 @@ TEST(FilmMarch, AStepInTimeThatFailsIsTakenInParts) {
     Program program{ramp(point_of(bearing, state, {}), to, steps)};
     program.back().dt = 1e-4 / steps;
     Step step;
-    const bool all = march(stepper, program, state, step,
+    const bool all = march(stepper_of(stepper), schedule_of(program), state, step,
                            [](const Passage& at) { return at.step.converged() ? Verdict::go_on : Verdict::refuse; });
     EXPECT_EQ(all, step.converged());
     return step;
@@ -157,8 +157,9 @@ TEST(FilmMarch, ARetryGoesByTheSchedule) {
     EXPECT_EQ(from.position.x(), legs == 1 ? 0.0 : 0.5 * (taken - 1));
     next.state.position = of.point(taken).journal;
   };
-  const bool all = march([&]() -> const Leg* { return ++legs == 3 ? nullptr : &leg; }, take, state, step,
-                         [&](const Passage&) { return legs == 1 ? Verdict::retry : Verdict::go_on; });
+  const bool all = march(
+      take, [&]() -> const Leg* { return ++legs == 3 ? nullptr : &leg; }, state, step,
+      [&](const Passage&) { return legs == 1 ? Verdict::retry : Verdict::go_on; });
   EXPECT_TRUE(all);
   EXPECT_EQ(state.position.x(), 1.0);
 }
@@ -170,7 +171,7 @@ class MachineMarch : public ::testing::Test {
   [[nodiscard]] static Eigen::VectorXd weight(const RotorInstant& /*now*/) { return Eigen::Vector2d(30.0, 0.0); }
 
   TimeStep step_{.dt = 1e-5, .speed = speed_of_rpm(-45000.0)};
-  FilmStepper bearing_{std::make_shared<const FilmBearing>(film_reference_bearing({4, 3}, 0.1))};
+  FilmStepper bearing_{std::make_shared<const BearingModel>(film_reference_bearing({4, 3}, 0.1))};
   MachineStepper machine_{make_point_mass(3.0), {&bearing_}};
   BearingState rest_ = state_under(bearing_, {30.0, 0.0}, step_.speed);
 };

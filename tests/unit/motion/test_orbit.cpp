@@ -58,9 +58,9 @@ TEST_F(OrbitSearch, FindsWhatRepeatsItself) {
     square += (state.rotor.y - orbit.bearings.front().mean).cwiseAbs2();
     thinnest = std::min(thinnest, state.bearings.front().film.thickness.minCoeff());
   }
-  EXPECT_LT((state.rotor.y - orbit.state.rotor.y).norm(), 1e-7 * bearing_.bearing().scales.thickness);
+  EXPECT_LT((state.rotor.y - orbit.state.rotor.y).norm(), 1e-7 * bearing_.film().scales.thickness);
   EXPECT_LT((sum / (2 * steps) - orbit.bearings.front().mean).norm(), 1e-12);
-  EXPECT_NEAR(thinnest * bearing_.bearing().scales.thickness, orbit.turn.front().thinnest, 1e-12);
+  EXPECT_NEAR(thinnest * bearing_.film().scales.thickness, orbit.turn.front().thinnest, 1e-12);
   // Parseval's theorem: half the sum of squared amplitudes is the mean square; harmonics above the second are small.
   const StationOrbit& found = orbit.bearings.front();
   const Eigen::Vector2d harmonics = 0.5 * (found.once.cwiseAbs2() + found.twice.cwiseAbs2());
@@ -84,7 +84,7 @@ TEST_F(OrbitSearch, DisturbsWhatItHasFoundAtOnce) {
   ASSERT_FALSE(again.multipliers.empty());
   EXPECT_NEAR(std::abs(again.multipliers.front()), std::abs(orbit.multipliers.front()), 0.01);
   // This is the orbit as found, not the remainder of the disturbance.
-  EXPECT_LT((again.state.rotor.y - orbit.state.rotor.y).norm(), 1e-5 * bearing_.bearing().scales.thickness);
+  EXPECT_LT((again.state.rotor.y - orbit.state.rotor.y).norm(), 1e-5 * bearing_.film().scales.thickness);
   EXPECT_LT((again.bearings[0].once - orbit.bearings[0].once).norm(), 1e-4 * orbit.bearings[0].once.norm());
 }
 

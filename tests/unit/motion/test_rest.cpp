@@ -11,7 +11,7 @@ constexpr FilmResolution rest_resolution{.columns_per_pitch = 4, .rows = 4};
 
 /// Released, the journal comes to rest where the film carries its load. The elapsed time is what the film needs.
 TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
-  const FilmBearing bearing = film_reference_bearing(rest_resolution, 0.1);
+  const BearingModel bearing = film_reference_bearing(rest_resolution, 0.1);
   FilmStepper stepper(bearing);
   BearingState start;
   const double speed = speed_of_rpm(45000.0);
@@ -30,7 +30,7 @@ TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
 
 /// The march continues with steps of any length until changes are below the limit.
 TEST(Rest, ComesLaterWhereLessIsRest) {
-  const FilmBearing bearing = film_reference_bearing(rest_resolution);
+  const BearingModel bearing = film_reference_bearing(rest_resolution);
   const auto time_until_rest = [&](double resting_change) {
     FilmStepper stepper(bearing, {.last_time_step = 0.0, .resting_change = resting_change});
     BearingState state;
@@ -41,7 +41,7 @@ TEST(Rest, ComesLaterWhereLessIsRest) {
 }
 
 TEST(Rest, StopsWhenTold) {
-  const FilmBearing bearing = film_reference_bearing(rest_resolution);
+  const BearingModel bearing = film_reference_bearing(rest_resolution);
   int solves = 0;
   FilmStepper stepper(bearing, {.keep_going = [&] { return ++solves < 5; }});
   BearingState state;

@@ -20,7 +20,7 @@ TEST(RotorEquilibria, CarryTheWeight) {
     ASSERT_EQ(equilibria.go_to(speed_of_rpm(rpm), states), Status::converged);
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(states[i].speed, speed_of_rpm(rpm));
-      const Eigen::Vector2d force = journal_force(first.bearing(), states[i].film, states[i].speed);
+      const Eigen::Vector2d force = journal_force(first.film(), states[i].film, states[i].speed);
       EXPECT_LT((force - equilibria.loads()[i]).norm(), 1e-6);
     }
   }

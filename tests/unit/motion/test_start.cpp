@@ -10,7 +10,7 @@ namespace bumpfoil {
 namespace {
 
 /// A bearing without clearance: the foils touch the journal everywhere at rest.
-FilmBearing tight_bearing() {
+BearingModel tight_bearing() {
   Case input = film_reference_case({4, 4});
   input.bearing.radial_clearance = 0.0;
   return make_film_bearing(input);
@@ -19,8 +19,9 @@ FilmBearing tight_bearing() {
 /// With clearance nothing is opened; without, until c remains.
 TEST(OpeningToStart, LeavesTheRoomOfAFilm) {
   EXPECT_EQ(clearance_offset_to_start(film_reference_bearing({4, 4}), 1e-7), 0.0);
-  const FilmBearing tight = tight_bearing();
-  EXPECT_NEAR(clearance_offset_to_start(tight, 1e-7) + tight.assembled_clearance, tight.scales.thickness, 1e-15);
+  const BearingModel tight = tight_bearing();
+  EXPECT_NEAR(clearance_offset_to_start(tight, 1e-7) + tight.film->assembled_clearance, tight.film->scales.thickness,
+              1e-15);
 }
 
 TEST(StartFromRest, ClosesTheClearanceThatItOpened) {
@@ -45,7 +46,7 @@ TEST(StartFromRest, ClosesTheClearanceThatItOpened) {
   EXPECT_EQ(report.status, Status::converged);
   EXPECT_EQ(begun, 1);
   EXPECT_EQ(state.clearance_offset, 0.0);
-  EXPECT_NEAR((journal_force(stepper.bearing(), state.film, state.speed) - to.journal).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((journal_force(stepper.film(), state.film, state.speed) - to.journal).norm(), 0.0, 1e-6);
 }
 
 }  // namespace

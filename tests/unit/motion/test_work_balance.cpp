@@ -51,7 +51,7 @@ TEST(WorkBalance, DampsNothingWithoutDampers) {
 
 /// A journal pushed back and forth on its foils: their friction loss is part of the balance.
 TEST(WorkBalance, HasTheFrictionOfTheFoils) {
-  const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({4, 3}, 0.1));
+  const auto bearing = std::make_shared<const BearingModel>(film_reference_bearing({4, 3}, 0.1));
   FilmStepper film(bearing);
   const double speed = speed_of_rpm(-45000.0);
   const Eigen::Vector2d load(30.0, 0.0);

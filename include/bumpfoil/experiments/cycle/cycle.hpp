@@ -181,11 +181,11 @@ enum class Recording {
 /// Runs cycles of one bearing: foils shared with others, states of its own.
 class CycleRunner {
  public:
-  CycleRunner(SharedFoils foils, const SolverSettings& settings);
+  CycleRunner(SharedBearing foils, const SolverSettings& settings);
 
   /// Takes other foils. Where only their gaps differ from those so far, what has been built of their stiffness is kept;
   /// results are the same to the last bit as those of a new runner.
-  void set_foils(SharedFoils foils);
+  void set_foils(SharedBearing foils);
 
   /// Cycles along `direction` (rad) from the unstressed foils, until they settle. Numerical failures are reported in
   /// the result.
@@ -199,7 +199,7 @@ class CycleRunner {
                           const ProgressCallback& progress = {}, const Excitation& centre = {});
 
  private:
-  SharedFoils foils_;
+  SharedBearing foils_;
   SolverSettings settings_;
   std::optional<FoilStepper> exact_, fast_;  ///< made when they are needed first; `fast_` for quantities alone
   Step step_;

@@ -15,7 +15,7 @@
 namespace bumpfoil {
 
 /// Response of a state to small motions of the journal at a frequency, from FilmStepper::impedances(), by displacements
-/// and slopes (FilmBearing::by_slopes()): K = Re Z, C = Im Z / frequency. With sliding contacts still sliding, and with
+/// and slopes (FilmModel::by_slopes()): K = Re Z, C = Im Z / frequency. With sliding contacts still sliding, and with
 /// all closed contacts stuck; absent where the system is singular.
 struct FilmWhirl {
   double frequency{};  ///< rad/s
@@ -85,7 +85,7 @@ struct RunningState {
   /// the way, if any was; its clearance offset is not zero where the clearance had not closed yet.
   std::optional<BearingState> last;
   std::optional<FilmBearingOutcome> outcome;  ///< of it
-  /// FilmBearing::by_slopes() of dF/dq of it: of further motion, and with all closed contacts stuck; absent where they
+  /// FilmModel::by_slopes() of dF/dq of it: of further motion, and with all closed contacts stuck; absent where they
   /// are singular.
   std::optional<JournalMatrix> stiffness, stuck_stiffness;
   std::optional<double> foil_response;  ///< SlowMotion::foil_response, the larger one of both
@@ -123,7 +123,7 @@ struct OtherBranch {
 };
 
 struct EquilibriumResult {
-  SharedFilmBearing bearing;
+  SharedBearing bearing;
   std::vector<RunningState> states;         ///< path after path, in the order in which they were found
   bool with_limits{};                       ///< limits were requested
   std::vector<FilmLimit> limits;            ///< of add_film_limits(), where they were
@@ -135,7 +135,7 @@ struct EquilibriumResult {
 
 /// The bearing whose states a case requests.
 /// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
-FilmBearing require_running_bearing(const Case& input);
+BearingModel require_running_bearing(const Case& input);
 
 /// Arranges the assessment of states: stability, stiffness, critical mass, stresses, and coefficients for rotor
 /// dynamics. The search along a path does not wait for it. This class assesses states immediately.
@@ -144,7 +144,7 @@ class StateCheckers {
   virtual ~StateCheckers() = default;
 
   /// Checks a state by `check`, now or on another thread until finish(): the state stays where it is.
-  virtual void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/, const std::function<void()>& check) {
+  virtual void take(const SharedBearing& /*bearing*/, RunningState& /*state*/, const std::function<void()>& check) {
     check();
   }
 
@@ -155,7 +155,7 @@ class StateCheckers {
 /// Checks none: states count by where they lie and by their films alone.
 class NoCheckers final : public StateCheckers {
  public:
-  void take(const SharedFilmBearing& /*bearing*/, RunningState& /*state*/,
+  void take(const SharedBearing& /*bearing*/, RunningState& /*state*/,
             const std::function<void()>& /*check*/) override {}
 };
 
@@ -204,7 +204,7 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
 
 /// The same of a bearing that is there already, along these paths.
 /// @param thickness_floor  film.h_floor, m
-EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
+EquilibriumResult find_states(const SharedBearing& bearing, const EquilibriumSettings& equilibrium,
                               double thickness_floor, const std::vector<FilmPath>& paths,
                               const std::function<bool(double)>& progress = {}, StateCheckers* checkers = nullptr);
 

@@ -42,43 +42,43 @@ inline constexpr Tags of_slits = 2 * of_parabola;      ///< of split top foils
 }  // namespace tag
 
 /// Of one state.
-using RunningQuantity = Quantity<double (*)(const FilmBearing&, const RunningState&)>;
+using RunningQuantity = Quantity<double (*)(const BearingModel&, const RunningState&)>;
 
 /// In the order of files and tables: of a bearing with foils, of one pad or several, or of one with a wall in their
 /// place.
 /// @param limits  whether these were requested
-std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits = false);
+std::vector<RunningQuantity> running_quantities(const BearingModel& bearing, bool limits = false);
 
 /// Of bearings of all kinds.
 std::span<const RunningQuantity> all_running_quantities();
 
 /// The value in files: not a number for a state that was not found, unless the quantity was `requested`.
-double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state);
+double value_of(const RunningQuantity& quantity, const BearingModel& bearing, const RunningState& state);
 
 /// Of every column of the mesh at one state.
-using ColumnQuantity = Quantity<Vector (*)(const FilmBearing&, const BearingState&)>;
+using ColumnQuantity = Quantity<Vector (*)(const BearingModel&, const BearingState&)>;
 std::span<const ColumnQuantity> column_quantities();
 
 /// Whether the displacement of the foils has the mode P_k over the width.
-bool has_mode(const FilmBearing& bearing, int k);
+bool has_mode(const BearingModel& bearing, int k);
 
 /// p at all nodes, Pa: rows from the mid-plane or a side to the side, columns from the weld to the free end, pad after
 /// pad.
-Matrix film_pressure(const FilmBearing& bearing, const BearingState& state);
+Matrix film_pressure(const BearingModel& bearing, const BearingState& state);
 
 /// A bump (from 0, through all pads) as tables call it: "3"; of several pads "2.3", the third of pad 2.
-std::string running_bump_text(const FilmBearing& bearing, int bump);
+std::string running_bump_text(const BearingModel& bearing, int bump);
 
 /// Where the top foil moves most in a motion with the journal held.
 struct HeldPlace {
   std::size_t pad{};  ///< from 0
   double theta{};     ///< from the weld along the foil, rad
 };
-HeldPlace held_place(const FilmBearing& bearing, const HeldMotion& motion);
+HeldPlace held_place(const BearingModel& bearing, const HeldMotion& motion);
 
 /// Detached bumps at the inlet: bumps in a row, from where gas enters, that the top foil does not load. With several
 /// pads, on that where they are most; 0 for a state that was not found, and where no bump is loaded at all.
-int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
+int lifted_bumps_at_entry(const BearingModel& bearing, const RunningState& state);
 
 /// The operating point as messages call it: "45000 rpm, load (50, 0) N"; without a speed that is not a number.
 std::string name_of_point(const OperatingPoint& point);
@@ -97,6 +97,6 @@ std::string shown_limit_value(const FilmLimit& limit, double value);
 std::string unstable_ranges_text(const FilmLimit& limit);
 
 /// Why a state was not found, and where the last one is; empty for one that was.
-std::string running_failure(const FilmBearing& bearing, const RunningState& state);
+std::string running_failure(const BearingModel& bearing, const RunningState& state);
 
 }  // namespace bumpfoil

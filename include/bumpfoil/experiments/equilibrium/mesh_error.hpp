@@ -10,13 +10,13 @@ namespace bumpfoil {
 class MeshComparison {
  public:
   /// @param bearing  of the case
-  MeshComparison(const Case& input, SharedFilmBearing bearing);
+  MeshComparison(const Case& input, SharedBearing bearing);
 
   /// @param state  that was found   @return nothing where none is found on the other mesh
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) const;
 
  private:
-  SharedFilmBearing bearing_, other_;
+  SharedBearing bearing_, other_;
   double part_;             ///< of the difference to the other mesh that the own one is off by; finer: negative
   double thickness_floor_;  ///< over c
 };

@@ -9,7 +9,7 @@ namespace bumpfoil {
 /// The bearing of a case with a wall of film.wall in place of its foils, closed or with the slot at the weld: mesh,
 /// scales and angles alone.
 /// @throws Error (input) if the case is wrong
-FilmBearing make_wall_bearing(const Case& input);
+BearingModel make_wall_bearing(const Case& input);
 
 /// Finds the films at all speeds and positions of [equilibrium] over that wall, each by itself: from the centred
 /// journal the wall is followed to the position in steps of adapted length. There is one film for each, whatever the

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"

@@ -179,7 +179,7 @@ TEST(CycleRunner, RemembersNothing) {
   Case input = short_case(20);
   input.bump_foil.height_errors = random_case(3).bump_foil.height_errors;
   input.bump_foil.height_errors.resize(26, 0.0);
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const SolverSettings events{.name = SolverName::events, .uzawa = {}};
   CycleRunner used(foils, events);
   for (const double direction : {0.3, 2.0, 0.3}) {
@@ -206,7 +206,7 @@ TEST(CycleRunner, TakesOtherFoils) {
     const SolverSettings settings{.name = name, .uzawa = {}};
     CycleRunner used(make_bearing_foils(inputs.front()), settings);
     for (const Case& input : inputs) {
-      const SharedFoils foils = make_bearing_foils(input);
+      const SharedBearing foils = make_bearing_foils(input);
       used.set_foils(foils);
       const Cycle again = used.run(0.3, input.cycle, Recording::quantities);
       const Cycle fresh = CycleRunner(foils, settings).run(0.3, input.cycle, Recording::quantities);
@@ -248,7 +248,7 @@ TEST(CycleRunner, FindsClearancesInsideIncrements) {
     Case input = reference_case();
     input.bump_foil.height_errors = random_case(seed).bump_foil.height_errors;
     input.bump_foil.height_errors.resize(26, 0.0);
-    const SharedFoils foils = make_bearing_foils(input);
+    const SharedBearing foils = make_bearing_foils(input);
     std::vector<Cycle> by_events;
     for (const int steps : {1, 2, 7}) {
       input.cycle.steps = steps;
@@ -344,7 +344,7 @@ TEST(CycleRunner, FollowsALoad) {
 TEST(CycleRunner, SwingsThroughTheCentre) {
   Case input = short_case(6);
   input.cycle.swing = true;
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   CycleRunner runner(foils, {});
   const Cycle by_displacement = runner.run(0.0, input.cycle);
   ASSERT_TRUE(by_displacement.converged());
@@ -373,7 +373,7 @@ TEST(CycleRunner, TakesErrorsThatItsFoilsDoNotHave) {
   const Case nominal = short_case();
   Case scattered = nominal;
   scattered.bump_foil.height_errors = random_case(7).bump_foil.height_errors;
-  const SharedFoils foils = make_bearing_foils(nominal);
+  const SharedBearing foils = make_bearing_foils(nominal);
   Excitation centre;
   centre.gap_offset = make_bearing_foils(scattered)->assembled_gap - foils->assembled_gap;
   const Cycle offset = CycleRunner(foils, {}).run(1.0, nominal.cycle, Recording::quantities, {}, centre);

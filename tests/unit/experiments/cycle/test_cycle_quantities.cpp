@@ -220,7 +220,7 @@ TEST(CycleQuantities, DoNotTakeAnUnknownResidualForASmallOne) {
 
 TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
   Case input = case_with_given_constants();
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const Vector clear = Vector::Constant(26, input.bearing.radial_clearance);
   // Exactly towards crest 5: the clearance; half-way between two crests: slightly more.
   const double pitch_angle = input.bump_foil.pitch.values.front() / input.bearing.radius;
@@ -232,7 +232,7 @@ TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
 TEST(FirstContact, IsAbsentWhereNoCrestFacesTheDirection) {
   Case input = case_with_given_constants();
   input.bump_foil.bumps = 6;  // 82 degrees, starting at the weld
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const Vector clear = Vector::Constant(6, foils->clearance);
   EXPECT_EQ(first_contact_displacement(clear, foils->normals, unit_vector(0.0)), std::nullopt);
   EXPECT_TRUE(first_contact_displacement(clear, foils->normals, unit_vector(pi)).has_value());

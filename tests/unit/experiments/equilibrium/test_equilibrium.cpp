@@ -262,7 +262,7 @@ TEST(Equilibrium, SaysHowFarAClearanceClosed) {
   const double clearance = input.bearing.radial_clearance + failed.last->clearance_offset;
   EXPECT_GT(clearance, 0.2e-6);
   EXPECT_LT(clearance, 0.4e-6);
-  const double h = failed.outcome->thinnest.thickness * result.bearing->scales.thickness;
+  const double h = failed.outcome->thinnest.thickness * result.bearing->film->scales.thickness;
   EXPECT_GE(h, input.film.h_floor);
   EXPECT_LT(h, 1.1 * input.film.h_floor);
   EXPECT_EQ(result.states.at(1).report.status, Status::not_reached);
@@ -277,7 +277,7 @@ TEST(Equilibrium, ClosesPadsInOnTheJournal) {
   input.bearing.radial_clearance = 20e-6;
   input.pads.assign(3, {.lobe = 21e-6});
   const EquilibriumResult result = run_equilibrium(input);
-  EXPECT_LT(result.bearing->assembled_clearance, 0.0);
+  EXPECT_LT(result.bearing->film->assembled_clearance, 0.0);
   ASSERT_EQ(result.states.at(0).report.status, Status::converged);
   EXPECT_EQ(result.states[0].last->clearance_offset, 0.0);
   EXPECT_LT((result.states[0].outcome->force - Eigen::Vector2d(20.0, 0.0)).norm(), 1e-7);  // N
@@ -319,7 +319,7 @@ TEST(Equilibrium, StartsInTheRoomThatLobesLeave) {
     input.pads.assign(3, {.lobe = 16e-6});
     const EquilibriumResult result = run_equilibrium(input);
     EXPECT_EQ(result.states.at(0).report.status, Status::converged) << static_cast<int>(path);
-    EXPECT_EQ(result.bearing->assembled_clearance, input.bearing.radial_clearance - 16e-6);
+    EXPECT_EQ(result.bearing->film->assembled_clearance, input.bearing.radial_clearance - 16e-6);
   }
 }
 

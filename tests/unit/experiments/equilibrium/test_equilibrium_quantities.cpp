@@ -14,7 +14,7 @@ namespace {
 
 /// A bearing with a prescribed state: pressure 1.5 pa in two columns, all else at rest.
 struct Example {
-  FilmBearing bearing{film_reference_bearing({.columns_per_pitch = 4, .rows = 4})};
+  BearingModel bearing{film_reference_bearing({.columns_per_pitch = 4, .rows = 4})};
   RunningState state{};
 
   Example() {
@@ -104,7 +104,7 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   input.bump_foil.bumps = 8;
   input.pads.resize(2);
   input.pads[1].weld_edge = WeldEdge::trailing;
-  const FilmBearing bearing = make_film_bearing(input);
+  const BearingModel bearing = make_film_bearing(input);
   RunningState state;
   state.requested = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
   state.report.status = Status::converged;
@@ -125,8 +125,8 @@ TEST(RunningQuantities, PlaceMotionsOnTheirPad) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
   input.bump_foil.bumps = 8;
   input.pads.resize(2);
-  const FilmBearing bearing = make_film_bearing(input);
-  const double column = bearing.pads.front().foil.mesh.dtheta;
+  const BearingModel bearing = make_film_bearing(input);
+  const double column = bearing.film->pads.front().foil.mesh.dtheta;
   HeldMotion motion;
   motion.column = 32;  // the free end of pad 1
   EXPECT_EQ(held_place(bearing, motion).pad, 0U);

@@ -238,7 +238,7 @@ TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
   const RunningState& found = example().states[0];
   std::vector<double> h_min(2), speed(2);
   file.getVar("h_min").getVar(h_min.data());
-  EXPECT_DOUBLE_EQ(h_min[0], found.outcome->thinnest.thickness * example().bearing->scales.thickness);
+  EXPECT_DOUBLE_EQ(h_min[0], found.outcome->thinnest.thickness * example().bearing->film->scales.thickness);
   EXPECT_EQ(h_min[1], NC_FILL_DOUBLE);  // of the state that was not found
   file.getVar("speed").getVar(speed.data());
   EXPECT_EQ(speed[1], example(true).states[1].requested.speed);
@@ -471,7 +471,7 @@ TEST(EquilibriumLines, WarnOfStatesThatDoNotLast) {
     std::erase_if(lines, [what](const std::string& line) { return line.find(what) == std::string::npos; });
     return lines;
   };
-  const Eigen::Index last = result.bearing->columns() - 1;
+  const Eigen::Index last = result.bearing->film->columns() - 1;
   result.states[0].held.sliding = result.states[0].held.stuck = HeldMotion{.rate = {-0.1 * speed, 0.0}, .column = last};
   result.states[1].held = result.states[0].held;
   EXPECT_TRUE(lines_with("unstable").empty());
@@ -516,10 +516,10 @@ TEST(EquilibriumLines, WarnOfAThinFilmOverTheOverhang) {
     });
   };
   // Half a pitch of this foil flutters below 5.5 um by itself; it is warned of below twice that.
-  auto edge = state.last->film.thickness.col(result.bearing->columns() - 1);
-  edge.setConstant(12e-6 / result.bearing->scales.thickness);
+  auto edge = state.last->film.thickness.col(result.bearing->film->columns() - 1);
+  edge.setConstant(12e-6 / result.bearing->film->scales.thickness);
   EXPECT_FALSE(warned());
-  edge.setConstant(10e-6 / result.bearing->scales.thickness);
+  edge.setConstant(10e-6 / result.bearing->film->scales.thickness);
   EXPECT_TRUE(warned());
   state.last->speed = -state.last->speed;  // gas enters at the weld
   EXPECT_FALSE(warned());

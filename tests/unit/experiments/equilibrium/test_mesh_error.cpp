@@ -20,7 +20,7 @@ Estimate estimate_on(const FilmResolution& resolution, const EquilibriumSettings
   EquilibriumResult result = run_equilibrium(input);
   estimate_mesh_errors(input, result);
   const RunningState& state = result.states.at(0);
-  return {.h_min = state.outcome->thinnest.thickness * result.bearing->scales.thickness,
+  return {.h_min = state.outcome->thinnest.thickness * result.bearing->film->scales.thickness,
           .force = state.outcome->force.norm(),
           .error = state.mesh_error.value_or(MeshError{NAN, NAN})};
 }
@@ -65,7 +65,7 @@ TEST(MeshError, IsKnownWithFrictionAndPads) {
   EquilibriumResult result = run_equilibrium(input);
   estimate_mesh_errors(input, result);
   ASSERT_TRUE(result.states.at(0).mesh_error.has_value());
-  const double h = result.states[0].outcome->thinnest.thickness * result.bearing->scales.thickness;
+  const double h = result.states[0].outcome->thinnest.thickness * result.bearing->film->scales.thickness;
   EXPECT_GT(result.states[0].mesh_error->minimum_film_thickness, 1e-6 * h);
   EXPECT_LT(result.states[0].mesh_error->minimum_film_thickness, 0.2 * h);
 }

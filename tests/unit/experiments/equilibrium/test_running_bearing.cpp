@@ -58,7 +58,7 @@ TEST(RunningBearing, SaysWhereASecondPathEndsElsewhere) {
   ASSERT_EQ(all.states.size(), 12U);
   EXPECT_TRUE(all.other_branches.empty());
   const auto h_min = [&](const RunningState& state) {
-    return state.outcome->thinnest.thickness * all.bearing->scales.thickness;
+    return state.outcome->thinnest.thickness * all.bearing->film->scales.thickness;
   };
   std::size_t different = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -58,7 +58,7 @@ TEST(WhirlQuantities, AreSixteenOfEachWhereTheJournalMayTilt) {
 /// Two states, the second of which was not found.
 EquilibriumResult whirling_example(bool tabulated) {
   EquilibriumResult result;
-  result.bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
+  result.bearing = std::make_shared<const BearingModel>(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   result.states.resize(2);
   result.states[0].report.status = Status::converged;
   result.states[0].whirls = {whirl_at(7.0), whirl_at(5.0)};

@@ -28,9 +28,10 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
   EXPECT_TRUE(result.converged());
   EXPECT_FALSE(result.bearing->has_foils());
   for (const RunningState& state : result.states) {
-    const FilmBearing& bearing = *result.bearing;
-    const SolvedFilm film = solve_rigid_film(film_equation(bearing, bearing.pads.front(), state.requested.speed),
-                                             bearing.undeformed_thickness(state.requested.journal));
+    const BearingModel& bearing = *result.bearing;
+    const SolvedFilm film =
+        solve_rigid_film(film_equation(*bearing.film, bearing.film->pads.front(), state.requested.speed),
+                         undeformed_thickness(bearing, state.requested.journal));
     EXPECT_LT((film.film.pressure - state.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-3 * state.outcome->torque);
     EXPECT_NEAR(state.outcome->dissipation, state.outcome->power, 1e-3 * state.outcome->power);
@@ -79,7 +80,7 @@ TEST(WallFilm, LetsGasFlowFromSideToSide) {
   // Equal pressures at both sides: half the width is sufficient.
   input.film.side_pressure = {1.3 * ambient, 1.3 * ambient};
   const EquilibriumResult fed = run_wall_films(input);
-  EXPECT_FALSE(fed.bearing->tilts());
+  EXPECT_FALSE(fed.bearing->film->tilts());
   EXPECT_NEAR(fed.states.front().last->film.pressure.minCoeff(), 1.3, 1e-9);
 }
 
@@ -103,7 +104,7 @@ TEST(WallFilm, LetsGasFlowThroughAConicalGap) {
     input.film.rows = refined ? 12 : 6;
     const EquilibriumResult result = run_wall_films(input);
     ASSERT_TRUE(result.converged());
-    EXPECT_TRUE(result.bearing->tilts());  // whole width
+    EXPECT_TRUE(result.bearing->film->tilts());  // whole width
     error[refined] = result.states.front().outcome->flows.right_side / flow - 1.0;
   }
   EXPECT_LT(std::abs(error[1]), 3e-3);
@@ -167,8 +168,8 @@ TEST(WallFilm, HasNeitherPadsNorEdgesThatAreNotThere) {
 TEST(WallFilm, IsAsLongAsTheFoils) {
   Case input = wall_case();
   input.bump_foil.pitch = PerBump(4.3e-3, 4.8e-3, Grading::linear);
-  const FilmBearing bearing = make_wall_bearing(input);
-  EXPECT_NEAR(bearing.pads.front().foil.mesh.angles().tail(1)[0], 26.0 * 4.55e-3 / input.bearing.radius, 1e-12);
+  const BearingModel bearing = make_wall_bearing(input);
+  EXPECT_NEAR(bearing.film->pads.front().foil.mesh.angles().tail(1)[0], 26.0 * 4.55e-3 / input.bearing.radius, 1e-12);
 }
 
 /// A closed bearing is axisymmetric.
@@ -198,9 +199,9 @@ TEST(WallFilm, SpringsYield) {
     EXPECT_LT(state.outcome->force.norm(), 0.97 * rigid);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 2e-3 * state.outcome->torque);
     // H - H_rigid = (p - pa)/k, at the mid-plane of a column, or with the mean over it.
-    const FilmBearing& bearing = *result.bearing;
-    const Matrix yield =
-        bearing.scales.thickness * (state.last->film.thickness - bearing.undeformed_thickness(state.requested.journal));
+    const BearingModel& bearing = *result.bearing;
+    const Matrix yield = bearing.film->scales.thickness *
+                         (state.last->film.thickness - undeformed_thickness(bearing, state.requested.journal));
     const auto p = state.last->film.pressure.col(50);
     const double mean = (0.5 * p[0] + p.segment(1, 5).sum() + 0.5 * p[6]) / 6.0;
     const double pressing = wall == FilmWall::springs ? p[0] : mean;

@@ -148,7 +148,7 @@ FitData rig_equilibria(Case truth, double x_origin) {
     const auto& impedance = *state.whirls.front().impedance;
     data.column(FitColumn::speed).values.push_back(state.requested.speed);
     data.column(FitColumn::load_x).values.push_back(state.requested.journal.x());
-    read(FitColumn::h_min, state.outcome->thinnest.thickness * result.bearing->scales.thickness, 0.2e-6);
+    read(FitColumn::h_min, state.outcome->thinnest.thickness * result.bearing->film->scales.thickness, 0.2e-6);
     read(FitColumn::torque, state.outcome->torque, 0.05e-3);
     read(FitColumn::x, state.last->position.x() + x_origin, 0.2e-6);
     read(FitColumn::kxx, impedance(0, 0).real(), 0.3e6);

@@ -174,7 +174,7 @@ std::vector<std::vector<double>> states_along(Case input, const std::vector<doub
   for (const RunningState& state : result.states) {
     const FilmWhirl& whirl = state.whirls.front();
     const auto& impedance = stuck ? *whirl.stuck_impedance : *whirl.impedance;
-    states.push_back({state.outcome->thinnest.thickness * result.bearing->scales.thickness, state.outcome->torque,
+    states.push_back({state.outcome->thinnest.thickness * result.bearing->film->scales.thickness, state.outcome->torque,
                       state.last->position.x(), state.last->position.y(), impedance(0, 0).real(),
                       impedance(1, 0).imag() / whirl.frequency});
   }

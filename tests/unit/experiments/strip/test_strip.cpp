@@ -163,8 +163,8 @@ TEST_P(FreeStrip, IsSymmetric) {
 }
 
 TEST_P(FreeStrip, DoesNotDependOnTheSpringsThatKeepItInPlace) {
-  const SharedFoils foils = make_strip_foils(input);
-  Foils stiffer = *foils;
+  const SharedBearing foils = make_strip_foils(input);
+  BearingModel stiffer = *foils;
   for (Matrix* blocks : {&stiffer.structure.K.diagonal[2], &stiffer.problem.K.diagonal[2]}) {
     for (const int dof : {foils->structure.dofs.foot_u[0], foils->structure.dofs.foot_v[0]}) {
       (*blocks)(dof, dof) += 100.0 * loose_hold;
@@ -172,7 +172,7 @@ TEST_P(FreeStrip, DoesNotDependOnTheSpringsThatKeepItInPlace) {
     if (const int u = foils->structure.dofs.top_u; u >= 0) (*blocks)(u, u) += 100.0 * loose_hold;
   }
   const Eigen::Vector2d down(1.0, 0.0);
-  const auto pressed = [&](const SharedFoils& these) {
+  const auto pressed = [&](const SharedBearing& these) {
     FoilStepper stepper = make_stepper(these, input.solver);
     Step step;
     stepper.assemble({}, step);
@@ -184,7 +184,7 @@ TEST_P(FreeStrip, DoesNotDependOnTheSpringsThatKeepItInPlace) {
     return step.state.contacts;
   };
   const ContactState expected = pressed(foils);
-  const ContactState held = pressed(std::make_shared<const Foils>(stiffer));
+  const ContactState held = pressed(std::make_shared<const BearingModel>(stiffer));
   const auto loads = [&](const ContactState& state) { return interface_loads(*foils, state, Interface::top_bump); };
   // A micrometre times 1 N/m.
   EXPECT_LT((loads(held) - loads(expected)).cwiseAbs().maxCoeff(), 1e-5);

@@ -1,4 +1,4 @@
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 namespace bumpfoil {
 namespace {
 
-TEST(Foils, HasThreeContactsPerBumpOfTheTruss) {
+TEST(BearingModel, HasThreeContactsPerBumpOfTheTruss) {
   Case input = case_with_given_constants();
   input.friction = {.top_bump = 0.2, .bump_sleeve = 0.3};
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   EXPECT_EQ(foils->bumps(), 26);
   EXPECT_EQ(foils->feet_per_block(), 1);
   ASSERT_EQ(foils->contacts_per_block(), 3);
@@ -38,13 +38,13 @@ TEST(Foils, HasThreeContactsPerBumpOfTheTruss) {
   EXPECT_EQ(foot.friction_coefficient, 0.3);
 }
 
-TEST(Foils, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
+TEST(BearingModel, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
   Case input = case_with_given_constants();
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[4] = 3e-6;
   input.bump_foil.sleeve_gaps.assign(26, 0.0);
   input.bump_foil.sleeve_gaps[7] = 2e-6;
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const ContactLoading loading = loading_under(*foils, {.position = {1e-5, 2e-5}});
   ASSERT_EQ(loading.initial_gap.size(), 78);
   EXPECT_EQ(loading.load, Vector::Zero(foils->problem.K.rows()));
@@ -58,7 +58,7 @@ TEST(Foils, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
   }
 }
 
-TEST(Foils, FollowAWavySleeve) {
+TEST(BearingModel, FollowAWavySleeve) {
   Case input = case_with_given_constants();
   input.bump_foil.height_errors.assign(26, 1e-6);
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
@@ -66,7 +66,7 @@ TEST(Foils, FollowAWavySleeve) {
     input.bearing.sleeve.waves.clear();
     const Vector round = make_bearing_foils(input)->assembled_gap;
     input.bearing.sleeve.waves = {{.harmonic = 3, .amplitude = 5e-6, .phase = 0.7}};
-    const SharedFoils foils = make_bearing_foils(input);
+    const SharedBearing foils = make_bearing_foils(input);
     const Vector added = foils->assembled_gap - round;
     const Vector feet = polar_angles(input.bearing, foot_angles(input));
     for (Eigen::Index i = 0; i < 26; ++i) {
@@ -85,12 +85,12 @@ TEST(Foils, FollowAWavySleeve) {
   }
 }
 
-TEST(Foils, TaperWithTheSleeveAndGiveWayToTheJournal) {
+TEST(BearingModel, TaperWithTheSleeveAndGiveWayToTheJournal) {
   Case input = case_with_given_constants();
   const Vector round = make_bearing_foils(input)->assembled_gap;
   input.bearing.taper = 8e-6;
   input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 3e-6, .phase = 0.4}};
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   const Vector added = foils->assembled_gap - round;
   for (Eigen::Index i = 0; i < 26; ++i) {
     const double part = (static_cast<double>(i) + 0.5) / 26.0;  // relative position between weld and free end
@@ -102,12 +102,12 @@ TEST(Foils, TaperWithTheSleeveAndGiveWayToTheJournal) {
   }
 }
 
-TEST(Foils, HasALawWhereDisplacementsAreLarge) {
+TEST(BearingModel, HasALawWhereDisplacementsAreLarge) {
   Case input = case_with_given_constants();
   input.bump_foil.model = BumpFoilModel::frame;
   EXPECT_FALSE(make_bearing_foils(input)->problem.law);
   input.bump_foil.geometry = Geometry::nonlinear;
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedBearing foils = make_bearing_foils(input);
   ASSERT_TRUE(foils->problem.law);
   const Vector x = 1e-5 * Vector::LinSpaced(foils->problem.K.rows(), 0.3, 40.0).array().sin();
   EXPECT_EQ(foils->problem.law->forces(x), internal_forces(foils->structure, x));
@@ -115,8 +115,8 @@ TEST(Foils, HasALawWhereDisplacementsAreLarge) {
   EXPECT_EQ(foils->problem.law->stable_tangent(x).dense(), stable_tangent_stiffness(foils->structure, x).dense());
 }
 
-TEST(Foils, LoadingRateIsTheDerivativeOfTheLoading) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+TEST(BearingModel, LoadingRateIsTheDerivativeOfTheLoading) {
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   const Eigen::Vector2d direction = unit_vector(0.7);
   const ContactLoading rate = loading_rate(*foils, direction);
   const ContactLoading far = loading_under(*foils, {.position = 8e-5 * direction});
@@ -126,15 +126,15 @@ TEST(Foils, LoadingRateIsTheDerivativeOfTheLoading) {
   EXPECT_EQ(rate.initial_gap[1], 0.0);
 }
 
-TEST(Foils, JournalLoadsAreEveryThirdContact) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+TEST(BearingModel, JournalLoadsAreEveryThirdContact) {
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   const Vector loads = pressing_loads(*foils, Vector::LinSpaced(78, 0.0, 77.0));
   ASSERT_EQ(loads.size(), 26);
   for (Eigen::Index i = 0; i < 26; ++i) EXPECT_DOUBLE_EQ(loads[i], 3.0 * static_cast<double>(i));
 }
 
-TEST(Foils, ExcitationsMayOffsetGapsAndLoadTheTopFoil) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+TEST(BearingModel, ExcitationsMayOffsetGapsAndLoadTheTopFoil) {
+  const SharedBearing foils = make_bearing_foils(case_with_given_constants());
   Excitation excitation{.position = {1e-5, 2e-5}};
   const ContactLoading plain = loading_under(*foils, excitation);
   excitation.gap_offset = Vector::LinSpaced(78, -1e-6, 1e-6);
@@ -148,7 +148,7 @@ TEST(Foils, ExcitationsMayOffsetGapsAndLoadTheTopFoil) {
   EXPECT_DOUBLE_EQ(loading.load.sum(), excitation.top_load.sum());  // no loads elsewhere
 }
 
-TEST(Foils, RefusesCasesThatCannotBeBuilt) {
+TEST(BearingModel, RefusesCasesThatCannotBeBuilt) {
   Case input = case_with_given_constants();
   input.bump_foil.height_errors = {1e-6, 2e-6};  // 26 bumps
   EXPECT_THROW((void)make_bearing_foils(input), Error);

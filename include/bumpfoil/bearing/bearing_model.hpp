@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/bearing/film_model.hpp"
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/model/bearing_design.hpp"
 #include "bumpfoil/model/pads.hpp"
@@ -57,9 +58,10 @@ struct JournalOverWidth {
   WidthProfile profile{};                   ///< of journal and sleeve
 };
 
-/// Foils ready to be loaded: elastic foils, their contacts with the journal (or the plate that compresses a strip,
-/// called journal below), with each other, and with their support (sleeve, base). Immutable, so that any number of runs
-/// and threads may share them.
+/// A bearing ready to be loaded: placed pads, elastic foils, their contacts with each other, with their support
+/// (sleeve, base) and with the journal (or the plate that compresses a strip, called journal below); where it runs,
+/// with a gas film in place of the contact with the journal. Immutable, so that any number of runs and threads may
+/// share it.
 ///
 /// The journal has a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a bump with the
 /// normal n. The plate of a strip moves along X, and all its normals are (1, 0).
@@ -77,9 +79,23 @@ struct JournalOverWidth {
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
 /// Where foils deform differently over the width, there is one on every line between journal and top foil, top foil and
 /// crest and, if feet are not uniform, foot and sleeve; with strips the last two are at the points. Without a top foil
-/// the first is missing, and the second is that of plate and crest. Under a film the first is missing, and the blocks
-/// of the problem are those of FilmBearing.
-struct Foils {
+/// the first is missing, and the second is that of plate and crest. Under a film the first is missing.
+///
+/// Unknowns come in blocks: without a film those of FoilStructure; under a film, pad after pad, one for each bump and a
+/// last one for the free end. The block of a bump then has the unknowns of its foils, including the top foil over the
+/// crest, followed by the pressures of the column over the crest, c (P_j - 1) (m). Staggered strips have crests over
+/// several columns, its stations; the pressures of the stations follow each other. The block of the free end has the
+/// displacement of the top foil in the place of its first pressure; its other entries stay zero. K of the contact
+/// problem is then that of the bump foils alone; it fixes the unused unknowns of the last blocks.
+///
+/// Where displacements under a film vary over the width, the first line uses the places of the foils' unknowns; the
+/// unknowns of the other lines, and then those of the membrane at each station, follow the pressures. Displacements
+/// that are symmetric over the width vary at top foil and crest only; those that are linear, as under a tilted journal,
+/// vary in the whole bump foil, which then consists of independent slices. Against modes of higher order the crest has
+/// springs of held_crest_stiffness(), and the other unknowns are held uniform by almost rigid springs. With
+/// SheetModel::elastic the whole bump foil varies instead, and the stress functions of its sheet come between lines and
+/// membrane. A bump foil that is split into strips is given at its own points, and the lines are those of the top foil.
+struct BearingModel {
   std::vector<PlacedPad> placed;  ///< the pads of a bearing, worked out once; none of a strip
   FoilStructure structure;
   std::vector<StressModel> stress;  ///< of each pad
@@ -94,7 +110,6 @@ struct Foils {
   /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
   /// assembly was not found.
   std::vector<PadAssembly> assembly;
-  bool under_film{};               ///< a film presses, and nothing else
   std::vector<FoilLine> lines{};   ///< where foils vary over the width, those over the crests that are not staggered
                                    ///< first; none where all is uniform
   SheetModel sheet{};              ///< of a bump foil in one piece on these lines
@@ -106,10 +121,13 @@ struct Foils {
   /// Where a moment is given: place in each block of how far the journal is tilted, as displacements of its side z > 0
   /// along X and, behind it, Y.
   int journal_tilt{-1};
+  std::optional<FilmModel> film{};  ///< none: the journal touches the foils
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
+  /// Not where a wall takes the place of the foils.
+  [[nodiscard]] bool has_foils() const { return bumps() > 0; }
   [[nodiscard]] int top_bump() const {
-    return has_top_foil() && !under_film ? journal_contacts() : 0;
+    return has_top_foil() && !film ? journal_contacts() : 0;
   }  ///< place of the contact in the block of a bump
   /// Contacts of the journal with what is over the crests of a bump.
   [[nodiscard]] int journal_contacts() const { return lines.empty() ? 1 : static_cast<int>(lines.size()); }
@@ -147,6 +165,17 @@ struct Foils {
   [[nodiscard]] double assembled_clearance_in(std::size_t pad) const {
     return clearance - placed[pad].lobe - (assembly.empty() ? 0.0 : assembly[pad].bulge);
   }
+  /// Under a film: place of the first pressure in the block of a bump, at one of its stations.
+  [[nodiscard]] int first_pressure(int station = 0) const {
+    return structure.dofs.size + station * film->pads.front().foil.mesh.unknown_rows();
+  }
+  /// Place behind the pressures of all stations.
+  [[nodiscard]] int behind_pressures() const { return first_pressure(film->pads.front().stations); }
+  /// Place of the first unknown of the membrane at a station.
+  [[nodiscard]] int first_of_membrane(int station) const {
+    const auto of_station = 2 * static_cast<int>(film->pads.front().foil.stretching.rows());
+    return problem.K.block_size() - (film->pads.front().stations - station) * of_station;
+  }
   /// Block of the problem that holds a block of the structure.
   [[nodiscard]] int block(int of_structure) const;
   /// The unknowns that the structure knows among those of the problem, in the mean over the width, or those of the bump
@@ -171,7 +200,7 @@ struct Foils {
   }
 };
 
-using SharedFoils = std::shared_ptr<const Foils>;
+using SharedBearing = std::shared_ptr<const BearingModel>;
 
 /// What drives an increment. A plain value.
 struct Excitation {
@@ -187,17 +216,17 @@ struct Excitation {
 std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
 
 /// The foils of a bearing, pressed by its journal. The design must be valid.
-Foils make_foils(const BearingDesign& design);
+BearingModel make_foils(const BearingDesign& design);
 
 /// The foils of a bearing that runs: those of make_foils(), but each strip of a split top foil is a pad by itself, see
 /// place_film_pads(). The design must be valid.
-Foils make_film_foils(const BearingDesign& design);
+BearingModel make_film_foils(const BearingDesign& design);
 
 /// The foils of a bearing whose journal does not press them alike over the width: displacements are given on the lines
 /// of so many `modes` over the whole width, as under a film (WidthLines), and each line has contacts of its own with
 /// the journal, too. What varies over the width stretches the top foil.
 /// @param foils  uniform over the width, with a top foil and without an elastic law
-Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal, SheetModel sheet = {});
+BearingModel on_lines(const BearingModel& foils, int modes, const JournalOverWidth& journal, SheetModel sheet = {});
 
 /// The foils of a bearing whose bump foil is split into strips that do not move alike: they differ, or the journal
 /// does not press them alike. A whole top foil is given on lines by so many `modes` over the whole width as on_lines()
@@ -205,14 +234,14 @@ Foils on_lines(const Foils& foils, int modes, const JournalOverWidth& journal, S
 /// lift one by one.
 /// @param foils  uniform over the width, with a top foil and without an elastic law; where strips are staggered, it is
 ///               not formed
-Foils on_strips(const Foils& foils, int modes, const JournalOverWidth& journal);
+BearingModel on_strips(const BearingModel& foils, int modes, const JournalOverWidth& journal);
 
 /// The foils of a bearing without a journal: of strips that differ on_strips(), to which the top foil answers linearly
 /// and as a parabola over the width, too. The design must be valid.
-Foils foils_without_journal(const BearingDesign& design);
+BearingModel foils_without_journal(const BearingDesign& design);
 
 /// A strip of foils, see make_strip_design(), between its plate and the base, without clearance. All must be valid.
-Foils make_foils(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil);
+BearingModel make_foils(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil);
 
 /// Gaps and loads under an excitation with the journal at `position`:
 ///
@@ -220,31 +249,31 @@ Foils make_foils(const PadDesign& whole, int bumps, StripWeld weld, bool top_foi
 ///
 /// [Arghir2019, Eqs. 1-4]; without a top foil r_i - height_error_i + v_crest in place of the first two. Its gap offsets
 /// are added, its loads act on the top foil.
-ContactLoading loading_under(const Foils& foils, const Excitation& excitation);
+ContactLoading loading_under(const BearingModel& foils, const Excitation& excitation);
 
 /// Rate of loading_under per metre of displacement along the unit vector `direction`.
-ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction);
+ContactLoading loading_rate(const BearingModel& foils, const Eigen::Vector2d& direction);
 
 /// Loads of the journal on the foils, N, one per bump.
-Vector pressing_loads(const Foils& foils, const Vector& normal_force);
+Vector pressing_loads(const BearingModel& foils, const Vector& normal_force);
 
 /// Force applied to the journal (or plate), N.
-Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force);
+Eigen::Vector2d holding_force(const BearingModel& foils, const Vector& normal_force);
 
 /// Moment of these forces about the mid-plane, int z dF, N m: none where all is uniform over the width.
-Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force);
+Eigen::Vector2d holding_moment(const BearingModel& foils, const Vector& normal_force);
 
 /// Slope of the axis of the journal towards X and Y, rad: as given, or what a given moment tilts it by.
-Eigen::Vector2d journal_slope(const Foils& foils, const Vector& x);
+Eigen::Vector2d journal_slope(const BearingModel& foils, const Vector& x);
 
 /// What a given moment has worked since the journal stood parallel to the sleeve, J.
-double work_of_moment(const Foils& foils, const Vector& x);
+double work_of_moment(const BearingModel& foils, const Vector& x);
 
 /// Elastic forces and energy of the foils on the unknowns of their problem, see elastic_response() in structure/. On
 /// lines over the width the rows of unknowns that are no displacements hold what they lack.
-ElasticResponse elastic_response(const Foils& foils, const Vector& x);
+ElasticResponse elastic_response(const BearingModel& foils, const Vector& x);
 
 /// The part of it that each of several pads takes, one column per pad, N. One pad takes it all, and has no column.
-Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force);
+Eigen::Matrix2Xd pad_forces(const BearingModel& foils, const Vector& normal_force);
 
 }  // namespace bumpfoil

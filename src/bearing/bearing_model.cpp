@@ -1,4 +1,4 @@
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/bearing_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ namespace bumpfoil {
 namespace {
 
 /// @param input  gaps and friction of the bumps of `design`
-Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
-  Foils foils;
+BearingModel make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
+  BearingModel foils;
   foils.structure = make_foil_structure(design);
   foils.forming = foils.structure.forming;
   foils.stress = {make_stress_model(design)};
@@ -63,7 +63,7 @@ Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
 /// decrease of the journal radius there. The gap between a foot and the sleeve grows by the increase of the sleeve
 /// radius from the crest of its bump to the foot. All gaps from the journal to the sleeve under a foot thus grow
 /// together by the increase of the sleeve radius there.
-void add_profiles(const PlacedPad& pad, Foils& foils) {
+void add_profiles(const PlacedPad& pad, BearingModel& foils) {
   const Vector crest_phi = pad.polar(pad.crests);
   const Vector under_crests = sleeve_deviations(pad.alone, pad.crests);
   const Vector under_feet = sleeve_deviations(pad.alone, pad.feet);
@@ -77,8 +77,8 @@ void add_profiles(const PlacedPad& pad, Foils& foils) {
   }
 }
 
-Foils make_pad_foils(const PlacedPad& pad) {
-  Foils foils = make_flat_foils(pad.alone, make_bearing_design(pad.alone));
+BearingModel make_pad_foils(const PlacedPad& pad) {
+  BearingModel foils = make_flat_foils(pad.alone, make_bearing_design(pad.alone));
   foils.clearance = pad.alone.bearing.radial_clearance;
   foils.normals = outward_normals(pad.polar(pad.crests));
   if (!pad.alone.bearing.is_round()) add_profiles(pad, foils);
@@ -87,7 +87,7 @@ Foils make_pad_foils(const PlacedPad& pad) {
 }
 
 /// Appends the foils of one more pad.
-void append(const Foils& pad, Foils& foils) {
+void append(const BearingModel& pad, BearingModel& foils) {
   for (ContactSite site : pad.problem.sites) {
     site.block += foils.structure.K.blocks();
     foils.problem.sites.push_back(site);
@@ -111,20 +111,20 @@ void append(const Foils& pad, Foils& foils) {
 
 }  // namespace
 
-int Foils::block(int of_structure) const {
-  if (!under_film) return of_structure;
+int BearingModel::block(int of_structure) const {
+  if (!film) return of_structure;
   const auto behind = std::upper_bound(structure.pads.begin(), structure.pads.end(), of_structure);
   return of_structure + static_cast<int>(behind - structure.pads.begin()) - 1;  // free ends of the previous pads
 }
 
-std::size_t Foils::unstaggered_lines() const {
+std::size_t BearingModel::unstaggered_lines() const {
   if (split_top_foil) return lines.size();
   return static_cast<std::size_t>(std::count_if(
       lines.begin(), lines.end(), [&](const FoilLine& line) { return line.strip == lines.front().strip; }));
 }
 
-Vector Foils::foil_unknowns(const Vector& x, std::optional<int> strip) const {
-  if (!under_film && lines.empty()) return x;
+Vector BearingModel::foil_unknowns(const Vector& x, std::optional<int> strip) const {
+  if (!film && lines.empty()) return x;
   const Eigen::Index size = structure.dofs.size;
   Vector known(structure.K.rows());
   for (int b = 0; b < structure.K.blocks(); ++b) {
@@ -155,8 +155,8 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
                     .stable_tangent = [shared](const Vector& x) { return stable_tangent_stiffness(*shared, x); }};
 }
 
-Foils make_uniform_foils(std::vector<PlacedPad> pads) {
-  Foils foils = make_pad_foils(pads.front());
+BearingModel make_uniform_foils(std::vector<PlacedPad> pads) {
+  BearingModel foils = make_pad_foils(pads.front());
   for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
   foils.placed = std::move(pads);
   foils.problem.law = elastic_law(foils.structure);
@@ -165,30 +165,30 @@ Foils make_uniform_foils(std::vector<PlacedPad> pads) {
 
 namespace {
 
-Foils make_assembled_foils(std::vector<PlacedPad> pads) {
-  Foils foils = make_uniform_foils(std::move(pads));
+BearingModel make_assembled_foils(std::vector<PlacedPad> pads) {
+  BearingModel foils = make_uniform_foils(std::move(pads));
   if ((foils.structure.forming.array() != 0.0).any()) foils.assembly = assemble_without_journal(foils);
   return foils;
 }
 
 }  // namespace
 
-Foils make_foils(const BearingDesign& design) {
+BearingModel make_foils(const BearingDesign& design) {
   return make_assembled_foils(place_pads(design));
 }
 
-Foils make_film_foils(const BearingDesign& design) {
+BearingModel make_film_foils(const BearingDesign& design) {
   return make_assembled_foils(place_film_pads(design));
 }
 
-Foils make_foils(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil) {
-  Foils foils = make_flat_foils(cut_to(whole, bumps), make_strip_design(whole, bumps, weld, top_foil));
+BearingModel make_foils(const PadDesign& whole, int bumps, StripWeld weld, bool top_foil) {
+  BearingModel foils = make_flat_foils(cut_to(whole, bumps), make_strip_design(whole, bumps, weld, top_foil));
   foils.normals = outward_normals(Vector::Zero(foils.bumps()));
   foils.problem.law = elastic_law(foils.structure);
   return foils;
 }
 
-ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
+ContactLoading loading_under(const BearingModel& foils, const Excitation& excitation) {
   ContactLoading loading{.initial_gap = foils.assembled_gap, .load = foils.forming};
   for (int line = 0; line < foils.journal_contacts(); ++line) {
     loading.initial_gap(foils.pressed(line)) +=
@@ -205,7 +205,7 @@ ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
   return loading;
 }
 
-ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction) {
+ContactLoading loading_rate(const BearingModel& foils, const Eigen::Vector2d& direction) {
   ContactLoading rate = ContactLoading::none(foils.problem);
   for (int line = 0; line < foils.journal_contacts(); ++line) {
     rate.initial_gap(foils.pressed(line)) = journal_gaps(0.0, foils.normals_on(line), direction);
@@ -213,7 +213,7 @@ ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction
   return rate;
 }
 
-Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
+Vector pressing_loads(const BearingModel& foils, const Vector& normal_force) {
   Vector loads = normal_force(foils.pressed());
   for (int line = 1; line < foils.journal_contacts(); ++line) loads += normal_force(foils.pressed(line));
   return loads;
@@ -222,7 +222,7 @@ Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
 namespace {
 
 /// Force of the journal on the staggered strips of successive bumps.
-Eigen::Vector2d force_on_strips(const Foils& foils, const Vector& normal_force, const PadBlocks& bumps) {
+Eigen::Vector2d force_on_strips(const BearingModel& foils, const Vector& normal_force, const PadBlocks& bumps) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int line = 0; line < foils.journal_contacts(); ++line) {
     const Vector loads = normal_force(foils.pressed(line));
@@ -234,12 +234,12 @@ Eigen::Vector2d force_on_strips(const Foils& foils, const Vector& normal_force, 
 
 }  // namespace
 
-Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
+Eigen::Vector2d holding_force(const BearingModel& foils, const Vector& normal_force) {
   if (!foils.strip_normals.empty()) return force_on_strips(foils, normal_force, {0, foils.bumps()});
   return journal_force(foils.normals, pressing_loads(foils, normal_force));
 }
 
-Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force) {
+Eigen::Vector2d holding_moment(const BearingModel& foils, const Vector& normal_force) {
   Eigen::Vector2d at_side = Eigen::Vector2d::Zero();
   for (std::size_t s = 0; s < foils.lines.size(); ++s) {
     const auto line = static_cast<int>(s);
@@ -248,16 +248,16 @@ Eigen::Vector2d holding_moment(const Foils& foils, const Vector& normal_force) {
   return foils.lines.empty() ? at_side : 0.5 * foils.placed.front().alone.bearing.axial_length * at_side;
 }
 
-Eigen::Vector2d journal_slope(const Foils& foils, const Vector& x) {
+Eigen::Vector2d journal_slope(const BearingModel& foils, const Vector& x) {
   if (foils.journal_tilt < 0) return foils.over_width.slope;
   return x.segment<2>(foils.journal_tilt) / (0.5 * foils.placed.front().alone.bearing.axial_length);
 }
 
-double work_of_moment(const Foils& foils, const Vector& x) {
+double work_of_moment(const BearingModel& foils, const Vector& x) {
   return foils.over_width.moment ? foils.over_width.moment->dot(journal_slope(foils, x)) : 0.0;
 }
 
-ElasticResponse elastic_response(const Foils& foils, const Vector& x) {
+ElasticResponse elastic_response(const BearingModel& foils, const Vector& x) {
   if (foils.lines.empty()) return elastic_response(foils.structure, x);
   const Vector balance = foils.problem.K.multiply(x);
   const double load_energy = x.dot(foils.forming) - work_of_moment(foils, x);  // the loads include the moment
@@ -265,7 +265,7 @@ ElasticResponse elastic_response(const Foils& foils, const Vector& x) {
           .energy = 0.5 * x.dot(balance) - load_energy + foils.structure.forming_energy};
 }
 
-Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force) {
+Eigen::Matrix2Xd pad_forces(const BearingModel& foils, const Vector& normal_force) {
   Eigen::Matrix2Xd forces(2, foils.pad_count() > 1 ? foils.pad_count() : 0);
   if (forces.cols() == 0) return forces;
   const Vector loads = pressing_loads(foils, normal_force);
