@@ -143,7 +143,7 @@ AlternatingReport alternate(const BearingModel& bearing, const Eigen::Vector2d& 
   const ContactState unstressed = ContactState::unstressed(problem);
   ContactState pressed = unstressed;
   Matrix H = undeformed;
-  H.rowwise() += state.film.lift.row(0);
+  H.rowwise() += state.film.deflection.row(0);
   AlternatingReport report;
   while (report.end == End::spent && report.iterations < options.most) {
     ++report.iterations;
@@ -158,12 +158,12 @@ AlternatingReport alternate(const BearingModel& bearing, const Eigen::Vector2d& 
       report.end = End::no_contact;
       break;
     }
-    Vector step = -state.film.lift.row(0).transpose();
+    Vector step = -state.film.deflection.row(0).transpose();
     step.tail(loads.size()) += foils.displacements(loads, pressed.x) / bearing.film->scales.thickness;
     report.change = step.cwiseAbs().maxCoeff();
-    state.film.lift.row(0) += options.relaxation * step.transpose();
+    state.film.deflection.row(0) += options.relaxation * step.transpose();
     H = undeformed;
-    H.rowwise() += state.film.lift.row(0);
+    H.rowwise() += state.film.deflection.row(0);
     if (report.change < options.tolerance) report.end = End::converged;
   }
   return report;

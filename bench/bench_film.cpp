@@ -34,7 +34,7 @@ BearingState cold_state(const BearingModel& bearing, double eccentricity, benchm
                         double omega = speed) {
   BearingState state;
   FilmStepper stepper(bearing);
-  const FilmReport report = cold_start(stepper, {eccentricity * bearing.clearance, 0.0}, omega, state);
+  const FilmReport report = start_from_ambient(stepper, {eccentricity * bearing.clearance, 0.0}, omega, state);
   if (report.status != Status::converged) bench.SkipWithError("no state");
   return state;
 }

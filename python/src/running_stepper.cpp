@@ -138,7 +138,7 @@ void add_running_stepper(py::module_& m) {
            })
       .def("thinnest_film",
            [](const RunningStepper& self, const ReachedInstant& instant) {
-             return self.film().scales.thickness * instant.outcome.thinnest.thickness;
+             return self.bearing().film->scales.thickness * instant.outcome.thinnest.thickness;
            })
       .def("fields", [](const RunningStepper& self, const ReachedInstant& instant) {
         return fields_of(instant, self.bearing());

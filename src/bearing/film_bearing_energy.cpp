@@ -20,7 +20,7 @@ double bending_energy(const FilmModel& film, const FoilFilm& foil, const Matrix&
 
 /// Half the membrane load of a top foil times its displacement, J.
 double membrane_energy(const FilmModel& film, const FoilFilm& foil, const FoilFilmState& part) {
-  const Matrix stretching = product(foil.stretching, part.lift);
+  const Matrix stretching = product(foil.stretching, part.deflection);
   double twice = 0.0;
   for (std::size_t k = 0; k < foil.membrane.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);

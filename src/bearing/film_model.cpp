@@ -42,8 +42,8 @@ Matrix FilmModel::field(double value) const {
   return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
 }
 
-Matrix FilmModel::over_the_width(const Matrix& lift) const {
-  return product(pads.front().foil.shapes, lift);
+Matrix FilmModel::over_the_width(const Matrix& deflection) const {
+  return product(pads.front().foil.shapes, deflection);
 }
 
 Matrix FilmModel::resting_pressure() const {
@@ -99,7 +99,7 @@ Matrix part_of(const FilmPad& pad, const Matrix& field) {
 void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part) {
   part.pressure = all.pressure(Eigen::all, pad.columns());
   part.thickness = all.thickness(Eigen::all, pad.columns());
-  part.lift = all.lift(Eigen::all, pad.columns());
+  part.deflection = all.deflection(Eigen::all, pad.columns());
   part.moment = all.moment(Eigen::all, pad.columns());
   part.membrane = all.membrane(Eigen::all, pad.columns());
 }
@@ -107,7 +107,7 @@ void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all) {
   all.pressure(Eigen::all, pad.columns()) = part.pressure;
   all.thickness(Eigen::all, pad.columns()) = part.thickness;
-  all.lift(Eigen::all, pad.columns()) = part.lift;
+  all.deflection(Eigen::all, pad.columns()) = part.deflection;
   all.moment(Eigen::all, pad.columns()) = part.moment;
   all.membrane(Eigen::all, pad.columns()) = part.membrane;
 }

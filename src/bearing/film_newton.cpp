@@ -198,7 +198,7 @@ void FilmNewton::expand(std::span<Step> changes) {
   for (Step& change : changes) {
     change.film.pressure.resize(foil.mesh.rows + 1, film_.columns());
     change.film.thickness.resize(foil.mesh.rows + 1, film_.columns());
-    change.film.lift.resize(foil.lines.count(), film_.columns());
+    change.film.deflection.resize(foil.lines.count(), film_.columns());
     change.film.moment.resize(foil.lines.count(), film_.columns());
     change.film.membrane.resize(2 * foil.stretching.rows(), film_.columns());
   }
@@ -313,7 +313,7 @@ std::optional<SlowMotion> FilmNewton::slow_motion(const BearingState& state, boo
   SlowMotion motion{.stiffness = find_rates()};
   for (const Step& rate : rates_) {
     motion.foil_response =
-        std::max(motion.foil_response, film_.scales.thickness * rate.film.lift.cwiseAbs().maxCoeff());
+        std::max(motion.foil_response, film_.scales.thickness * rate.film.deflection.cwiseAbs().maxCoeff());
   }
   return motion;
 }
@@ -474,7 +474,10 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   }
   HeldMotion found{.rate = (shift + pole->excess) / T0, .residual = std::sqrt(square / whole)};
   if (!(found.residual <= largest_residual)) return std::nullopt;
-  (motion[0].film.lift.cwiseAbs2() + motion[1].film.lift.cwiseAbs2()).colwise().sum().maxCoeff(&found.column);
+  (motion[0].film.deflection.cwiseAbs2() + motion[1].film.deflection.cwiseAbs2())
+      .colwise()
+      .sum()
+      .maxCoeff(&found.column);
   return found;
 }
 
@@ -539,7 +542,7 @@ void FilmNewton::move_foils() {
 void FilmNewton::add_to_step(double way, const Step& rate) {
   step_.film.pressure += way * rate.film.pressure;
   step_.film.thickness += way * rate.film.thickness;
-  step_.film.lift += way * rate.film.lift;
+  step_.film.deflection += way * rate.film.deflection;
   step_.film.moment += way * rate.film.moment;
   step_.film.membrane += way * rate.film.membrane;
   step_.contact.x += way * rate.contact.x;
@@ -555,7 +558,7 @@ void FilmNewton::take_step(double fraction, const BearingState& from, BearingSta
   to.clearance_offset = from.clearance_offset + fraction * step_.clearance_offset;
   to.film.pressure = from.film.pressure + fraction * step.pressure;
   to.film.thickness = from.film.thickness + fraction * step.thickness;
-  to.film.lift = from.film.lift + fraction * step.lift;
+  to.film.deflection = from.film.deflection + fraction * step.deflection;
   to.film.moment = from.film.moment + fraction * step.moment;
   to.film.membrane = from.film.membrane + fraction * step.membrane;
   to.contacts.x = from.contacts.x + fraction * step_.contact.x;
@@ -568,12 +571,12 @@ void FilmNewton::take_step(double fraction, const BearingState& from, BearingSta
 
 double FilmNewton::distance(const BearingState& a, const BearingState& b) const {
   return std::max({(a.film.pressure - b.film.pressure).cwiseAbs().maxCoeff(),
-                   (a.film.lift - b.film.lift).cwiseAbs().maxCoeff(),
+                   (a.film.deflection - b.film.deflection).cwiseAbs().maxCoeff(),
                    (film_.journal_of(a) - film_.journal_of(b)).norm() / film_.scales.thickness});
 }
 
 double FilmNewton::largest_change() const {
-  return std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.lift.cwiseAbs().maxCoeff(),
+  return std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.deflection.cwiseAbs().maxCoeff(),
                    std::max(step_.displacement.norm(), std::abs(step_.clearance_offset)) / film_.scales.thickness});
 }
 
@@ -593,7 +596,7 @@ bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const Be
   iterate_.slip_origin = from.slip_origin;
   iterate_.speed = to.speed;
   iterate_.film.thickness = undeformed_thickness(bearing_, film_.journal_of(iterate_), iterate_.clearance_offset);
-  iterate_.film.thickness += film_.over_the_width(iterate_.film.lift);
+  iterate_.film.thickness += film_.over_the_width(iterate_.film.deflection);
   trial_ = instead_ = iterate_;
   return iterate_.film.thickness.minCoeff() > 0.0;
 }

@@ -16,7 +16,7 @@ namespace bumpfoil {
 namespace {
 
 /// Accepted deviation of angles, relative to a step: instruments round them.
-constexpr double angle_rounding = 0.05;
+constexpr double angle_round_off = 0.05;
 
 /// Takes the lines one by one.
 class ProfileReader {
@@ -84,7 +84,7 @@ class ProfileReader {
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       const double due = static_cast<double>(i) * step;
       const Angle& angle = angles_[i];
-      if (std::abs(angle.degrees - due) <= angle_rounding * step) continue;
+      if (std::abs(angle.degrees - due) <= angle_round_off * step) continue;
       return rows_.error(
           angle.line, angle.text,
           fmt::format("should be {:.6g} degrees: {} lines are {:.6g} degrees apart", due, angles_.size(), step),

@@ -24,7 +24,7 @@ std::string key_set_in(const toml::node& node) {
 }
 
 /// Fraction of a step by which a range may miss its end: round-off of thirds and of units.
-constexpr double step_rounding = 1e-6;
+constexpr double step_round_off = 1e-6;
 
 Key optional_key(Key key) {
   key.presence = Presence::optional;
@@ -115,7 +115,7 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
   const double span = *to - *from;
   double spaces = counted ? points - 1.0 : span == 0.0 ? 0.0 : *step == 0.0 ? -1.0 : span / *step;
   const std::string last = path + (counted ? ".points" : ".step");
-  if (!counted && std::abs(spaces - std::round(spaces)) <= step_rounding) spaces = std::round(spaces);
+  if (!counted && std::abs(spaces - std::round(spaces)) <= step_round_off) spaces = std::round(spaces);
   if (!(spaces >= 0.0)) {  // also rejects NaN
     return refuse(last, counted ? "is not a valid number of values" : "does not lead to the last value",
                   counted ? "give a whole number from 2 on" : "give a step from the first value to the last");

@@ -32,7 +32,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::frequency, "a frequency", "rad/s", "\"200 Hz\""},
     DimensionText{Dimension::temperature, "a temperature", "K", "\"293 K\""},
     DimensionText{Dimension::viscosity, "a viscosity", "Pa s", "\"18.5 uPa s\""},
-    DimensionText{Dimension::bed_stiffness, "a stiffness per area", "Pa/m", "\"5 GPa/m\""},
+    DimensionText{Dimension::foundation_modulus, "a stiffness per area", "Pa/m", "\"5 GPa/m\""},
     DimensionText{Dimension::per_area, "a number per area", "1/m2", "\"40000 1/mm2\""},
     DimensionText{Dimension::mass, "a mass", "kg", "\"2 kg\""},
     DimensionText{Dimension::moment_of_inertia, "a moment of inertia", "kg m2", "\"9e-3 kg m2\""},

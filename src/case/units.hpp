@@ -16,7 +16,7 @@ enum class Dimension {
   frequency,
   temperature,
   viscosity,
-  bed_stiffness,
+  foundation_modulus,
   per_area,
   mass,
   moment_of_inertia,

@@ -135,8 +135,8 @@ void StraightPiece::take_target() {
 
 /// A margin that is `now` at the start and negative `then`: the contact changes its mode at its zero.
 void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode to) {
-  constexpr double above_roundings = 1.0 + 1e-14;
-  if (now > above_roundings * end_part * (now - then)) return;  // most limits lie beyond, which needs no division
+  constexpr double above_round_off = 1.0 + 1e-14;
+  if (now > above_round_off * end_part * (now - then)) return;  // most limits lie beyond, which needs no division
   const double part = now <= 0.0 ? 0.0 : now / (now - then);
   if (part > end_part) return;
   if (part < end_part) limits.clear();

@@ -81,7 +81,7 @@ namespace {
 /// Balance and compatibility of one line, with `flexibility` times that of the whole width.
 void line_residual(const FoilFilm& foil, Eigen::Index line, const FoilFilmState& state, FoilFilmResidual& residual) {
   const FilmMesh& mesh = foil.mesh;
-  const auto U = state.lift.row(line);
+  const auto U = state.deflection.row(line);
   const auto M = state.moment.row(line);
   const auto N = foil.shapes.col(line);
   const double flexibility = 1.0 / foil.lines.weight[line];
@@ -114,7 +114,7 @@ void membrane_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFil
     own = rows.own * unknowns.col(k) + rows.after * unknowns.col(k + 1);
     if (k == 0) continue;
     own += rows.before * unknowns.col(k - 1);
-    own.head(modes) -= rows.length * foil.stretching * state.lift.col(k);
+    own.head(modes) -= rows.length * foil.stretching * state.deflection.col(k);
     residual.balance.col(k) += rows.length * foil.stretching.transpose() * unknowns.col(k).head(modes);
   }
 }
@@ -423,14 +423,14 @@ void FoilFilmSystem::expand(const Matrix& support_steps, std::span<FoilFilmState
   const Eigen::Index of_membrane = 2 * w.foil.stretching.rows();
   for (FoilFilmState& step : steps) {
     step.pressure.setZero(mesh.rows + 1, mesh.nodes());
-    step.lift.setZero(lines, mesh.nodes());
+    step.deflection.setZero(lines, mesh.nodes());
     step.moment.setZero(lines, mesh.nodes());
     step.membrane.setZero(of_membrane, mesh.nodes());
   }
   const auto set_column = [&](std::size_t side, int k, const auto& values) {
     FoilFilmState& step = steps[side];
     step.pressure.col(k).segment(mesh.first_unknown_row(), n) = values.head(n);
-    step.lift.col(k) = values.segment(n, lines);
+    step.deflection.col(k) = values.segment(n, lines);
     step.moment.col(k) = values.segment(n + lines, lines);
     step.membrane.col(k) = values.tail(of_membrane);
   };
@@ -451,7 +451,7 @@ void FoilFilmSystem::expand(const Matrix& support_steps, std::span<FoilFilmState
       }
     }
   }
-  for (FoilFilmState& step : steps) step.thickness = w.foil.shapes * step.lift;
+  for (FoilFilmState& step : steps) step.thickness = w.foil.shapes * step.deflection;
 }
 
 }  // namespace bumpfoil

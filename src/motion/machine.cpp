@@ -25,7 +25,7 @@ bool go_on(double w, const BearingState& before, const BearingState& now, Bearin
   along(before.film.thickness, now.film.thickness, predicted.film.thickness);
   if (!keeps_enough(now.film.pressure, predicted.film.pressure)) return false;
   if (!keeps_enough(now.film.thickness, predicted.film.thickness)) return false;
-  along(before.film.lift, now.film.lift, predicted.film.lift);
+  along(before.film.deflection, now.film.deflection, predicted.film.deflection);
   along(before.film.moment, now.film.moment, predicted.film.moment);
   along(before.film.membrane, now.film.membrane, predicted.film.membrane);
   along(before.contacts.x, now.contacts.x, predicted.contacts.x);

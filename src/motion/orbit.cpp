@@ -119,7 +119,7 @@ void for_parts_of_bearings(const Add& add) {
   add([](auto& b) -> auto& { return b.tilt; });
   add([](auto& b) -> auto& { return b.film.pressure; });
   add([](auto& b) -> auto& { return b.film.thickness; });
-  add([](auto& b) -> auto& { return b.film.lift; });
+  add([](auto& b) -> auto& { return b.film.deflection; });
   add([](auto& b) -> auto& { return b.film.moment; });
   add([](auto& b) -> auto& { return b.film.membrane; });
   add([](auto& b) -> auto& { return b.slip_origin; });
@@ -221,7 +221,7 @@ void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, M
     const BearingState& there = state.bearings[i];
     const Eigen::VectorXd y = state.rotor.y + part * motion.real();
     Matrix thickness = undeformed_thickness(bearing, journals[i].place(y), there.clearance_offset);
-    return Matrix(thickness + bearing.film->over_the_width(there.film.lift));
+    return Matrix(thickness + bearing.film->over_the_width(there.film.deflection));
   };
   double part = 1.0;
   for (std::size_t i = 0; i < journals.size(); ++i) {

@@ -44,12 +44,12 @@ Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vect
           .steps = steps};
 }
 
-Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps) {
+Program one_sided_cycle(Control control, const Line& line, double origin, double amplitude, int steps) {
   const double top = origin + amplitude;
   return {{Branch::loading, control, line, origin, top, steps}, {Branch::unloading, control, line, top, origin, steps}};
 }
 
-Program swing(Control control, const Line& line, double origin, double amplitude, int steps) {
+Program fully_reversed_cycle(Control control, const Line& line, double origin, double amplitude, int steps) {
   const double top = origin + amplitude;
   const double bottom = origin - amplitude;
   return {{Branch::loading, control, line, origin, top, steps},

@@ -146,10 +146,10 @@ BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, do
   state.film.pressure = bearing.film->field(1.0);
   if (stepper.solve(stepper.move_to(far), state).status != Status::converged) return foils;
   foils.contacts = std::move(state.contacts);
-  foils.film.lift = std::move(state.film.lift);
+  foils.film.deflection = std::move(state.film.deflection);
   foils.film.moment = std::move(state.film.moment);
   foils.film.membrane = std::move(state.film.membrane);
-  foils.film.thickness += bearing.film->over_the_width(foils.film.lift);
+  foils.film.thickness += bearing.film->over_the_width(foils.film.deflection);
   foils.begin_increment();
   return foils;
 }
@@ -159,8 +159,8 @@ FilmReport settle(FilmStepper& stepper, const OperatingPoint& to, BearingState& 
   return march_to_rest(stepper, to, state);
 }
 
-FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, BearingState& state,
-                      double clearance_offset) {
+FilmReport start_from_ambient(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, BearingState& state,
+                              double clearance_offset) {
   BearingState start = assembled(stepper, position, speed, clearance_offset);
   const FilmReport report = settle(stepper, OperatingPoint::held_at(position, speed, clearance_offset), start);
   if (report.status == Status::converged) state = std::move(start);

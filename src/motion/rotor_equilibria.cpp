@@ -79,7 +79,7 @@ FilmReport RotorEquilibria::start(std::size_t bearing, double speed, BearingStat
   const auto begin = [&](FilmStepper& stepper, double clearance_offset, BearingState& begun) {
     const Eigen::Vector2d held =
         held_along_load * (stepper.film().assembled_clearance + clearance_offset) * load.normalized();
-    FilmReport report = cold_start(stepper, held, speed, begun, clearance_offset);
+    FilmReport report = start_from_ambient(stepper, held, speed, begun, clearance_offset);
     if (report.status != Status::converged) return report;
     OperatingPoint opened = loaded;
     opened.clearance_offset = clearance_offset;

@@ -88,7 +88,7 @@ SearchEnd search_constrained(const SearchProblem& problem, const Eigen::VectorXd
   const nlopt_result end = nlopt_optimize(optimiser.get(), x.data(), &aim);
   searched.rethrow();
   if (end == NLOPT_FORCED_STOP) return SearchEnd::stopped;
-  if (end == NLOPT_ROUNDOFF_LIMITED) return SearchEnd::rounding;
+  if (end == NLOPT_ROUNDOFF_LIMITED) return SearchEnd::round_off;
   if (end == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc();
   if (end < 0) {
     const char* const said = nlopt_get_errmsg(optimiser.get());

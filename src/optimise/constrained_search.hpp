@@ -14,8 +14,8 @@ struct SearchProblem {
 
 enum class SearchEnd {
   tolerance,
-  rounding,  ///< steps are at round-off level
-  stopped,   ///< by the function
+  round_off,  ///< steps are at round-off level
+  stopped,    ///< by the function
 };
 
 /// Derivative-free search from a start: linear models of the function and its constraints over a simplex that shrinks

@@ -66,7 +66,7 @@ struct SearchRun {
   std::vector<OptimisePoint> evaluated{};
   OptimiseSearch record{};
 
-  [[nodiscard]] bool ended() const { return record.by_tolerance || record.by_rounding; }
+  [[nodiscard]] bool ended() const { return record.by_tolerance || record.by_round_off; }
 };
 
 class Optimiser {
@@ -224,7 +224,7 @@ class Optimiser {
     const SearchProblem problem{.limits = std::ssize(result_.limits) + (run.goal.other ? 1 : 0), .evaluate = evaluate};
     const SearchEnd end = search_constrained(problem, box_.place_of(run.start), run.step, settings_.tolerance);
     run.record.by_tolerance = end == SearchEnd::tolerance;
-    run.record.by_rounding = end == SearchEnd::rounding;
+    run.record.by_round_off = end == SearchEnd::round_off;
     if (best_met) run.record.best = best_met->values;
     run.evaluated = own.all();
   }
@@ -299,7 +299,7 @@ class Optimiser {
     for (const OptimiseSearch& one : result_.searches) {
       if (one.best != best.values) continue;
       if (one.by_tolerance) return OptimiseStatus::converged;
-      if (one.by_rounding) status = OptimiseStatus::rounding_limited;
+      if (one.by_round_off) status = OptimiseStatus::rounding_limited;
     }
     return status;
   }

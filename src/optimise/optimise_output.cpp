@@ -352,9 +352,9 @@ Json optimise_lists(const OptimiseResult& result) {
   for (const OptimiseSearch& one : result.searches) {
     json["searches"].push_back({{"aim", result.aims[one.aim].quantity.name},
                                 {"evaluations", one.evaluations},
-                                {"ended_by", one.by_tolerance  ? "tolerance"
-                                             : one.by_rounding ? "round-off"
-                                                               : "evaluations"}});
+                                {"ended_by", one.by_tolerance   ? "tolerance"
+                                             : one.by_round_off ? "round-off"
+                                                                : "evaluations"}});
   }
   return json;
 }

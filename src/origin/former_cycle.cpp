@@ -83,7 +83,7 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
   const auto begin = std::chrono::steady_clock::now();
   const Eigen::Vector2d normal = unit_vector(direction);
   const Line line{.base = Eigen::Vector2d::Zero(), .direction = normal};
-  const Program program = push_and_pull(Control::displacement, line, 0.0, settings.amplitude.value, settings.steps);
+  const Program program = one_sided_cycle(Control::displacement, line, 0.0, settings.amplitude.value, settings.steps);
   Cycle cycle;
   cycle.direction = direction;
   cycle.amplitude = settings.amplitude.value;

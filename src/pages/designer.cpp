@@ -67,7 +67,7 @@ std::vector<OfferedUnits> offered_units() {
           {Dimension::frequency, {"rad/s", "Hz", "rpm"}},
           {Dimension::temperature, {"K"}},
           {Dimension::viscosity, {"Pa s", "mPa s", "uPa s"}},
-          {Dimension::bed_stiffness, {"Pa/m", "MPa/m", "GPa/m"}},
+          {Dimension::foundation_modulus, {"Pa/m", "MPa/m", "GPa/m"}},
           {Dimension::moment, {"N m", "N mm"}},
           {Dimension::acceleration, {"m/s2"}},
           {Dimension::mass, {"kg", "g", "lb"}}};

@@ -84,7 +84,7 @@ TEST(RandomFilms, ObeyTheLawsAndLastAsTheirEigenvaluesSay) {
     const BearingModel bearing = make_film_bearing(random.input);
     FilmStepper stepper(bearing);
     BearingState state;
-    const FilmReport report = cold_start(stepper, random.position, random.speed, state);
+    const FilmReport report = start_from_ambient(stepper, random.position, random.speed, state);
     // The march itself may touch down, which it reports.
     if (report.status != Status::converged) continue;
     ++found;
@@ -123,7 +123,7 @@ TEST(RandomFilms, LoseTheirFrictionWithoutAJump) {
       const BearingModel bearing = make_film_bearing(random.input);
       BearingState state;
       FilmStepper stepper(bearing);
-      found = cold_start(stepper, random.position, random.speed, state).status == Status::converged && found;
+      found = start_from_ambient(stepper, random.position, random.speed, state).status == Status::converged && found;
       if (found) force[i] = film_force(*bearing.film, state.film.pressure);
     }
     // Friction carries a fraction of the load of order f.

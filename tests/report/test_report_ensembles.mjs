@@ -14,7 +14,7 @@ const sets = [...settings, 'title=</script><b>many</b>'].flatMap((pair) => ['--s
 before(() => {
   run(['montecarlo', caseFile, '-o', join(folder, 'many'), '--samples', String(samples), '--limit', 'clearance_5N > 20 um', '--limit', 'max_force < 800 N', ...sets]);
   report('many.html', 'many');
-  // A negative coefficient of friction makes no bearing.
+  // A negative coefficient of friction is invalid.
   run(['montecarlo', caseFile, '-o', join(folder, 'few'), '--samples', '8', '--set', 'montecarlo.friction_top_bump.std=0.2', '--set', 'cycle.steps=10', '--set', 'cycle.directions=["+X"]'], 3);
   run(['cycle', caseFile, '-o', join(folder, 'alone'), '--set', 'cycle.steps=10']);
   report('few.html', 'few', 'alone');

@@ -32,15 +32,17 @@ class BondedUnknowns {
   }
 
   [[nodiscard]] Eigen::Index count() const { return of_top_foil_ + std::ssize(of_bumps_); }
-  [[nodiscard]] Eigen::Index lift(Eigen::Index line, int column) const { return foil_.unknowns() * column + line; }
+  [[nodiscard]] Eigen::Index deflection(Eigen::Index line, int column) const {
+    return foil_.unknowns() * column + line;
+  }
   [[nodiscard]] Eigen::Index moment(Eigen::Index line, int column) const {
-    return lift(line, column) + foil_.lines.count();
+    return deflection(line, column) + foil_.lines.count();
   }
   [[nodiscard]] Eigen::Index membrane(Eigen::Index row, int column) const {
-    return lift(row, column) + 2 * foil_.lines.count();
+    return deflection(row, column) + 2 * foil_.lines.count();
   }
   [[nodiscard]] Eigen::Index crest(Eigen::Index line, int bump) const {
-    return lift(line, foil_.supports[static_cast<std::size_t>(bump)]);
+    return deflection(line, foil_.supports[static_cast<std::size_t>(bump)]);
   }
   /// Index of an unknown of K; -1 if it is unused.
   [[nodiscard]] Eigen::Index of_bumps(Eigen::Index row) const { return of_bumps_[static_cast<std::size_t>(row)]; }
@@ -61,7 +63,7 @@ Vector residuals(const FoilFilm& foil, const BondedUnknowns& at, const Vector& u
   const auto each = [&](auto&& visit) {
     for (int k = 0; k < foil.mesh.nodes(); ++k) {
       for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
-        visit(at.lift(s, k), state.lift(s, k), residual.balance, s, k);
+        visit(at.deflection(s, k), state.deflection(s, k), residual.balance, s, k);
         visit(at.moment(s, k), state.moment(s, k), residual.compatibility, s, k);
       }
       for (Eigen::Index i = 0; i < state.membrane.rows(); ++i) {
@@ -103,7 +105,7 @@ BondedAnswer bonded_answer(const BearingModel& bearing, const BondedLoading& loa
     if (at.of_bumps(place - at.behind_top_foil()) != place) give(place);  // a crest, or unused
   }
   for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
-    give(at.lift(s, 0));
+    give(at.deflection(s, 0));
     give(at.moment(s, mesh.columns));
     for (int bump = 0; loading.crest_lift && bump < bearing.bumps(); ++bump) {
       give(at.crest(s, bump));
@@ -131,7 +133,7 @@ BondedAnswer bonded_answer(const BearingModel& bearing, const BondedLoading& loa
   const Vector held = load + A * z;
   BondedAnswer answer{Matrix(foil.lines.count(), mesh.nodes()), Matrix(foil.lines.count(), bearing.bumps())};
   for (Eigen::Index s = 0; s < foil.lines.count(); ++s) {
-    for (int k = 0; k < mesh.nodes(); ++k) answer.lift(s, k) = unit * z[at.lift(s, k)];
+    for (int k = 0; k < mesh.nodes(); ++k) answer.deflection(s, k) = unit * z[at.deflection(s, k)];
     for (int bump = 0; bump < bearing.bumps(); ++bump) {
       answer.crest_force(s, bump) = foil.stiffness * unit * held[at.crest(s, bump)];
     }

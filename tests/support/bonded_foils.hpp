@@ -14,7 +14,7 @@ struct BondedLoading {
 };
 
 struct BondedAnswer {
-  Matrix lift;         ///< displacement of the top foil at all columns, outward, a row per line, m
+  Matrix deflection;   ///< displacement of the top foil at all columns, outward, a row per line, m
   Matrix crest_force;  ///< outward, on top foil and crests to hold crest_lift, a row per line, N
 };
 

@@ -19,7 +19,7 @@ std::complex<double> bdf2_rate(std::complex<double> s, double dt) {
 
 BearingState state_under(FilmStepper& stepper, const Eigen::Vector2d& load, double speed) {
   BearingState state;
-  EXPECT_EQ(cold_start(stepper, 0.1 * stepper.bearing().clearance * load.normalized(), speed, state).status,
+  EXPECT_EQ(start_from_ambient(stepper, 0.1 * stepper.bearing().clearance * load.normalized(), speed, state).status,
             Status::converged);
   EXPECT_EQ(settle(stepper, OperatingPoint::loaded_by(load, speed), state).status, Status::converged);
   return state;

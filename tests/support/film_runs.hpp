@@ -18,7 +18,7 @@ inline void expect_solved(const BearingModel& bearing, const BearingState& state
   EXPECT_GT(state.film.pressure.minCoeff(), 0.0);
   EXPECT_GT(state.film.thickness.minCoeff(), 0.0);
   Matrix H = undeformed_thickness(bearing, bearing.film->journal_of(state));
-  H += bearing.film->over_the_width(state.film.lift);
+  H += bearing.film->over_the_width(state.film.deflection);
   EXPECT_LT((H - state.film.thickness).cwiseAbs().maxCoeff(), 1e-12);
 
   const Vector forces = contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force);
@@ -47,7 +47,7 @@ inline void expect_solved(const BearingModel& bearing, const BearingState& state
         double& balance = residual.balance(s, crest);
         elastic[place] += balance * unit;
         balance = 0.0;
-        EXPECT_NEAR(state.contacts.x[place], part.lift(s, crest) * bearing.film->scales.thickness, 1e-15);
+        EXPECT_NEAR(state.contacts.x[place], part.deflection(s, crest) * bearing.film->scales.thickness, 1e-15);
       }
     }
     EXPECT_LT(residual.balance.cwiseAbs().maxCoeff() * unit, 1e-8);  // N
@@ -100,7 +100,7 @@ inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level
   FilmStepper stepper(bearing);
   BearingState state;
   const Eigen::Vector2d position = run.position * bearing.clearance;
-  ASSERT_EQ(cold_start(stepper, std::min(1.0, 0.7 / run.position.norm()) * position, run.speed, state).status,
+  ASSERT_EQ(start_from_ambient(stepper, std::min(1.0, 0.7 / run.position.norm()) * position, run.speed, state).status,
             Status::converged);
   ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, run.speed), state).status, Status::converged);
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);

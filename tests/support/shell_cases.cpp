@@ -60,7 +60,7 @@ Matrix displacements(const BearingModel& bearing, const BondedAnswer& answer, co
   for (Eigen::Index j = 0; j < w.cols(); ++j) {
     const Vector shapes = bearing.film->pads.front().foil.lines.shapes(zeta[static_cast<std::size_t>(j)]);
     for (Eigen::Index i = 0; i < w.rows(); ++i) {
-      w(i, j) = shapes.dot(answer.lift.col(columns[static_cast<std::size_t>(i)]));
+      w(i, j) = shapes.dot(answer.deflection.col(columns[static_cast<std::size_t>(i)]));
     }
   }
   return w;

@@ -24,7 +24,7 @@ std::string wrong_pad(const BearingModel& bearing, const FilmPad& pad, const Bea
   const double flow = std::max(1.0, part.pressure.cwiseProduct(part.thickness).maxCoeff());
   const double film = foil.mesh.unknown(residual.film).cwiseAbs().maxCoeff() / (area * flow);
   if (!(film <= 1e-8 * std::max(1.0, std::abs(equation.bearing_number)))) return fmt::format("film by {:.2g}", film);
-  const double lift = std::max(1.0, part.lift.cwiseAbs().maxCoeff());
+  const double lift = std::max(1.0, part.deflection.cwiseAbs().maxCoeff());
   const double compatibility = residual.compatibility.cwiseAbs().maxCoeff();
   if (!(compatibility <= 1e-9 * lift)) return fmt::format("bending of the top foil by {:.2g}", compatibility);
   if (!(residual.membrane.norm() <= 1e-9 * lift)) return fmt::format("membrane by {:.2g}", residual.membrane.norm());
@@ -54,7 +54,7 @@ std::string wrong_film(const BearingModel& bearing, const BearingState& state) {
   if (!(state.film.pressure.minCoeff() > 0.0)) return "a pressure below 0";
   if (!(state.film.thickness.minCoeff() > 0.0)) return "a thickness below 0";
   Matrix H = undeformed_thickness(bearing, bearing.film->journal_of(state), state.clearance_offset);
-  H += bearing.film->over_the_width(state.film.lift);
+  H += bearing.film->over_the_width(state.film.deflection);
   const double apart = (H - state.film.thickness).cwiseAbs().maxCoeff();
   if (!(apart <= 1e-11 * std::max(1.0, H.maxCoeff()))) return fmt::format("thickness by {:.2g}", apart);
   Vector elastic = bearing.problem.K.multiply(state.contacts.x);

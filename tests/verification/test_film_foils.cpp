@@ -28,7 +28,7 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
   for (const ReferenceIncrement& increment : path.increments) {
     SCOPED_TRACE(increment.eccentricity);
     const Eigen::Vector2d position(increment.eccentricity * bearing.clearance, 0.0);
-    const FilmReport report = first ? cold_start(stepper, position, path.speed, state)
+    const FilmReport report = first ? start_from_ambient(stepper, position, path.speed, state)
                                     : stepper.advance(OperatingPoint::held_at(position, path.speed), state);
     first = false;
     ASSERT_EQ(report.status, Status::converged);
@@ -49,7 +49,7 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
   }
 }
 
-/// Loads along +X: cold start at 0.6 C_r along the load, then the load in ten steps. Compared are the stiffness there,
+/// Loads along +X: start at 0.6 C_r along the load, then the load in ten steps. Compared are the stiffness there,
 /// and the impedance to a whirl at the speed of rotation.
 TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
   for (const ReferenceEquilibrium& reference : reference_equilibria()) {
@@ -76,7 +76,7 @@ TEST(FilmOverFoils, WhirlsOverFrictionAsThePrototypeDoes) {
   const BearingModel bearing = film_reference_bearing(path.resolution, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, path.speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.1 * bearing.clearance, 0.0}, path.speed, state).status, Status::converged);
   for (int i = 2; i <= 8; ++i) {
     const Eigen::Vector2d position(0.1 * i * bearing.clearance, 0.0);
     ASSERT_EQ(stepper.advance(OperatingPoint::held_at(position, path.speed), state).status, Status::converged);
@@ -107,7 +107,7 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
   bearing.film->pads.front().foil.load_scale /= stiffer;
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, position, speed, state).status, Status::converged);
   const FilmIntegrals wall = film_integrals(rigid.equation, rigid.film);
   const FilmIntegrals foils = film_integrals(rigid.equation, state.film);
   const double load = std::hypot(wall.cosine, wall.sine);
@@ -127,8 +127,8 @@ TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
   const double c = bearing.clearance;
   BearingState there, here;
   FilmStepper over_there(bearing), over_here(mirrored);
-  ASSERT_EQ(cold_start(over_there, {0.5 * c, 0.3 * c}, speed, there).status, Status::converged);
-  ASSERT_EQ(cold_start(over_here, {0.5 * c, -0.3 * c}, -speed, here).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(over_there, {0.5 * c, 0.3 * c}, speed, there).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(over_here, {0.5 * c, -0.3 * c}, -speed, here).status, Status::converged);
   const FilmBearingOutcome a = film_bearing_outcome(bearing, there);
   const FilmBearingOutcome b = film_bearing_outcome(mirrored, here);
   EXPECT_EQ(a.force.x(), b.force.x());
@@ -144,7 +144,7 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
     const double speed = speed_of_rpm(45000.0);
     BearingState state;
     FilmStepper stepper(bearing);
-    ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+    ASSERT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
     const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
     EXPECT_NEAR(outcome.flows.start, outcome.flows.end + outcome.flows.sides, 1e-12 * std::abs(outcome.flows.start));
     energy[i] = outcome.dissipation / outcome.power - 1.0;
@@ -157,7 +157,8 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
     for (int k = 0; k < mesh.columns; ++k) {
       for (int j = 0; j < mesh.rows; ++j) {
         const double excess = 0.5 * (state.film.pressure(j, k) + state.film.pressure(j, k + 1)) - 1.0;
-        turning += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.film.lift(k + 1) - state.film.lift(k));
+        turning +=
+            2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.film.deflection(k + 1) - state.film.deflection(k));
       }
     }
     turning *= bearing.film->scales.force() * bearing.film->scales.thickness;

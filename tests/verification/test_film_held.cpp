@@ -67,8 +67,8 @@ class DensePencil {
  public:
   DensePencil(const BearingModel& bearing, const BearingState& state, bool stuck)
       : bearing_(bearing), pad_(bearing.film->pads.front()), mesh_(pad_.foil.mesh), size_(bearing.structure.dofs.size) {
-    first_lift_ = Eigen::Index{mesh_.unknown_rows()} * mesh_.unknown_columns();
-    first_bump_ = first_lift_ + 2 * Eigen::Index{mesh_.columns};
+    first_deflection_ = Eigen::Index{mesh_.unknown_rows()} * mesh_.unknown_columns();
+    first_bump_ = first_deflection_ + 2 * Eigen::Index{mesh_.columns};
     first_force_ = first_bump_ + Eigen::Index{pad_.bumps()} * size_;
     const Eigen::Index n = first_force_ + Eigen::Index{pad_.bumps()} * bearing.contacts_per_block() * 2;
     J_.setZero(n, n);
@@ -95,11 +95,11 @@ class DensePencil {
 
  private:
   [[nodiscard]] Eigen::Index pressure(int j, int k) const { return Eigen::Index{k - 1} * mesh_.rows + j; }
-  [[nodiscard]] Eigen::Index lift(int k) const { return first_lift_ + k - 1; }
-  [[nodiscard]] Eigen::Index moment(int k) const { return first_lift_ + mesh_.columns + k; }
+  [[nodiscard]] Eigen::Index deflection(int k) const { return first_deflection_ + k - 1; }
+  [[nodiscard]] Eigen::Index moment(int k) const { return first_deflection_ + mesh_.columns + k; }
   /// Index of a degree of freedom of a bump. That of the moment over the crest is unused.
   [[nodiscard]] Eigen::Index displacement(int bump, int place) const {
-    if (place == bearing_.structure.dofs.top_u) return lift(pad_.foil.supports[static_cast<std::size_t>(bump)]);
+    if (place == bearing_.structure.dofs.top_u) return deflection(pad_.foil.supports[static_cast<std::size_t>(bump)]);
     return first_bump_ + Eigen::Index{bump} * size_ + place;
   }
 
@@ -121,13 +121,13 @@ class DensePencil {
         add(jacobian.by_pressure, change, pressure(j, k));
         const double volume = mesh_.row_weight(j) * mesh_.dtheta * mesh_.dzeta;
         S_(pressure(j, k), pressure(j, k)) = volume * state.film.thickness(j, k);
-        S_(pressure(j, k), lift(k)) = volume * state.film.pressure(j, k);
+        S_(pressure(j, k), deflection(k)) = volume * state.film.pressure(j, k);
       }
     }
     for (int k = 1; k <= mesh_.columns; ++k) {
       Matrix change = mesh_.field(0.0);
       change.col(k).setOnes();
-      add(jacobian.by_thickness, change, lift(k));
+      add(jacobian.by_thickness, change, deflection(k));
     }
   }
 
@@ -139,13 +139,13 @@ class DensePencil {
       value += 1.0;
       foil_residual(pad_.foil, unit, residual);
       value -= 1.0;
-      for (int k = 1; k <= mesh_.columns; ++k) J_(lift(k), unknown) += residual.balance(k);
+      for (int k = 1; k <= mesh_.columns; ++k) J_(deflection(k), unknown) += residual.balance(k);
       for (int k = 0; k < mesh_.columns; ++k) J_(moment(k), unknown) += residual.compatibility(k);
     };
     for (int k = 1; k < mesh_.columns; ++k) {
       for (int j = 0; j < mesh_.rows; ++j) add(unit.pressure(j, k), pressure(j, k));
     }
-    for (int k = 1; k <= mesh_.columns; ++k) add(unit.lift(k), lift(k));
+    for (int k = 1; k <= mesh_.columns; ++k) add(unit.deflection(k), deflection(k));
     for (int k = 0; k < mesh_.columns; ++k) add(unit.moment(k), moment(k));
   }
 
@@ -203,7 +203,7 @@ class DensePencil {
   const FilmPad& pad_;
   const FilmMesh& mesh_;
   int size_;
-  Eigen::Index first_lift_{}, first_bump_{}, first_force_{};
+  Eigen::Index first_deflection_{}, first_bump_{}, first_force_{};
   Matrix J_, S_;
 };
 
@@ -222,7 +222,7 @@ TEST(FilmHeld, IsTheRightmostPoleOfAllEquations) {
     FilmStepper stepper(bearing);
     for (const double rpm : {45000.0, -45000.0, -6000.0}) {
       BearingState state;
-      ASSERT_EQ(cold_start(stepper, {-0.3 * bearing.clearance, 0.0}, speed_of_rpm(rpm), state).status,
+      ASSERT_EQ(start_from_ambient(stepper, {-0.3 * bearing.clearance, 0.0}, speed_of_rpm(rpm), state).status,
                 Status::converged);
       for (const double e : {-0.3, 0.2, 0.6, 0.9, 0.5}) {
         SCOPED_TRACE(testing::Message() << friction_coefficient << ' ' << rpm << ' ' << e);
@@ -277,7 +277,8 @@ TEST(FilmHeld, IsTheSameTurnedAndMirrored) {
 TEST(FilmHeld, DiesOutWhereTheJournalIsAtRest) {
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.5 * stepper.bearing().clearance, 0.0}, 0.0, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.5 * stepper.bearing().clearance, 0.0}, 0.0, state).status,
+            Status::converged);
   const std::optional<HeldMotion> motion = stepper.held_motion(state);
   ASSERT_TRUE(motion.has_value());
   EXPECT_LT(motion->rate.real(), 0.0);

@@ -47,10 +47,10 @@ Case unlike_pads(const FilmResolution& resolution = coarse) {
   return input;
 }
 
-/// A bearing with its journal held, from a cold start.
+/// A bearing with its journal held, from ambient pressure.
 struct Running {
   Running(const Case& input, const Eigen::Vector2d& position, double rate = speed) : stepper(make_film_bearing(input)) {
-    EXPECT_EQ(cold_start(stepper, position, rate, state).status, Status::converged);
+    EXPECT_EQ(start_from_ambient(stepper, position, rate, state).status, Status::converged);
     outcome = film_bearing_outcome(stepper.bearing(), state);
   }
   FilmStepper stepper;
@@ -234,7 +234,7 @@ TEST(FilmPads, TendToRigidArcs) {
   // Heights differ: stiff foils would not reach the lower crests.
   bearing.assembled_gap.setZero();
   FilmStepper stepper(bearing);
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, position, speed, state).status, Status::converged);
   const Eigen::Vector2d found = film_force(*bearing.film, state.film.pressure);
   EXPECT_LT((found - force).norm(), 5e-6 * force.norm());
   EXPECT_GT((found - force).norm(), 1e-12 * force.norm());

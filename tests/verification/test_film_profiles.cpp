@@ -15,12 +15,12 @@ namespace {
 using std::numbers::pi;
 const double film_speed = speed_of_rpm(45000.0);
 
-/// From a cold start.
+/// From ambient pressure.
 FilmBearingOutcome outcome_of(const Case& input, const Eigen::Vector2d& position) {
   const BearingModel bearing = make_film_bearing(input);
   BearingState state;
   FilmStepper stepper(bearing);
-  EXPECT_EQ(cold_start(stepper, position, film_speed, state).status, Status::converged);
+  EXPECT_EQ(start_from_ambient(stepper, position, film_speed, state).status, Status::converged);
   return film_bearing_outcome(bearing, state);
 }
 

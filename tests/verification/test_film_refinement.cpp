@@ -52,7 +52,7 @@ TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
       const double speed = speed_of_rpm(45000.0);
       const Eigen::Vector2d position(limit.eccentricity * bearing.clearance, 0.0);
       const Eigen::Vector2d start = std::min(1.0, 0.7 / limit.eccentricity) * position;
-      ASSERT_EQ(cold_start(stepper, start, speed, state).status, Status::converged);
+      ASSERT_EQ(start_from_ambient(stepper, start, speed, state).status, Status::converged);
       ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, speed), state).status, Status::converged);
       force[i] = film_force(*bearing.film, state.film.pressure);
     }

@@ -73,7 +73,7 @@ double middle_of(const Case& split, int strip) {
 struct Held {
   Held(const Case& input, const Eigen::Vector2d& position, const Eigen::Vector2d& beside = Eigen::Vector2d::Zero())
       : stepper(make_film_bearing(input)) {
-    EXPECT_EQ(cold_start(stepper, 0.5 * position + beside, split_speed, state).status, Status::converged);
+    EXPECT_EQ(start_from_ambient(stepper, 0.5 * position + beside, split_speed, state).status, Status::converged);
     OperatingPoint point = OperatingPoint::held_at({}, split_speed);
     point.tilt = stepper.film().surroundings.tilt;
     for (const double part : {1.05, 1.0}) {
@@ -153,7 +153,7 @@ TEST(FilmOnSplitFoils, SolvesItsEquations) {
     const FilmPad& pad = bearing.film->pads[k];
     const FilmMesh& mesh = pad.foil.mesh;
     const Matrix H = part_of(pad, held.state.film.thickness);
-    const Matrix lifts = part_of(pad, held.state.film.lift);
+    const Matrix lifts = part_of(pad, held.state.film.deflection);
     for (const int row : {0, 3, mesh.rows}) {
       const double across = 2.0 * row / mesh.rows - 1.0;
       const double z = middle_of(input, static_cast<int>(k)) + 0.5 * width * across;

@@ -86,7 +86,7 @@ TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
-    ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
+    ASSERT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
               Status::converged);
     OperatingPoint point = point_of(bearing, state, {});
     for (const double move : {2e-6, 4e-6, -1e-6}) {
@@ -213,7 +213,7 @@ TEST(FilmOnStrips, HasTheStiffnessOfDifferences) {
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
-    ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
+    ASSERT_EQ(start_from_ambient(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
               Status::converged);
     OperatingPoint point = point_of(bearing, state, {});
     point.tilt.value = {2e-6, 1e-6};

@@ -82,7 +82,7 @@ void expect_same(const BearingState& a, const BearingState& b) {
   EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.film.pressure, b.film.pressure);
   EXPECT_EQ(a.film.thickness, b.film.thickness);
-  EXPECT_EQ(a.film.lift, b.film.lift);
+  EXPECT_EQ(a.film.deflection, b.film.deflection);
   EXPECT_EQ(a.film.moment, b.film.moment);
   EXPECT_EQ(a.contacts.x, b.contacts.x);
   EXPECT_EQ(a.contacts.normal_force, b.contacts.normal_force);

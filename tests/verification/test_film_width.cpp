@@ -120,7 +120,7 @@ TEST(FilmOverTheWidth, MeetsThePrototype) {
       EXPECT_NEAR(state.contacts.normal_force[contact + 1], reference.outer[i], 2e-3);
       EXPECT_NEAR(loads[bump], reference.inner[i] + reference.outer[i], 4e-3);
       const int crest = foil.supports[static_cast<std::size_t>(bump)];
-      EXPECT_NEAR(um * (foil.stretching * state.film.lift.col(crest))[0], reference.parabola[i], 1e-4);
+      EXPECT_NEAR(um * (foil.stretching * state.film.deflection.col(crest))[0], reference.parabola[i], 1e-4);
     }
   }
 }
@@ -141,8 +141,9 @@ TEST(FilmOverTheWidth, OfAFoilThatDoesNotStretchIsUniform) {
       membrane_rows(make_membrane({2}, half_width, R, 1e12, 0.29), R * foil.mesh.dtheta * foil.mesh.intervals);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, reference.last->position, reference.last->speed, state).status, Status::converged);
-  const Vector parabola = (foil.stretching * state.film.lift).row(0).transpose();
+  ASSERT_EQ(start_from_ambient(stepper, reference.last->position, reference.last->speed, state).status,
+            Status::converged);
+  const Vector parabola = (foil.stretching * state.film.deflection).row(0).transpose();
   EXPECT_LT(parabola.head(foil.mesh.columns).cwiseAbs().maxCoeff(), 1e-6);  // of c; 0.01 with the foil's own stretch
   // Both reach the same state by different paths.
   EXPECT_LT((film_bearing_outcome(bearing, state).force - reference.outcome->force).norm(), 1e-5 * 80.0);
@@ -183,7 +184,7 @@ TEST(FilmOverTheWidth, StiffnessIsTheDerivativeOfTheForce) {
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
     const Eigen::Vector2d position(0.8 * bearing.clearance, 0.2 * bearing.clearance);
-    ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
+    ASSERT_EQ(start_from_ambient(stepper, position, speed, state).status, Status::converged);
     const auto K = stepper.stiffness(state);
     ASSERT_TRUE(K.has_value());
     const auto held = stepper.held_motion(state);
@@ -213,7 +214,7 @@ TEST(FilmOverTheWidth, CrestsSlideAsOneUnlessTheSheetGivesWay) {
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
-    EXPECT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+    EXPECT_EQ(start_from_ambient(stepper, {0.1 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
     for (int i = 2; i <= 10; ++i) {
       const Eigen::Vector2d position(0.1 * i * bearing.clearance, 0.0);
       EXPECT_EQ(stepper.advance(OperatingPoint::held_at(position, speed), state).status, Status::converged) << i;
@@ -411,7 +412,7 @@ TEST(FilmUnderATiltedJournal, StiffnessIsTheDerivativeOfForceAndMoment) {
     FilmStepper stepper(bearing);
     BearingState state;
     const double speed = speed_of_rpm(45000.0);
-    ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
+    ASSERT_EQ(start_from_ambient(stepper, {0.7 * bearing.clearance, 0.2 * bearing.clearance}, speed, state).status,
               Status::converged);
     OperatingPoint point = point_of(bearing, state, {});
     point.tilt.value = {3e-6, 1e-6};

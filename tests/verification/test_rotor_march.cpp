@@ -140,7 +140,8 @@ struct UnbalancedMass {
   explicit UnbalancedMass(double friction) : bearing(film_reference_bearing({6, 8}, friction)) {
     // As in the prototype: held at 0.1 C_r, then loaded in ten equal increments.
     const BearingModel& of = bearing.bearing();
-    EXPECT_EQ(cold_start(bearing, 0.1 * of.clearance * load.normalized(), speed, rest).status, Status::converged);
+    EXPECT_EQ(start_from_ambient(bearing, 0.1 * of.clearance * load.normalized(), speed, rest).status,
+              Status::converged);
     const Eigen::Vector2d held = film_force(*of.film, rest.film.pressure);
     for (int i = 1; i <= 10; ++i) {
       const Eigen::Vector2d to = held + 0.1 * i * (load - held);

@@ -136,8 +136,8 @@ struct FilmModel {
   [[nodiscard]] Matrix thickness_change(const JournalVector& displacement) const;
   /// Adds that by its tilt alone.
   void add_tilt(const JournalVector& displacement, Matrix& H) const;
-  /// Displacements of the foils in all rows from those on all lines (FoilFilmState::lift).
-  [[nodiscard]] Matrix over_the_width(const Matrix& lift) const;
+  /// Displacements of the foils in all rows from those on all lines (FoilFilmState::deflection).
+  [[nodiscard]] Matrix over_the_width(const Matrix& deflection) const;
 };
 
 /// What a pad has of a field of all.

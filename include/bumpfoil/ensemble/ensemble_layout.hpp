@@ -14,7 +14,7 @@ namespace bumpfoil {
 EnsembleLayout make_ensemble_layout(const Case& input);
 
 /// The row of a sample, not a number where something is not known.
-/// @param places  what was found; nothing of a sample that makes no bearing: its status alone is known
+/// @param places  what was found; nothing of a sample that is invalid: its status alone is known
 std::vector<double> make_ensemble_row(const EnsembleLayout& layout,
                                       const std::optional<std::vector<SampledPlace>>& places);
 

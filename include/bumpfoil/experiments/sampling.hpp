@@ -72,12 +72,12 @@ struct SampledPlace {
 /// Runs the experiment on the bearing of a sampled case, at all places of the layout; numerical failures are statuses.
 /// Called with the fraction that is done, `progress` returns false to end the run. What one run builds may serve the
 /// next, and copies share it: for one thread at a time.
-/// @throws Error (input) if the case makes no bearing
+/// @throws Error (input) if the case is invalid
 using SampleRun = std::function<std::vector<SampledPlace>(const Case& sampled, const ProgressCallback& progress)>;
 
 /// How an experiment is run for the bearings of an ensemble, given the case that they deviate from.
 struct Sampling {
-  /// @throws Error (input) if that case makes no bearing: its errors are not those of a sample
+  /// @throws Error (input) if that case is invalid: its errors are not those of a sample
   std::function<EnsembleLayout(const Case& input)> layout;
   std::function<SampleRun(const Case& input)> begin;
 };

@@ -67,9 +67,9 @@ FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double b
 
 /// State of a film and the foil under it: a plain value.
 struct FoilFilmState : FilmState {
-  Matrix lift;      ///< U of all columns, outward, a row for each line; part of H
-  Matrix moment;    ///< M of all columns, of each line
-  Matrix membrane;  ///< F of all columns and of each mode that stretches the foil, then g
+  Matrix deflection;  ///< U of all columns, outward, a row for each line; part of H
+  Matrix moment;      ///< M of all columns, of each line
+  Matrix membrane;    ///< F of all columns and of each mode that stretches the foil, then g
 };
 
 /// P_c at all nodes; zero on smooth surfaces.

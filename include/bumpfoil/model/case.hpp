@@ -69,7 +69,7 @@ struct CycleSettings {
 
   bool operator==(const CycleSettings&) const = default;
 
-  [[nodiscard]] bool swings() const { return swing || preload.has_value(); }
+  [[nodiscard]] bool is_fully_reversed() const { return swing || preload.has_value(); }
 };
 
 /// Cycles of a flat strip of the foils between a rigid base and a rigid plate. Without a preload each goes from zero to

@@ -58,10 +58,10 @@ using Program = std::vector<Leg>;
 Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps);
 
 /// From `origin` to `origin + amplitude` in `steps` and back in as many.
-Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps);
+Program one_sided_cycle(Control control, const Line& line, double origin, double amplitude, int steps);
 
 /// From `origin` up by `amplitude` in `steps`, down through `origin` as far in twice as many, and back.
-Program swing(Control control, const Line& line, double origin, double amplitude, int steps);
+Program fully_reversed_cycle(Control control, const Line& line, double origin, double amplitude, int steps);
 
 /// Increments of a program, the one that it starts from included.
 int increments_of(const Program& program);

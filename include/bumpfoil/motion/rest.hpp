@@ -20,7 +20,7 @@ BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, do
 /// settle() with the journal at `position`, where it must not touch the assembled foils, and at `speed`, from
 /// assembled(). Friction refers to the foils there. With a `clearance_offset` (m) in a clearance wider by that, which
 /// follow() closes.
-[[nodiscard]] FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed,
-                                    BearingState& state, double clearance_offset = 0.0);
+[[nodiscard]] FilmReport start_from_ambient(FilmStepper& stepper, const Eigen::Vector2d& position, double speed,
+                                            BearingState& state, double clearance_offset = 0.0);
 
 }  // namespace bumpfoil

@@ -21,7 +21,7 @@ class RotorEquilibria {
   /// Loads on the bearings by the weight alone, N: where they take no moments.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& loads() const { return loads_; }
 
-  /// To a speed (rad/s), in one increment of each bearing; from a cold start where there are no states yet.
+  /// To a speed (rad/s), in one increment of each bearing; from ambient pressure where there are no states yet.
   /// @param states  of the bearings, receive the result; only those of bearings behind one that fails stay as they were
   Status go_to(double speed, std::vector<BearingState>& states) const;
 

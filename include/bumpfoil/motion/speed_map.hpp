@@ -54,8 +54,8 @@ struct SpeedMap {
 };
 
 /// Follows the equilibria of all bearings from speed to speed, one increment each, and finds the motions at each speed
-/// and the speeds of onset between them. The first speed is reached from a cold start. To each step of the search for
-/// an onset the states go in one increment from the neighbour where the search begins. After a speed without
+/// and the speeds of onset between them. The first speed is reached from ambient pressure. To each step of the search
+/// for an onset the states go in one increment from the neighbour where the search begins. After a speed without
 /// equilibrium the later ones are not computed.
 /// @param steppers    of the bearings in the order of Rotor::bearings
 /// @param gravity     m/s^2; each bearing must carry something

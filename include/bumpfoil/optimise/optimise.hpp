@@ -80,7 +80,7 @@ struct OptimisePoint {
 struct OptimiseSearch {
   std::size_t aim{};           ///< that it was for
   bool by_tolerance{};         ///< it ended by its tolerance
-  bool by_rounding{};          ///< or by round-off
+  bool by_round_off{};         ///< or by round-off
   std::size_t evaluations{};   ///< points that it evaluated
   std::vector<double> best{};  ///< values of the best that it met; empty where none meets all limits
 };

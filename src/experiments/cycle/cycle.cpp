@@ -35,7 +35,7 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
     const CycleCourse course{.direction = direction,
                              .amplitude = settings.amplitude,
                              .preload = settings.preload,
-                             .swings = settings.swings(),
+                             .fully_reversed = settings.is_fully_reversed(),
                              .steps = steps,
                              .reach = foils_->clearance + foils_->rise};
     CycleSeries series(*stepper, course, centre, step_);

@@ -144,7 +144,7 @@ void CycleQuantities::add(const Increment& increment, bool checked, bool ends_le
   work_ = increment.work;
   largest_work_ = std::max(largest_work_, std::abs(work_));
   if (increment.index == 0) cycle_.start = increment;
-  if (cycle_.course == Course::push && increment.index <= cycle_.steps) {
+  if (cycle_.course == Course::one_sided && increment.index <= cycle_.steps) {
     for (const LoadingCurve::Point& point : way) loading_.add(point);
     loading_.add({increment.displacement, increment.force_direct});
   }
@@ -163,7 +163,7 @@ void CycleQuantities::turn(TurningPoint response) {
 void CycleQuantities::find_stiffness() {
   const Increment& top = cycle_.turns.front();
   LoadingCurve::Point base;
-  if (cycle_.course == Course::swing) {
+  if (cycle_.course == Course::fully_reversed) {
     if (cycle_.turns.size() < 2) return;
     base = {cycle_.turns[1].displacement, cycle_.turns[1].force_direct};
   } else {

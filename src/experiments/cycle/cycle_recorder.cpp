@@ -92,7 +92,7 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
   const int due = increments_of(plan.program);
   const Eigen::Vector2d normal = unit_vector(cycle.direction);
   cycle.due = due;
-  if (cycle.course == Course::push && step.converged()) {
+  if (cycle.course == Course::one_sided && step.converged()) {
     const BearingModel& foils = stepper.foils();
     const Vector& gap = step.state.contacts.gap;
     for (int line = 0; line < foils.journal_contacts(); ++line) {

@@ -58,7 +58,7 @@ double approach(FoilStepper& stepper, const Approach& way, Step& step) {
 
 /// Legs of a cycle from the current state of the foils.
 Program CycleSeries::program() const {
-  const auto make_program = course_.swings ? swing : push_and_pull;
+  const auto make_program = course_.fully_reversed ? fully_reversed_cycle : one_sided_cycle;
   Line line{.base = centre_ ? centre_->position : Eigen::Vector2d(0.0, 0.0),
             .direction = unit_vector(course_.direction)};
   double origin = 0.0;
@@ -76,7 +76,7 @@ Cycle CycleSeries::next(Recording recording, const ProgressCallback& progress, s
   const auto begin = std::chrono::steady_clock::now();
   Cycle cycle;
   cycle.direction = course_.direction;
-  cycle.course = course_.swings ? Course::swing : Course::push;
+  cycle.course = course_.fully_reversed ? Course::fully_reversed : Course::one_sided;
   cycle.amplitude = course_.amplitude.value;
   cycle.steps = course_.steps;
   cycle.clearances = std::move(clearances);

@@ -11,7 +11,7 @@ struct CycleCourse {
   double direction{};  ///< rad
   Target amplitude;
   std::optional<PlaneTarget> preload;  ///< mean of the cycles
-  bool swings{};
+  bool fully_reversed{};
   int steps{};
   double reach{};  ///< largest displacement from the origin in the search for loads, m
 };

@@ -121,13 +121,14 @@ void check_cycle(Checks& checks, const Case& input, const CheckedBumpFoil& foil)
   for (std::size_t i = 0; i < cycle.clearance_forces.size(); ++i) {
     checks.within(fmt::format("cycle.clearance_forces[{}]", i + 1), cycle.clearance_forces[i], load_range);
   }
-  const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
+  const bool plain =
+      cycle.amplitude.control == Control::displacement && !cycle.is_fully_reversed() && cycle.cycles == 1;
   checks.require_history(
       "cycle", plain || input.bump_foil.model != BumpFoilModel::former,
       "has no history: it can only be pushed from the centre",
       "set model = \"truss\" or \"frame\", or remove cycle.preload, cycle.load, cycle.swing and cycle.cycles");
   if (!foil.bumps || !steps) return;
-  const auto increments = std::int64_t{cycle.swings() ? 4 : 2} * cycle.steps * std::ssize(cycle.directions);
+  const auto increments = std::int64_t{cycle.is_fully_reversed() ? 4 : 2} * cycle.steps * std::ssize(cycle.directions);
   check_memory(checks, "cycle", "cycle.steps", cycle.steps, increments, total_bumps(input));
 }
 

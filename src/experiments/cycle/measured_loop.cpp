@@ -111,7 +111,7 @@ Cycle measured_cycle(const Points& points, const std::vector<double>& clearance_
   const auto bottom = std::min_element(top, points.end(), by_displacement);
   const auto end = points.end() - 1;
   Cycle cycle;
-  cycle.course = goes_across(top->displacement, bottom->displacement) ? Course::swing : Course::push;
+  cycle.course = goes_across(top->displacement, bottom->displacement) ? Course::fully_reversed : Course::one_sided;
   cycle.amplitude = top->displacement;
   cycle.steps = static_cast<int>(top - points.begin());
   cycle.due = static_cast<int>(points.size()) + 1;
@@ -128,9 +128,9 @@ Cycle measured_cycle(const Points& points, const std::vector<double>& clearance_
     }
     increment.displacement = point->displacement;
     increment.force_direct = point->force;
-    const bool back = point > top && (cycle.course == Course::push || point <= bottom);
+    const bool back = point > top && (cycle.course == Course::one_sided || point <= bottom);
     increment.branch = back ? Branch::unloading : Branch::loading;
-    const bool ends_leg = point == top || point == end || (cycle.course == Course::swing && point == bottom);
+    const bool ends_leg = point == top || point == end || (cycle.course == Course::fully_reversed && point == bottom);
     quantities.add(increment, false, ends_leg);
     cycle.increments.push_back(increment);
   }

@@ -179,7 +179,8 @@ ResultLayout layout_of_cycles(const Case& input) {
     const auto found = std::find(sorted.begin(), sorted.end(), to_degrees(direction));
     layout.places.push_back(static_cast<std::size_t>(found - sorted.begin()));
   }
-  layout.increments = std::size_t{input.cycle.swings() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
+  layout.increments =
+      std::size_t{input.cycle.is_fully_reversed() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
   return layout;
 }
 

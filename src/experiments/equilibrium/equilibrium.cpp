@@ -30,6 +30,18 @@ OperatingPoint at_speed(OperatingPoint point, double speed) {
   return point;
 }
 
+/// Appends the states at `points`, not computed yet.
+void plan(FilmPath path, const std::vector<OperatingPoint>& points, Status status, std::vector<RunningState>& states) {
+  std::optional<OperatingPoint> before;
+  for (const OperatingPoint& point : points) {
+    RunningState& state = states.emplace_back();
+    state.path = path;
+    state.requested = point;
+    state.before = std::exchange(before, point);
+    state.report.status = status;
+  }
+}
+
 /// Follows paths and stores their states.
 class PathWalker {
  public:
@@ -43,30 +55,33 @@ class PathWalker {
         options_(options(thickness_floor)),
         stepper_(result.bearing, options_) {}
 
-  /// Computes the states at `points` in sequence.
+  /// Computes the states at `points` in sequence, one increment from each to the next. Behind one that is not found
+  /// none is reached.
   void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
-    state_.reset();
-    std::optional<OperatingPoint> before;
-    for (const OperatingPoint& point : points) {
-      done_of_state_ = 0.0;
-      RunningState& found = result_.states.emplace_back();
-      found.path = path;
-      found.requested = point;
-      found.before = std::exchange(before, point);
+    plan(path, points, Status::not_reached, result_.states);
+    Program program;
+    for (const OperatingPoint& point : points) program.push_back(bumpfoil::ramp(point, point, 1));
+    bool begins = true;
+    const BearingStepper take = [&](const Leg& leg, int taken, const BearingState& from, Step& step) {
       const auto begin = std::chrono::steady_clock::now();
+      done_of_state_ = 0.0;
+      step.state = from;
+      step.film = begins ? start(path, leg.point(taken), step.state) : go(leg.point(taken), step.state);
+      step.status = step.film.status;
+      result_.states[done_].wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const std::size_t end = done_ + points.size();
+    BearingState state;
+    Step step;
+    march(take, schedule_of(program), state, step, [&](const Passage& at) {
+      RunningState& found = result_.states[done_++];
       found.report.status = Status::converged;
-      if (!reached_) {
-        found.report.status = Status::not_reached;
-      } else if (state_) {
-        go(point, found.report);
-      } else {
-        start(path, point, found.report);
-      }
-      reached_ = found.found();
-      found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      if (state_ && found.report.status != Status::not_reached) hand_over(found);
-    }
-    reached_ = true;
+      found.report += at.step.film;
+      if (!begins || state_) hand_over(at.step.state, found);
+      begins = false;
+      return at.step.converged() ? Verdict::go_on : Verdict::refuse;
+    });
+    done_ = end;
   }
 
  private:
@@ -78,21 +93,21 @@ class PathWalker {
   }
 
   [[nodiscard]] double fraction() const {
-    const double done = static_cast<double>(std::max<std::size_t>(result_.states.size(), 1) - 1);
-    return (done + done_of_state_) / static_cast<double>(states_);
+    return (static_cast<double>(done_) + done_of_state_) / static_cast<double>(states_);
   }
 
-  void hand_over(RunningState& found) {
-    found.last = state_;
+  void hand_over(const BearingState& state, RunningState& found) {
+    found.last = state;
     const auto check = [bearing = result_.bearing, &settings = settings_, tabulates = checkers_ && found.found(),
                         &found] { check_state(bearing, settings, tabulates, found); };
     checkers_ ? checkers_->take(result_.bearing, found, check) : check();
   }
 
   /// From the initial guess to the first state of a path.
-  void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
-    BearingState last;
-    total += start_from_rest(
+  /// @param state  receives it, or the last one that was found on the way there; see state_
+  FilmReport start(FilmPath path, const OperatingPoint& point, BearingState& state) {
+    state_.reset();
+    return start_from_rest(
         stepper_, point, settings_.steps,
         [&](FilmStepper& starting, double clearance_offset, BearingState& begun) {
           starting_ = &starting;
@@ -102,8 +117,7 @@ class PathWalker {
           if (state_) begun = *state_;
           return report;
         },
-        last);
-    if (state_) state_ = std::move(last);
+        state);
   }
 
   /// The same for assembled foils; the clearance is opened if necessary, and restored at the end.
@@ -154,7 +168,7 @@ class PathWalker {
 
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     BearingState started;
-    total += cold_start(*starting_, position, speed, started, clearance_offset_);
+    total += start_from_ambient(*starting_, position, speed, started, clearance_offset_);
     if (total.status == Status::converged) state_ = std::move(started);
   }
 
@@ -182,9 +196,9 @@ class PathWalker {
 
   /// One increment. If a journal starts to turn under a load, it breaks loose: asperities rub immediately, and the
   /// march in time finds its next rest position.
-  void go(const OperatingPoint& to, FilmReport& total) {
-    const bool breaks_loose = state_->speed == 0.0 && to.speed != 0.0 && to.by_load();
-    total += breaks_loose ? settle(stepper_, to, *state_) : follow(stepper_, to, *state_);
+  FilmReport go(const OperatingPoint& to, BearingState& state) {
+    const bool breaks_loose = state.speed == 0.0 && to.speed != 0.0 && to.by_load();
+    return breaks_loose ? settle(stepper_, to, state) : follow(stepper_, to, state);
   }
 
   EquilibriumResult& result_;
@@ -193,12 +207,12 @@ class PathWalker {
   std::size_t states_;
   const EquilibriumSettings& settings_;
   FilmBearingOptions options_;
+  std::size_t done_{};  ///< states
   double done_of_state_{};
-  bool reached_{true};
   FilmStepper stepper_;
   FilmStepper* starting_{};            ///< of the start: its foils may be formed differently from those of stepper_
   double clearance_offset_{};          ///< initial clearance offset, m
-  std::optional<BearingState> state_;  ///< current state on the path
+  std::optional<BearingState> state_;  ///< current state of the start; none where none was found yet
   Step step_;
 };
 
@@ -304,14 +318,7 @@ bool EquilibriumResult::converged() const {
 std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, Status status) {
   std::vector<RunningState> states;
   for (const auto& chain : chains_of(equilibrium.path, equilibrium, {})) {
-    std::optional<OperatingPoint> before;
-    for (const OperatingPoint& point : chain) {
-      RunningState& state = states.emplace_back();
-      state.path = equilibrium.path;
-      state.requested = point;
-      state.before = std::exchange(before, point);
-      state.report.status = status;
-    }
+    plan(equilibrium.path, chain, status, states);
   }
   return states;
 }

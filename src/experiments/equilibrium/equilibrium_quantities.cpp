@@ -444,7 +444,7 @@ Vector mode_of_top_foil(const BearingModel& bearing, const BearingState& state) 
   const WidthLines& lines = bearing.film->pads.front().foil.lines;
   const auto place = std::find(lines.orders.begin(), lines.orders.end(), k) - lines.orders.begin();
   if (place == std::ssize(lines.orders)) return Vector::Zero(bearing.film->columns());
-  return bearing.film->scales.thickness * (lines.to_modes.row(place) * state.film.lift).transpose();
+  return bearing.film->scales.thickness * (lines.to_modes.row(place) * state.film.deflection).transpose();
 }
 
 constexpr auto column_table = std::to_array<ColumnQuantity>({
@@ -472,7 +472,7 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
     {"film_top_displacement", "m", "deflection of the top foil in the mean over the width, positive outward",
      [](const BearingModel& bearing, const BearingState& state) -> Vector {
        return bearing.film->scales.thickness *
-              (state.film.lift.transpose() * bearing.film->pads.front().foil.lines.weight);
+              (state.film.deflection.transpose() * bearing.film->pads.front().foil.lines.weight);
      }},
     {"film_top_slope", "m", "deflection of the top foil at its side z > 0 beyond the mean, linear over the width",
      mode_of_top_foil<1>, of_slope},

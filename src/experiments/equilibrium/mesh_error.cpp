@@ -73,7 +73,7 @@ BearingState transferred(const BearingModel& from, const BearingModel& to, const
     const Eigen::Index columns = mesh.nodes();
     const Matrix pressure = resampled(part_of(pad, state.film.pressure), mesh.rows + 1, columns);
     mesh.unknown(found.film.pressure, other.first_column) = mesh.unknown(pressure);
-    found.film.lift(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.lift), columns);
+    found.film.deflection(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.deflection), columns);
     found.film.moment(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.moment), columns);
     found.film.membrane(Eigen::all, other.columns()) = resampled(part_of(pad, state.film.membrane), columns);
     // The last block also has the displacements of the free end.
@@ -91,7 +91,7 @@ BearingState transferred(const BearingModel& from, const BearingModel& to, const
       found.contacts.x.segment(first, mesh.unknown_rows()) = to.film->scales.thickness * (over_crest.array() - 1.0);
     }
   }
-  found.film.thickness += to.film->over_the_width(found.film.lift);
+  found.film.thickness += to.film->over_the_width(found.film.deflection);
   return found;
 }
 

@@ -63,7 +63,7 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
                "\"rigid_across\": an axially uniform one"},
               film.wall);
   keys.value({"wall_stiffness", optional, "Foundation modulus", "of the elastic foundation: pressure over displacement",
-              "5 GPa/m", bed_stiffness},
+              "5 GPa/m", foundation_modulus},
              &film.wall_stiffness);
   keys.value({"closed", defaulted, "Closed surface", "true: no slot at the weld"}, &film.closed);
 }

@@ -24,7 +24,7 @@ double mean_of(const std::vector<Reading>& readings, std::size_t from, std::size
 
 }  // namespace
 
-MeasuredCurve::MeasuredCurve(const FitData& data, bool swings) {
+MeasuredCurve::MeasuredCurve(const FitData& data, bool fully_reversed) {
   const std::vector<double>& s = data.displacements;
   const std::size_t count = s.size();
   const auto top = std::max_element(s.begin(), s.end());
@@ -35,7 +35,7 @@ MeasuredCurve::MeasuredCurve(const FitData& data, bool swings) {
   force_range_ = *highest - *lowest;
   displacement_range_ = *top - *std::min_element(s.begin(), s.end());
   const auto turns = static_cast<std::size_t>(top - s.begin());
-  const auto turns_again = swings ? static_cast<std::size_t>(bottom - s.begin()) : count;
+  const auto turns_again = fully_reversed ? static_cast<std::size_t>(bottom - s.begin()) : count;
   readings_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double tau = static_cast<double>(i) / static_cast<double>(count - 1) - 0.5;

@@ -21,8 +21,8 @@ struct Reading {
 /// Noise would lengthen the loop, so arc length is measured along means of neighbouring readings.
 class MeasuredCurve {
  public:
-  /// @param swings  the loop is fully reversed: a push follows its minimum displacement
-  MeasuredCurve(const FitData& data, bool swings);
+  /// @param fully_reversed  the loop is fully reversed: a push follows its minimum displacement
+  MeasuredCurve(const FitData& data, bool fully_reversed);
 
   [[nodiscard]] const std::vector<Reading>& readings() const { return readings_; }
   [[nodiscard]] std::size_t points() const { return counts_.size(); }

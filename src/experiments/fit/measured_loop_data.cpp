@@ -46,7 +46,8 @@ std::vector<LoadingCurve::Point> points_of(const Cycle& cycle) {
 }
 
 bool is_swing(const Case& input, const FitData& data) {
-  return data.experiment == FittedExperiment::strip ? input.strip->preload.has_value() : input.cycle.swings();
+  return data.experiment == FittedExperiment::strip ? input.strip->preload.has_value()
+                                                    : input.cycle.is_fully_reversed();
 }
 
 Case case_of_loop(Case input, const FitData& data) {
@@ -103,10 +104,11 @@ void append(ReadBranch& branch, std::vector<LoadingCurve::Point>::const_iterator
 }
 
 /// The loop as read by the rig, reversed at the largest measured displacement.
-std::optional<ReadLoop> read_loop(LoopRunner& runner, const MeasuredCurve& curve, bool swings, const Rig& rig) {
+std::optional<ReadLoop> read_loop(LoopRunner& runner, const MeasuredCurve& curve, bool fully_reversed, const Rig& rig) {
   const double compliance = rig.machine_stiffness ? 1.0 / *rig.machine_stiffness : 0.0;
-  const double reach = swings ? 0.5 * (curve.top() - curve.bottom())
-                              : curve.top() - rig.displacement_origin - rig.displacement_drift * curve.tau_at_top();
+  const double reach = fully_reversed
+                           ? 0.5 * (curve.top() - curve.bottom())
+                           : curve.top() - rig.displacement_origin - rig.displacement_drift * curve.tau_at_top();
   double amplitude = reach;
   double last_amplitude = 0.0;
   double last_read = 0.0;
@@ -116,16 +118,16 @@ std::optional<ReadLoop> read_loop(LoopRunner& runner, const MeasuredCurve& curve
     if (!loop) return std::nullopt;
     const auto displaced_less = [](const auto& a, const auto& b) { return a.displacement < b.displacement; };
     const auto top = std::max_element(loop->begin(), loop->end(), displaced_less);
-    const auto bottom = swings ? std::min_element(top, loop->end(), displaced_less) : loop->end() - 1;
-    const double pressing = swings ? 0.5 * (top->force - bottom->force) : top->force;
+    const auto bottom = fully_reversed ? std::min_element(top, loop->end(), displaced_less) : loop->end() - 1;
+    const double pressing = fully_reversed ? 0.5 * (top->force - bottom->force) : top->force;
     const double read = amplitude + compliance * pressing;
     if (std::abs(read - reach) <= amplitude_tolerance * curve.displacement_range()) {
-      const double middle = swings ? 0.5 * (top->displacement + bottom->displacement) : 0.0;
+      const double middle = fully_reversed ? 0.5 * (top->displacement + bottom->displacement) : 0.0;
       ReadLoop result;
       const std::vector<LoadingCurve::Point> falling(std::make_reverse_iterator(bottom + 1),
                                                      std::make_reverse_iterator(top));
       append(result.pull, falling.begin(), falling.end(), middle, compliance, rig);
-      append(result.push, swings ? bottom : loop->end(), loop->end(), middle, compliance, rig);
+      append(result.push, fully_reversed ? bottom : loop->end(), loop->end(), middle, compliance, rig);
       append(result.push, loop->begin(), top + 1, middle, compliance, rig);
       return result;
     }

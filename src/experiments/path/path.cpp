@@ -62,7 +62,7 @@ Eigen::Vector2d outward(const Eigen::Vector2d& position) {
 }
 
 /// A smaller length relative to the rise is round-off.
-constexpr double length_rounding = 1e-12;
+constexpr double length_round_off = 1e-12;
 
 /// Identifies the orbits in the sequence of increments.
 class OrbitCounter {
@@ -70,8 +70,8 @@ class OrbitCounter {
   OrbitCounter(const PathSettings& path, int increments, const BearingModel& foils)
       : steps_(path.is_orbit() ? path.steps : 0),
         lead_in_(increments - 1 - path.orbits * steps_),
-        force_rounding_(foils.round_off.force),
-        length_rounding_(length_rounding * foils.rise) {}
+        force_round_off_(foils.round_off.force),
+        length_round_off_(length_round_off * foils.rise) {}
 
   [[nodiscard]] int orbit_of(int increment) const {
     return steps_ > 0 && increment > lead_in_ ? (increment - lead_in_ - 1) / steps_ + 1 : 0;
@@ -91,15 +91,15 @@ class OrbitCounter {
     const double force = std::hypot(increment.force_x - begin.force_x, increment.force_y - begin.force_y);
     const double distance = std::hypot(increment.x - begin.x, increment.y - begin.y);
     return OrbitLoop{.energy = energy,
-                     .force_defect = cleared(force, force_rounding_),
-                     .position_defect = cleared(distance, length_rounding_)};
+                     .force_defect = cleared(force, force_round_off_),
+                     .position_defect = cleared(distance, length_round_off_)};
   }
 
  private:
   int steps_;
   int lead_in_;  ///< number of the last increment before the first orbit
-  double force_rounding_;
-  double length_rounding_;
+  double force_round_off_;
+  double length_round_off_;
   Increment begin_;
   std::vector<OrbitPoint> points_;  ///< of the current orbit
 };

@@ -13,7 +13,7 @@ CycleResult run_strip(const Case& input, const ProgressCallback& progress, Recor
   CycleCourse course{.direction = 0.0,
                      .amplitude = strip.amplitude,
                      .preload = {},
-                     .swings = strip.preload.has_value(),
+                     .fully_reversed = strip.preload.has_value(),
                      .steps = strip.steps,
                      .reach = foils->rise};
   if (strip.preload) course.preload = {strip.preload->control, {strip.preload->value, 0.0}};

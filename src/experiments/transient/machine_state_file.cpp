@@ -112,7 +112,7 @@ void visit_bearing(Bytes& bytes, Bearing& bearing) {
   bytes.array(bearing.slip_origin);
   bytes.array(bearing.film.pressure);
   bytes.array(bearing.film.thickness);
-  bytes.array(bearing.film.lift);
+  bytes.array(bearing.film.deflection);
   bytes.array(bearing.film.moment);
   bytes.array(bearing.film.membrane);
   bytes.plain(bearing.last_step.dt);

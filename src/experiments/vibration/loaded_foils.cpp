@@ -27,7 +27,7 @@ Cycle LoadedFoils::vibrate(double direction, double amplitude, const ProgressCal
   const CycleCourse course{.direction = direction,
                            .amplitude = {Control::displacement, amplitude},
                            .preload = PlaneTarget{Control::load, load_},
-                           .swings = true,
+                           .fully_reversed = true,
                            .steps = steps_,
                            .reach = reach_};
   Step step = loaded_;

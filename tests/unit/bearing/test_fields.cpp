@@ -105,14 +105,14 @@ TEST(FieldsUnderAFilm, AreThoseOfFoilsUnderTheirLoads) {
     const BearingModel bearing = make_film_bearing(input);
     FilmStepper stepper(bearing);
     BearingState state;
-    ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.0}, speed_of_rpm(45000.0), state).status,
+    ASSERT_EQ(start_from_ambient(stepper, {0.7 * bearing.clearance, 0.0}, speed_of_rpm(45000.0), state).status,
               Status::converged);
     FoilFields fields = make_fields(bearing, 1);
     record(bearing, state, 0, fields);
     EXPECT_EQ((fields.top_bump.normal_force.array() > 0.0).count(), film_bearing_outcome(bearing, state).loaded_bumps);
     for (Eigen::Index b = 0; b < bearing.bumps(); ++b) {
       const int crest = bearing.film->pads.front().foil.supports[static_cast<std::size_t>(b)];
-      EXPECT_NEAR(fields.top_displacement(0, b), state.film.lift(crest) * bearing.film->scales.thickness, 1e-15);
+      EXPECT_NEAR(fields.top_displacement(0, b), state.film.deflection(crest) * bearing.film->scales.thickness, 1e-15);
       // The moment over a crest, from the film and from the stress.
       const double moment = bearing.film->pads.front().foil.stiffness * bearing.film->pads.front().foil.pitch *
                             bearing.film->scales.thickness * std::abs(state.film.moment(crest));
@@ -136,7 +136,7 @@ TEST(FieldsUnderAFilm, HaveTheBumpsOfAllPadsInARow) {
       const BearingModel bearing = make_film_bearing(one);
       BearingState state;
       FilmStepper stepper(bearing);
-      EXPECT_EQ(cold_start(stepper, {12e-6, -4e-6}, speed, state).status, Status::converged);
+      EXPECT_EQ(start_from_ambient(stepper, {12e-6, -4e-6}, speed, state).status, Status::converged);
       FoilFields fields = make_fields(bearing, 1);
       record(bearing, state, 0, fields);
       return fields;

@@ -26,7 +26,7 @@ TEST(BearingEnergy, OfFoilsIsHalfOfLoadTimesWay) {
   const Eigen::Index n = pad.foil.top_foil.size();
   const Vector moments = pad.foil.stiffness * pad.foil.pitch * c * state.film.moment.row(0).head(n).transpose();
   const double top =
-      0.5 * c * loads_of_moments(pad.foil.top_foil, moments).dot(state.film.lift.row(0).tail(n).transpose());
+      0.5 * c * loads_of_moments(pad.foil.top_foil, moments).dot(state.film.deflection.row(0).tail(n).transpose());
   const double bumps = 0.5 * contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force)
                                  .cwiseProduct(state.contacts.x)
                                  .sum();

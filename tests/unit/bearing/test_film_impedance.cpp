@@ -78,7 +78,7 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   FilmStepper stepper(bearing);
   BearingState rest;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.2 * bearing.clearance);
-  ASSERT_EQ(cold_start(stepper, position, speed, rest).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, position, speed, rest).status, Status::converged);
 
   constexpr int steps = 24;
   constexpr int turns = 6;

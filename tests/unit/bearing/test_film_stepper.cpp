@@ -16,7 +16,7 @@ TEST(FilmStepper, KeepsTheHistoryOfFriction) {
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
   const auto at = [&](double e) { return Eigen::Vector2d(e * bearing.clearance, 0.0); };
-  ASSERT_EQ(cold_start(stepper, at(0.5), speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, at(0.5), speed, state).status, Status::converged);
   expect_solved(bearing, state);
   const double loaded = film_bearing_outcome(bearing, state).force.x();
   for (const double e : {0.8, 0.5}) {
@@ -33,7 +33,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
   FilmStepper stepper(bearing);
   BearingState state;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.1 * bearing.clearance);
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, position, speed, state).status, Status::converged);
   const auto motion = stepper.slow_motion(state);
   const auto K = stepper.stiffness(state);
   ASSERT_TRUE(motion && K && motion->stiffness == *K);
@@ -47,7 +47,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
       const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
       ASSERT_EQ(stepper.advance(OperatingPoint::held_at(there, speed), moved).status, Status::converged);
       force[side] = film_bearing_outcome(bearing, moved).force;
-      lift[side] = bearing.film->scales.thickness * moved.film.lift.row(0).transpose();
+      lift[side] = bearing.film->scales.thickness * moved.film.deflection.row(0).transpose();
     }
     response = std::max(response, (lift[1] - lift[0]).cwiseAbs().maxCoeff() / (2.0 * h));
     // Forces of tens of newtons are good to 1e-9 N: 1e-6 of a few MN/m.
@@ -62,7 +62,7 @@ TEST(FilmStepper, DepartsFromItsTangentWithTheSquareOfTheWay) {
   const BearingModel bearing = film_reference_bearing(four_rows);
   FilmStepper stepper(bearing);
   BearingState start;
-  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
   FilmReport reports[2];
   for (const int i : {0, 1}) {
     BearingState state = start;
@@ -79,11 +79,11 @@ TEST(FilmStepper, StatesAreApartByTheMostOfPlacePressureAndFoil) {
   const BearingModel bearing = film_reference_bearing(four_rows);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.3 * bearing.clearance, 0.0}, 0.0, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.3 * bearing.clearance, 0.0}, 0.0, state).status, Status::converged);
   BearingState other = state;
   other.position.y() += 0.25 * bearing.film->scales.thickness;
   EXPECT_NEAR(stepper.distance(state, other), 0.25, 1e-12);
-  other.film.lift(0, 1) -= 0.5;
+  other.film.deflection(0, 1) -= 0.5;
   EXPECT_NEAR(stepper.distance(state, other), 0.5, 1e-12);
   other.film.pressure(1, 1) += 0.75;
   EXPECT_NEAR(stepper.distance(state, other), 0.75, 1e-12);
@@ -94,7 +94,7 @@ TEST(FilmStepper, StuckContactsAreStiffer) {
   const BearingModel bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   const auto slipping = stepper.stiffness(state);
   const auto stuck = stepper.stiffness(state, true);
   ASSERT_TRUE(slipping.has_value() && stuck.has_value());
@@ -106,7 +106,7 @@ TEST(FilmStepper, ImpedanceAtRestIsTheStiffness) {
   const BearingModel bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   for (const bool stuck : {false, true}) {
     const auto K = stepper.stiffness(state, stuck);
     const std::complex<double> whirl(0.0, speed);
@@ -140,7 +140,7 @@ TEST(HeldMotions, AreStableWhereBothDecay) {
 TEST(HeldMotions, AreOneWhereNoContactSlips) {
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.5 * stepper.bearing().clearance, 0.0}, speed_of_rpm(-45000.0), state).status,
+  ASSERT_EQ(start_from_ambient(stepper, {0.5 * stepper.bearing().clearance, 0.0}, speed_of_rpm(-45000.0), state).status,
             Status::converged);
   const HeldMotions motions = stepper.held_motions(state);
   const auto alone = stepper.held_motion(state, true);

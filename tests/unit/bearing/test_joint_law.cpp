@@ -59,7 +59,7 @@ TEST(SolveTogether, LetsBearingsShareALoad) {
   const Eigen::Vector2d begin(10e-6, 0.0);
   std::vector<BearingState> states(2);
   for (std::size_t i = 0; i < 2; ++i) {
-    ASSERT_EQ(cold_start(*both[i], begin, speed, states[i]).status, Status::converged);
+    ASSERT_EQ(start_from_ambient(*both[i], begin, speed, states[i]).status, Status::converged);
     states[i].begin_increment();
   }
   const std::vector<BearingState> held = states;

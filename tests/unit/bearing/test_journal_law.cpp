@@ -54,7 +54,7 @@ TEST(JournalLaw, MayBeThatOfASpring) {
   const double speed = speed_of_rpm(45000.0);
   FilmStepper stepper(bearing, {.newton = {.step_tolerance = 1e-10}});
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, Status::converged);
   JournalLaw spring = loaded_journal(Eigen::Vector2d(10.0, 2.0), bearing->film->scales);
   spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, about the stiffness of the bearing
   spring.position = state.position;

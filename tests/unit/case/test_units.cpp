@@ -154,9 +154,9 @@ TEST(ParseQuantity, PrintsNothing) {
 TEST(Dimension, TextsBelongToTheirDimension) {
   for (const Dimension dimension :
        {Dimension::length, Dimension::angle, Dimension::force, Dimension::stiffness, Dimension::pressure,
-        Dimension::frequency, Dimension::temperature, Dimension::viscosity, Dimension::bed_stiffness, Dimension::mass,
-        Dimension::moment_of_inertia, Dimension::acceleration, Dimension::density, Dimension::unbalance,
-        Dimension::velocity, Dimension::duration}) {
+        Dimension::frequency, Dimension::temperature, Dimension::viscosity, Dimension::foundation_modulus,
+        Dimension::mass, Dimension::moment_of_inertia, Dimension::acceleration, Dimension::density,
+        Dimension::unbalance, Dimension::velocity, Dimension::duration}) {
     std::string example(example_quantity(dimension));
     example = example.substr(1, example.size() - 2);  // without its quotes
     EXPECT_TRUE(std::isfinite(value_of(example, dimension)));

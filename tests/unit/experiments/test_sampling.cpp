@@ -82,7 +82,7 @@ TEST(Sampling, HasLimitsWhereTheyAreRequested) {
   EXPECT_GT(found[0].values.at(lift_off), 0.0);
 }
 
-/// Ensembles count such a sample as one that makes no bearing, and go on.
+/// Ensembles count such a sample as one that is invalid, and go on.
 TEST(Sampling, RefusesWhatMakesNoBearing) {
   for (const Case& input :
        {test_support::ensemble_case(1), test_support::running_ensemble_case(1), test_support::rotor_ensemble_case(1),

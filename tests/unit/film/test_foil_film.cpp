@@ -33,7 +33,7 @@ FoilFilmState wavy(const FoilFilm& foil) {
   FoilFilmState state = undeformed(foil, foil.mesh.field(1.0));
   const int n = foil.mesh.columns;
   for (int k = 1; k <= n; ++k) {
-    for (int s = 0; s < state.lift.rows(); ++s) state.lift(s, k) = 0.3 * std::sin(0.7 * k * k + s);
+    for (int s = 0; s < state.deflection.rows(); ++s) state.deflection(s, k) = 0.3 * std::sin(0.7 * k * k + s);
     if (k < n) {
       for (int j = foil.mesh.first_unknown_row(); j < foil.mesh.rows; ++j) {
         state.pressure(j, k) += 0.4 * std::sin(1.0 + j + 2.0 * k * k);
@@ -44,14 +44,14 @@ FoilFilmState wavy(const FoilFilm& foil) {
     for (int s = 0; s < state.moment.rows(); ++s) state.moment(s, k) = std::cos(1.3 * k * k + s);
     for (int i = 0; i < state.membrane.rows(); ++i) state.membrane(i, k) = std::sin(1.1 * k * k + i);
   }
-  state.thickness += foil.shapes * state.lift;
+  state.thickness += foil.shapes * state.deflection;
   return state;
 }
 
 void add(const FoilFilmState& step, double factor, FoilFilmState& state) {
   state.pressure += factor * step.pressure;
   state.thickness += factor * step.thickness;
-  state.lift += factor * step.lift;
+  state.deflection += factor * step.deflection;
   state.moment += factor * step.moment;
   state.membrane += factor * step.membrane;
 }
@@ -106,7 +106,7 @@ TEST(FoilFilmSystem, FindsNewtonsStep) {
     FoilFilmState step;
     system.condense({&residual, 1});
     system.expand(solve_condensed(foil, system, system.condensed()), {&step, 1});
-    EXPECT_EQ(step.lift.col(0).norm(), 0.0);
+    EXPECT_EQ(step.deflection.col(0).norm(), 0.0);
     EXPECT_EQ(step.moment.col(foil.mesh.columns).norm(), 0.0);
 
     // Along the step all residuals decrease in proportion, with a second-order error.
@@ -145,7 +145,7 @@ FoilFilmState pressed(const FoilFilm& foil, double excess) {
   const Vector reaction = solve(S(held, held), Vector(-free(held)));
   const Vector u = free + S(Eigen::all, held) * reaction;
   FoilFilmState state = undeformed(foil, mesh.field(1.0));
-  state.lift.rightCols(mesh.columns) = u.transpose() / scales.thickness;
+  state.deflection.rightCols(mesh.columns) = u.transpose() / scales.thickness;
   state.moment.leftCols(mesh.columns) =
       top_foil_moments(foil.top_foil, u).transpose() * pitch * pitch / (stiffness * scales.thickness);
   state.pressure.block(0, 1, mesh.rows, mesh.columns - 1).array() += excess;
@@ -164,7 +164,7 @@ TEST(FoilFilm, BalancesTheLoadsOfTheFilmLikeTheComplianceForm) {
   }
   // The dense compliance of 36 nodes has a condition number of 1e7.
   EXPECT_LT(residual.balance.cwiseAbs().maxCoeff(), 1e-7 * load);
-  EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-8 * state.lift.cwiseAbs().maxCoeff());
+  EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-8 * state.deflection.cwiseAbs().maxCoeff());
 }
 
 TEST(FoilFilm, CarriesItsOverhangByTheMomentOverTheLastSupport) {
@@ -195,7 +195,7 @@ TEST(FoilFilm, SagsAsTheClosedFormSays) {
     const double chi = (s * std::cos(d - s) - d * std::sin(s) / std::sin(d)) / (2.0 * std::sin(d));
     const double ends = (state.moment(first) + state.moment(first + m)) * to_moment;
     const double sag = R * R / stiffness * ends * chi + R * R * R * R * q / stiffness * (1.0 - 2.0 * phi - 2.0 * chi);
-    const double found = state.lift(first + m / 2) * scales.thickness;
+    const double found = state.deflection(first + m / 2) * scales.thickness;
     EXPECT_GT(sag, 1e-8);
     defect[i] = found / sag - 1.0;
   }

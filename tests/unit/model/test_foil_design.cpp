@@ -10,7 +10,7 @@ namespace bumpfoil {
 namespace {
 
 /// Round-off of numbers of order one.
-constexpr double design_rounding = 1e-14;
+constexpr double design_round_off = 1e-14;
 constexpr BumpShape reference_shape{
     .pitch = 4.572e-3, .half_length = 1.778e-3, .rise = 0.406e-3, .thickness = 0.102e-3};
 
@@ -35,10 +35,10 @@ TEST(BumpArc, MeetsItsDefinition) {
     BumpShape bump = reference_shape;
     bump.rise = rise;
     const BumpArc arc = make_bump_arc(bump);
-    EXPECT_NEAR(std::sin(arc.half_angle), arc.half_length / arc.radius, design_rounding);
-    EXPECT_NEAR(arc.radius * (1.0 - std::cos(arc.half_angle)), arc.rise, design_rounding);
+    EXPECT_NEAR(std::sin(arc.half_angle), arc.half_length / arc.radius, design_round_off);
+    EXPECT_NEAR(arc.radius * (1.0 - std::cos(arc.half_angle)), arc.rise, design_round_off);
     EXPECT_EQ(arc.half_angle > std::numbers::pi / 2, arc.rise > arc.half_length);
-    EXPECT_NEAR(arc.flat, 1.016e-3, design_rounding);
+    EXPECT_NEAR(arc.flat, 1.016e-3, design_round_off);
   }
 }
 

@@ -19,7 +19,7 @@ TEST(Branch, ColdStartsAndFollowsToSolutions) {
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
   const Eigen::Vector2d position(0.7 * bearing.clearance, 0.0);
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, position, speed, state).status, Status::converged);
   EXPECT_EQ(state.position, position);
   expect_solved(bearing, state);
   ASSERT_EQ(follow(stepper, OperatingPoint::held_at(2.0 * position, speed), state).status, Status::converged);
@@ -36,7 +36,7 @@ TEST(Branch, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
   const BearingState rest = resting(bearing, Eigen::Vector2d::Zero(), 0.0);
   BearingState state = rest;
   const Eigen::Vector2d outside(1.2 * bearing.clearance, 0.0);
-  EXPECT_EQ(cold_start(stepper, outside, 1000.0, state).status, Status::no_room);
+  EXPECT_EQ(start_from_ambient(stepper, outside, 1000.0, state).status, Status::no_room);
   EXPECT_EQ(state.film.pressure, rest.film.pressure);
   EXPECT_EQ(state.position, rest.position);
   // A foil that deflects on the way makes room.
@@ -59,7 +59,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
       FilmStepper stepper(bearing);
       BearingState state;
       const double clearance_offset = 10e-6 - clearance;
-      ASSERT_EQ(cold_start(stepper, {5e-6, 0.0}, speed, state, clearance_offset).status, Status::converged);
+      ASSERT_EQ(start_from_ambient(stepper, {5e-6, 0.0}, speed, state, clearance_offset).status, Status::converged);
       EXPECT_EQ(state.clearance_offset, clearance_offset);
       OperatingPoint loaded = OperatingPoint::loaded_by(load, speed, clearance_offset);
       ASSERT_EQ(follow(stepper, loaded, state).status, Status::converged);
@@ -77,7 +77,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
       if (f > 0.0) continue;
       // A positive clearance needs no clearance offset: the same state.
       BearingState direct;
-      ASSERT_EQ(cold_start(stepper, {0.6 * clearance, 0.0}, speed, direct).status, Status::converged);
+      ASSERT_EQ(start_from_ambient(stepper, {0.6 * clearance, 0.0}, speed, direct).status, Status::converged);
       ASSERT_EQ(follow(stepper, loaded, direct).status, Status::converged);
       EXPECT_LT((direct.position - state.position).norm(), 1e-8 * clearance);
       EXPECT_LT((direct.film.pressure - state.film.pressure).cwiseAbs().maxCoeff(), 1e-7);
@@ -90,7 +90,7 @@ TEST(Branch, SaysWhenSurfacesTouch) {
   FilmStepper stepper(bearing, {.newton = {.thickness_floor = 0.5}});
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
-  ASSERT_EQ(cold_start(stepper, {0.2 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.2 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   EXPECT_EQ(follow(stepper, OperatingPoint::held_at({0.9 * bearing.clearance, 0.0}, speed), state).status,
             Status::touchdown);
   EXPECT_GE(state.film.thickness.minCoeff(), 0.5);  // the last good state
@@ -105,7 +105,7 @@ TEST(Branch, JumpsWhereTheBranchUnderALoadEnds) {
   const auto end_of = [&](int steps) {
     FilmStepper stepper(bearing);
     BearingState state;
-    EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+    EXPECT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
     const Eigen::Vector2d from = film_force(*bearing.film, state.film.pressure);
     int jumps = 0;
     for (int i = 1; i <= steps; ++i) {
@@ -125,7 +125,7 @@ TEST(Branch, FindsThePositionThatCarriesALoad) {
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
-  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   const Eigen::Vector2d load(40.0, 0.0);
   const BearingState start = state;
   ASSERT_EQ(follow(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), state).status, Status::converged);

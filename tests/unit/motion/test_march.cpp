@@ -79,7 +79,7 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   FilmStepper stepper(bearing);
   const double speed = speed_of_rpm(45000.0);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.5 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.5 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   state.time = 0.0;
   const OperatingPoint begin = point_of(bearing, state, {});
   const OperatingPoint further = OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, 0.9 * speed);
@@ -118,7 +118,7 @@ TEST(FilmMarch, AStepInTimeThatFailsIsTakenInParts) {
   FilmStepper hasty(bearing, options);
   const double speed = speed_of_rpm(-45000.0);
   BearingState start;
-  ASSERT_EQ(cold_start(patient, {0.5 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(patient, {0.5 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
   const auto moved = [&](FilmStepper& stepper, double way, int steps, BearingState& state) {
     const OperatingPoint to = OperatingPoint::held_at({(0.5 + way) * bearing.clearance, 0.0}, speed);
     Program program{ramp(point_of(bearing, state, {}), to, steps)};

@@ -10,14 +10,14 @@ namespace {
 const Line along_y{.base = {1e-6, 0.0}, .direction = Eigen::Vector2d::UnitY()};
 
 TEST(Program, LegsJoinAndEndWhereTheyBegan) {
-  for (const Program& program :
-       {push_and_pull(Control::displacement, along_y, 2e-6, 8e-6, 4), swing(Control::load, along_y, 20.0, 5.0, 4)}) {
+  for (const Program& program : {one_sided_cycle(Control::displacement, along_y, 2e-6, 8e-6, 4),
+                                 fully_reversed_cycle(Control::load, along_y, 20.0, 5.0, 4)}) {
     for (std::size_t i = 1; i < program.size(); ++i) EXPECT_EQ(program[i].begin, program[i - 1].end);
     EXPECT_EQ(program.back().end, program.front().begin);
   }
-  EXPECT_EQ(increments_of(push_and_pull(Control::displacement, along_y, 0.0, 1.0, 4)), 9);
-  EXPECT_EQ(increments_of(swing(Control::displacement, along_y, 0.0, 1.0, 4)), 17);
-  EXPECT_EQ(swing(Control::displacement, along_y, 3.0, 1.0, 4)[1].end, 2.0);
+  EXPECT_EQ(increments_of(one_sided_cycle(Control::displacement, along_y, 0.0, 1.0, 4)), 9);
+  EXPECT_EQ(increments_of(fully_reversed_cycle(Control::displacement, along_y, 0.0, 1.0, 4)), 17);
+  EXPECT_EQ(fully_reversed_cycle(Control::displacement, along_y, 3.0, 1.0, 4)[1].end, 2.0);
 }
 
 TEST(Program, TargetsAreEqualPartsThatMeetTheEndsExactly) {

@@ -15,7 +15,7 @@ TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
   FilmStepper stepper(bearing);
   BearingState start;
   const double speed = speed_of_rpm(45000.0);
-  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
+  ASSERT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
   EXPECT_GT(start.time, FilmBearingOptions().last_time_step);
   const Eigen::Vector2d load(40.0, 0.0);
   BearingState released = start;
@@ -34,7 +34,7 @@ TEST(Rest, ComesLaterWhereLessIsRest) {
   const auto time_until_rest = [&](double resting_change) {
     FilmStepper stepper(bearing, {.last_time_step = 0.0, .resting_change = resting_change});
     BearingState state;
-    EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, Status::converged);
+    EXPECT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, Status::converged);
     return state.time;
   };
   EXPECT_GT(time_until_rest(1e-5), 1.1 * time_until_rest(1e-2));
@@ -45,7 +45,7 @@ TEST(Rest, StopsWhenTold) {
   int solves = 0;
   FilmStepper stepper(bearing, {.keep_going = [&] { return ++solves < 5; }});
   BearingState state;
-  EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, Status::interrupted);
+  EXPECT_EQ(start_from_ambient(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, Status::interrupted);
   EXPECT_EQ(solves, 5);
 }
 

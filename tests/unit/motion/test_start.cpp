@@ -34,7 +34,7 @@ TEST(StartFromRest, ClosesTheClearanceThatItOpened) {
       [&](FilmStepper& begins, double clearance_offset, BearingState& first) {
         ++begun;
         EXPECT_GT(clearance_offset, 0.0);
-        FilmReport found = cold_start(begins, {1e-6, 0.0}, to.speed, first, clearance_offset);
+        FilmReport found = start_from_ambient(begins, {1e-6, 0.0}, to.speed, first, clearance_offset);
         OperatingPoint opened = to;
         opened.clearance_offset = clearance_offset;
         found += settle(begins, opened, first);

@@ -37,7 +37,7 @@ TEST(ConstrainedSearch, StopsWhereTheFunctionDoes) {
 
 /// Without a tolerance steps shrink down to round-off.
 TEST(ConstrainedSearch, SaysWhereRoundOffEndsIt) {
-  EXPECT_EQ(search_constrained({1, bowl}, middle_of_box, 0.25, 0.0), SearchEnd::rounding);
+  EXPECT_EQ(search_constrained({1, bowl}, middle_of_box, 0.25, 0.0), SearchEnd::round_off);
 }
 
 struct OwnError : std::runtime_error {

@@ -91,8 +91,8 @@ struct LoopPoint {
 
 /// How a cycle goes round.
 enum class Course {
-  push,   ///< from its start to full displacement and back
-  swing,  ///< through its start as far to the other side, and back
+  one_sided,       ///< from its start to full displacement and back
+  fully_reversed,  ///< through its start as far to the other side, and back
 };
 
 /// A cycle of the journal in one direction, or one of a strip between plates, along the direction 0, and what is
@@ -101,7 +101,7 @@ enum class Course {
 /// Quantities that could not be computed are absent.
 struct Cycle {
   double direction{};  ///< rad
-  Course course{Course::push};
+  Course course{Course::one_sided};
   double amplitude{};                ///< displacement from the start to the turning point, m
   int steps{};                       ///< from the start to the turning point
   int due{};                         ///< increments of the whole cycle, the first included
@@ -122,19 +122,19 @@ struct Cycle {
   std::vector<OrbitLoop> orbits;      ///< of a path
   bool settled{};                     ///< its loop energy is that of the cycle before, to 1e-6
   std::optional<double> loop_energy;  ///< closed integral of F.dx by the trapezoidal rule, J
-  /// Range of the force over that of the displacement, N/m: of a push from the take-up point, of a swing from turning
-  /// point to turning point. Absent unless positive.
+  /// Range of the force over that of the displacement, N/m: from the take-up point, or from turning point to turning
+  /// point where it is fully reversed. Absent unless positive.
   std::optional<double> loaded_stiffness;
-  std::optional<double> secant_stiffness;  ///< of a push: maximum force over the displacement there, N/m
+  std::optional<double> secant_stiffness;  ///< maximum force over the displacement there, N/m; if one-sided
   /// Loop energy / (pi K X^2), K the structural stiffness and X half the range of the displacement that K is taken
   /// over.
   std::optional<double> loss_factor;
   std::optional<double> specific_damping_capacity;  ///< loop energy / (E_max - E0); absent where nothing was stored
-  std::optional<double> first_contact;              ///< of a push, m; absent if no bump faces the direction
-  /// Of a push: where the direct force last rises through 1 % of its maximum, m. Under scatter the first touch lies
+  std::optional<double> first_contact;              ///< m; if one-sided; absent if no bump faces the direction
+  /// Where the direct force last rises through 1 % of its maximum, m; if one-sided. Under scatter the first touch lies
   /// micrometres before any load. Absent without a load.
   std::optional<double> take_up;
-  std::vector<Clearance> clearances;           ///< of a push, at the thresholds that were requested
+  std::vector<Clearance> clearances;           ///< at the thresholds that were requested; if one-sided
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
   std::optional<StressPeak> bump_foil_stress;  ///< absent where the model has none: truss, Le Lez (2007)
   std::optional<CompressionPeak> compression;  ///< absent with quantities alone
@@ -192,7 +192,7 @@ class CycleRunner {
   ///
   /// For quantities alone the event-driven solver takes rates from a matrix of all contacts, and whole legs in one
   /// increment: between two changes of contact the response is straight. A cycle that fails this way is rerun as with
-  /// all records. Quantities are the same to some 1e-9 of the largest force and of the energy stored.
+  /// all records. Quantities are the same to about 1e-9 of the largest force and of the energy stored.
   /// @param settings  all but their directions
   /// @param centre    excitation at the centred journal: its position is taken from there
   [[nodiscard]] Cycle run(double direction, const CycleSettings& settings, Recording recording = Recording::everything,

@@ -27,9 +27,9 @@ std::optional<LastCycle> last_cycle(const std::vector<LoadingCurve::Point>& poin
 
 /// A loop that was measured, as a cycle: increments of displacement and force, one for each point, and the quantities
 /// of a cycle that follow from these two, by the same definitions (see Cycle). Its turning point is the point of the
-/// largest displacement; it is a swing where it goes to the other side of zero more than half as far, else a push.
-/// Where its ends do not meet, a straight line from the last point to the first closes it for its energy; the line is
-/// none of the increments.
+/// largest displacement; it is fully reversed where it goes to the other side of zero more than half as far, else
+/// one-sided. Where its ends do not meet, a straight line from the last point to the first closes it for its energy;
+/// the line is none of the increments.
 ///
 /// @param points            of one cycle from start to end, see last_cycle(), displacements from where the body stands
 /// before it is pushed

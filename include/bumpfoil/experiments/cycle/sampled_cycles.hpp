@@ -13,7 +13,7 @@ namespace bumpfoil {
 class SampledCycleRunner {
  public:
   /// Numerical failures are reported in the result.
-  /// @throws Error (input) if the case makes no bearing
+  /// @throws Error (input) if the case is invalid
   CycleResult run(const Case& sampled, const ProgressCallback& progress = {});
 
  private:
@@ -22,7 +22,7 @@ class SampledCycleRunner {
 };
 
 /// The same of a single case.
-/// @return nothing if the case makes no bearing
+/// @return nothing if the case is invalid
 std::optional<CycleResult> run_sampled_cycles(const Case& sampled, const ProgressCallback& progress = {});
 
 }  // namespace bumpfoil

@@ -161,28 +161,28 @@ class NoCheckers final : public StateCheckers {
 
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
 ///
-/// A path starts with a cold start: the journal is held at 0.6 C_r along the first load, or on the way to the first
-/// position, at 0.7 C_r at most. Here C_r is less the lobes of pads. The path continues to the first state, and from
-/// state to state:
+/// A path starts from ambient pressure: the journal is held at 0.6 C_r along the first load, or on the straight line to
+/// the first position, at 0.7 C_r at most. Here C_r is less the lobes of pads. The path continues to the first state,
+/// and from state to state:
 ///
 /// * load_ramp, restarted at every speed: the load changes from the force found to the first load in `steps` equal
 ///   increments, then from load to load in one increment each.
 /// * position_ray, restarted at every speed: the journal moves in a straight line to the first position in `steps`
-///   equal increments, then from position to position in one increment each. Towards loads: a cold start at the centre,
-///   to 0.6 C_r along the first load in `steps` increments, then as a load ramp.
+///   equal increments, then from position to position in one increment each. Towards loads: from ambient pressure
+///   at the centre, to 0.6 C_r along the first load in `steps` increments, then as a load ramp.
 /// * speed_ramp, restarted for every load or position: load_ramp or position_ray at 1.5 times the first speed, then to
 ///   the first speed in `steps` equal increments, then from speed to speed in one increment each.
 /// * cold_start, restarted for every state: directly at a position, where the journal must not touch the undeformed
 ///   foils; under a load the journal is released, and the film is marched in time until it rests.
 ///
-/// Under a load a journal at rest, which requires asperities, is found by a cold start and a march in time on any path.
-/// From rest to the first speed it breaks loose: that state is found by a march in time, too.
+/// Under a load a journal at rest, which requires asperities, is found from ambient pressure by a march in time on any
+/// path. From rest to the first speed it breaks loose: that state is found by a march in time, too.
 ///
 /// Such a sudden start of the film may throw the foils onto the journal. load_ramp, position_ray and speed_ramp then
-/// begin with a cold start at the centre instead, and the journal moves to its starting point in `steps` increments.
+/// begin at the centre instead, and the journal moves to its starting point in `steps` increments.
 ///
 /// If the foils leave too little space for a film around a centred journal (0.3 C_r, less the lobes, below
-/// film.h_floor, or C_r <= 0), they are opened before the cold start: C_r is increased until the assembled clearance is
+/// film.h_floor, or C_r <= 0), they are opened before the start: C_r is increased until the assembled clearance is
 /// c. Once the first state is reached in this way, or the one at 1.5 times its speed, the clearance closes in `steps`
 /// equal increments at constant load or position. If it cannot close, the last state says how far it closed.
 ///

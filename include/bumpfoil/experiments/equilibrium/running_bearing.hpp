@@ -15,7 +15,7 @@ namespace bumpfoil {
 EquilibriumResult analyse_running_bearing(const Case& input, const std::function<bool(double)>& progress = {});
 
 /// The standard path that the states of a path are compared with: speed_ramp for a ramp of loads, a position ray or
-/// cold starts at positions; the ramp of loads, or the ray to the positions, for all others.
+/// starts from ambient pressure at positions; the ramp of loads, or the ray to the positions, for all others.
 FilmPath second_path(const EquilibriumSettings& equilibrium);
 
 }  // namespace bumpfoil

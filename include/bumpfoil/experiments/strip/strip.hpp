@@ -11,7 +11,7 @@ namespace bumpfoil {
 /// - increment 0 of the first cycle without a preload is the assembly, of every other cycle the state that it starts
 ///   from; work and dissipation count from there;
 /// - a preload is approached in `steps` increments, which are not recorded;
-/// - a cycle about a preload is a swing.
+/// - a cycle about a preload is fully reversed.
 ///
 /// A cycle that fails is the last.
 /// @throws Error (input) if the case cannot be built, or has no strip.

@@ -122,7 +122,7 @@ TEST(CycleQuantities, TakeTheWayToAnIncrementIntoAccount) {
 /// A fully reversed cycle from +10 to -10 um, with 30 and 10 N there.
 TEST(CycleQuantities, OfASwingCompareItsTurningPoints) {
   Cycle cycle;
-  cycle.course = Course::swing;
+  cycle.course = Course::fully_reversed;
   cycle.clearances = {{.force = 5.0, .displacement = {}}};
   cycle.steps = 1;
   cycle.due = 4;

@@ -16,7 +16,7 @@ TEST(MeasuredLoop, OfATriangleHasTheQuantitiesOfTheClosedForm) {
   // Up to 100 N at 10 um, down to 0 N at 2 um: the straight line to its start closes it.
   const Cycle cycle =
       measured_cycle({{0.0, 0.0}, {4e-6, 40.0}, {10e-6, 100.0}, {6e-6, 50.0}, {2e-6, 0.0}}, {5.0, 200.0});
-  EXPECT_EQ(cycle.course, Course::push);
+  EXPECT_EQ(cycle.course, Course::one_sided);
   EXPECT_EQ(cycle.steps, 2);
   EXPECT_DOUBLE_EQ(cycle.amplitude, 10e-6);
   EXPECT_DOUBLE_EQ(cycle.turning_point->max_force, 100.0);
@@ -48,7 +48,7 @@ TEST(MeasuredLoop, ToBothSidesIsASwing) {
     }
   }
   const Cycle cycle = measured_cycle(points, {});
-  EXPECT_EQ(cycle.course, Course::swing);
+  EXPECT_EQ(cycle.course, Course::fully_reversed);
   EXPECT_NEAR(cycle.loaded_stiffness.value(), stiffness, 1e-3);
   // The closing line retraces the path from the start. The area of a polygon with n corners is 2/3 (pi / n)^2 less than
   // that of the ellipse.
