@@ -43,8 +43,6 @@ SHORT = {
         'equilibrium.positions=[["15 um", "-4 um"]]',
     ],
 }
-SWEPT = ("cycle", "strip", "vibration", "equilibrium", "stability", "unbalance", "transient")
-SAMPLED = ("cycle", "equilibrium", "stability", "unbalance", "transient")
 
 
 def commands_of(program, case):
@@ -52,10 +50,14 @@ def commands_of(program, case):
     sweeps of them, and path and film, whose tables are given by SHORT."""
     done = subprocess.run([program, "check", case], capture_output=True, text=True, check=True)
     able = re.findall(r"^# (\w+): ok", done.stdout, re.MULTILINE)
+    schema = subprocess.run([program, "schema"], capture_output=True, text=True, check=True)
+    tables = json.loads(schema.stdout)["properties"]
+    swept, sampled = (tables[name]["properties"]["command"]["enum"] for name in ("optimise", "montecarlo"))
+    swept.remove("montecarlo")  # which [optimise] runs, too
     commands = [[name] for name in able]
-    commands += [["sweep", "--command", name, "--over", "friction.coefficient=[0.05, 0.3]"] for name in able if name in SWEPT]
+    commands += [["sweep", "--command", name, "--over", "friction.coefficient=[0.05, 0.3]"] for name in able if name in swept]
     if "montecarlo" in able:
-        commands += [["montecarlo", "--set", f"montecarlo.command={name}"] for name in SAMPLED if name in able]
+        commands += [["montecarlo", "--set", f"montecarlo.command={name}"] for name in sampled if name in able]
     if "cycle" in able:
         commands.append(["path"])
         if "equilibrium" not in able and "[[pad]]" not in case.read_text():
