@@ -39,9 +39,8 @@ std::string place_of(const Case& input, const PlacedPad& pad, std::size_t number
                      degrees(pad.end()), stretch == 1.0 ? "" : fmt::format("; pitches stretched by {:.5g}", stretch));
 }
 
-std::string text_of(const Case& input) {
+std::string text_of(const Case& input, const std::vector<PlacedPad>& pads) {
   std::string out;
-  const std::vector<PlacedPad> pads = place_pads(input);
   for (std::size_t k = 0; k < pads.size(); ++k) {
     if (pads.size() > 1) out += (k == 0 ? "" : "\n") + place_of(input, pads[k], k);
     out += properties_table(pads[k].alone, compute_properties(pads[k].alone));
@@ -69,7 +68,8 @@ void add_properties_command(CLI::App& program, Session& /*session*/) {
   command->callback([options] {
     const Case input = read_case(options->case_path, {.overrides = options->overrides, .commands = {}});
     print_some("warning: ", case_warnings(input));
-    print_output(options->json ? json_of(place_pads(input)) : text_of(input));
+    const std::vector<PlacedPad> pads = place_pads(input);
+    print_output(options->json ? json_of(pads) : text_of(input, pads));
   });
 }
 

@@ -85,10 +85,11 @@ std::vector<BumpProperties> shapes_of(const PadDesign& pad, const FoilDesign& fo
 
 std::vector<StripProperties> strips_of(const PadDesign& pad) {
   std::vector<StripProperties> strips;
+  const PlacedPad placed = place_pads(bearing_of(pad)).front();
   for (std::size_t k = 0; k < pad.bump_foil.strip.size(); ++k) {
     if (!pad.bump_foil.strip[k].has_own_bumps()) continue;
     const auto strip = static_cast<int>(k);
-    const PadDesign alone = cut_out(place_pads(bearing_of(pad)).front(), strip).alone;
+    const PadDesign alone = cut_out(placed, strip).alone;
     const FoilDesign foils = make_bearing_design(alone);
     strips.push_back({.strip = strip + 1,
                       .width = strip_width(pad),
