@@ -170,16 +170,8 @@ constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
      [](const StabilityResult& result) { return result.machine.reduction_error; }, of_solver},
 });
 
+// Tables of the terminal show what is shown first in this order.
 constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
-    {"speed_status", "", "how the search for the equilibrium ended",
-     [](const StabilityResult&, const SpeedPoint& point) { return static_cast<double>(point.status); }, none, "status",
-     shown::unitless, search_status},
-    {"stable", "1", "whether all motions decay, with contacts sliding and stuck",
-     [](const StabilityResult&, const SpeedPoint& point) {
-       const std::optional<bool> stable = is_stable(point);
-       return stable ? (*stable ? 1.0 : 0.0) : absent;
-     },
-     shown_first, "stable", shown::unitless, yes_or_no},
     {"h_min", "m", "minimum film thickness of all bearings", thinnest, shown_first | key_figure,
      "minimum film thickness", shown::micrometres},
     {"growth", "1",
@@ -190,11 +182,23 @@ constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
     {"least_log_decrement", "1", "logarithmic decrement of the motion that grows fastest",
      of_fastest<false, log_decrement>, shown_first, "log. decrement", shown::unitless},
     {"fastest_direction", "", "sense of the whirl of the motion that grows fastest, relative to the rotation",
-     of_fastest<false, sense>, none, "whirl", shown::unitless, flags<WhirlSense>},
+     of_fastest<false, sense>, shown_first, "whirl", shown::unitless, flags<WhirlSense>},
     {"fastest_of_foils", "1", "whether the motion is one of foils and film, in which the rotor takes little part",
-     of_fastest<false, belongs_to_foils>, none, "motion of the foils", shown::unitless, yes_or_no},
+     of_fastest<false, belongs_to_foils>, shown_first, "motion of the foils", shown::unitless, yes_or_no},
     {"growth_stuck", "1", "growth rate of the motion that grows fastest over the speed of rotation, full stick",
-     of_fastest<true, growth>, none, "growth, stuck", shown::unitless},
+     of_fastest<true, growth>, shown_first, "growth, stuck", shown::unitless},
+    {"growth_by_coefficients", "1",
+     "growth over the speed of rotation by synchronous coefficients, sliding contacts keep sliding",
+     growth_by_coefficients<false>, shown_first, "growth by synchronous K, C", shown::unitless},
+    {"stable", "1", "whether all motions decay, with contacts sliding and stuck",
+     [](const StabilityResult&, const SpeedPoint& point) {
+       const std::optional<bool> stable = is_stable(point);
+       return stable ? (*stable ? 1.0 : 0.0) : absent;
+     },
+     shown_first, "stable", shown::unitless, yes_or_no},
+    {"speed_status", "", "how the search for the equilibrium ended",
+     [](const StabilityResult&, const SpeedPoint& point) { return static_cast<double>(point.status); }, none, "status",
+     shown::unitless, search_status},
     {"whirl_ratio_stuck", "1",
      "damped frequency of the motion that grows fastest over the speed of rotation, full stick",
      of_fastest<true, whirl_ratio>, none, "whirl ratio, stuck", shown::unitless},
@@ -202,9 +206,6 @@ constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
      of_fastest<true, log_decrement>, none, "log. decrement, stuck", shown::unitless},
     {"fastest_of_foils_stuck", "1", "whether the motion is one of foils and film, in which the rotor takes little part",
      of_fastest<true, belongs_to_foils>, none, "motion of the foils, stuck", shown::unitless, yes_or_no},
-    {"growth_by_coefficients", "1",
-     "growth over the speed of rotation by synchronous coefficients, sliding contacts keep sliding",
-     growth_by_coefficients<false>, none, "growth by synchronous K, C", shown::unitless},
     {"growth_by_coefficients_stuck", "1", "growth over the speed of rotation by synchronous coefficients, full stick",
      growth_by_coefficients<true>, none, "growth by synchronous K, C, stuck", shown::unitless},
 });

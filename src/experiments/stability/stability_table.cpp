@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "experiments/stability/stability_dataset.hpp"
 #include "experiments/stability/stability_quantities.hpp"
@@ -34,12 +36,13 @@ std::string onset_lines(const StabilityResult& result) {
 std::string stability_table(const StabilityResult& result) {
   const std::size_t all = result.map.points.size();
   const std::size_t shown = std::min(all, most_speeds_shown);
-  const Table table =
-      table_of(stability_dataset(result, false),
-               {.over = {"speed"},
-                .columns = {"speed", "h_min", "growth", "whirl_ratio", "least_log_decrement", "fastest_direction",
-                            "fastest_of_foils", "growth_stuck", "growth_by_coefficients", "stable", "speed_status"},
-                .rows = first_rows(shown)});
+  std::vector<std::string> columns{"speed"};
+  for (const SpeedQuantity& quantity : speed_quantities()) {
+    if (quantity.is(tag::shown_first)) columns.emplace_back(quantity.name);
+  }
+  columns.emplace_back("speed_status");
+  const Table table = table_of(stability_dataset(result, false),
+                               {.over = {"speed"}, .columns = std::move(columns), .rows = first_rows(shown)});
   return table_lines(table) + left_out("speeds", shown, all) + '\n' + onset_lines(result);
 }
 

@@ -53,21 +53,21 @@ double turn_end(const TurnView& view) {
 }
 
 constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
-    {"amplitude_x", "m", "amplitude along X at the rotation frequency", turn_amplitude<0>, csv, "amplitude, X",
-     shown::micrometres},
+    {"amplitude_x", "m", "amplitude along X at the rotation frequency", turn_amplitude<0>, csv | shown_first,
+     "amplitude, X", shown::micrometres},
     {"phase_x", "degree", "phase of X in x = Re(X exp(i a)), a the magnitude of the angle of the rotor", turn_phase<0>,
      csv, "phase, X"},
     {"amplitude_y", "m", "amplitude along Y at the rotation frequency", turn_amplitude<1>, csv, "amplitude, Y",
      shown::micrometres},
     {"phase_y", "degree", "phase of Y in y = Re(Y exp(i a)), a the magnitude of the angle of the rotor", turn_phase<1>,
      csv, "phase, Y"},
-    {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", turn_way<0>, csv | leading,
-     "half peak-to-peak, X", shown::micrometres},
+    {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", turn_way<0>,
+     csv | shown_first | leading, "half peak-to-peak, X", shown::micrometres},
     {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", turn_way<1>, csv,
      "half peak-to-peak, Y", shown::micrometres},
     {"amplitude_x_half", "m",
      "amplitude along X at half the rotation frequency, of two revolutions with this one in their middle", turn_half<0>,
-     csv, "amplitude at half the speed, X"},
+     csv | shown_first, "amplitude at half the speed, X"},
     {"amplitude_y_half", "m",
      "amplitude along Y at half the rotation frequency, of two revolutions with this one in their middle", turn_half<1>,
      csv, "amplitude at half the speed, Y"},
@@ -82,14 +82,14 @@ constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
     {"section_y", "m", "position along Y at the end of the revolution: of a Poincare section", turn_end<1>, csv,
      "position at the end, Y"},
     {"thinnest_film", "m", "minimum film thickness of the bearing in the revolution",
-     [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->thinnest; }, csv,
+     [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->thinnest; }, csv | shown_first,
      "minimum film thickness", shown::micrometres},
     {"mean_power", "W", "mean power of the film of the bearing in the revolution",
      [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->power; }, csv, "power",
      shown::watts},
     {"largest_asperity_load", "N", "largest force that asperities of the bearing carry in the revolution",
-     [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->asperity_load; }, csv,
-     "largest asperity load"},
+     [](const TurnView& view) { return view.bearing == nullptr ? absent : view.bearing->asperity_load; },
+     csv | shown_first, "largest asperity load"},
 });
 
 template <double WorkBalance::*term>
@@ -99,9 +99,9 @@ double turn_energy(const TransientTurn& revolution) {
 
 constexpr auto whole_turn_quantity_table = std::to_array<WholeTurnQuantity>({
     {"revolution_time", "s", "time at the end of the revolution",
-     [](const TransientTurn& revolution) { return revolution.time; }, none, "time"},
+     [](const TransientTurn& revolution) { return revolution.time; }, shown_first, "time"},
     {"revolution_speed", "rad/s", "mean speed in the revolution",
-     [](const TransientTurn& revolution) { return revolution.speed; }, none, "speed"},
+     [](const TransientTurn& revolution) { return revolution.speed; }, shown_first, "speed"},
     {"revolution_force_work", "J", "work of weight, unbalance, pulses and base on the rotor in the revolution",
      turn_energy<&WorkBalance::forces>, none, "work of forces"},
     {"revolution_rubbing_work", "J", "work of the friction of asperities on the motion of the rotor in the revolution",

@@ -154,14 +154,14 @@ double phase_twice(const StationResponse& response) {
 }
 
 constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
-    {"amplitude_x", "m", "amplitude along X at the rotation frequency", amplitude<0>, csv, "amplitude, X",
+    {"amplitude_x", "m", "amplitude along X at the rotation frequency", amplitude<0>, csv | shown_first, "amplitude, X",
      shown::micrometres},
-    {"phase_x", "degree", "phase of X in x = Re(X exp(i nu t)), nu the magnitude of Omega", phase<0>, csv, "phase, X",
-     shown::degrees},
-    {"amplitude_y", "m", "amplitude along Y at the rotation frequency", amplitude<1>, csv, "amplitude, Y",
+    {"phase_x", "degree", "phase of X in x = Re(X exp(i nu t)), nu the magnitude of Omega", phase<0>, csv | shown_first,
+     "phase, X", shown::degrees},
+    {"amplitude_y", "m", "amplitude along Y at the rotation frequency", amplitude<1>, csv | shown_first, "amplitude, Y",
      shown::micrometres},
-    {"phase_y", "degree", "phase of Y in y = Re(Y exp(i nu t)), nu the magnitude of Omega", phase<1>, csv, "phase, Y",
-     shown::degrees},
+    {"phase_y", "degree", "phase of Y in y = Re(Y exp(i nu t)), nu the magnitude of Omega", phase<1>, csv | shown_first,
+     "phase, Y", shown::degrees},
     {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", half_way<0>, csv,
      "half peak-to-peak, X", shown::micrometres},
     {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", half_way<1>, csv,
@@ -188,7 +188,7 @@ constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
     {"semi_major", "m", "larger semi-axis of the orbit", orbit_axis<&EllipticOrbit::major>, csv | shown_first | leading,
      "semi-major axis", shown::micrometres},
     {"semi_minor", "m", "smaller semi-axis of the orbit, negative where the orbit goes backward, against the rotation",
-     orbit_axis<&EllipticOrbit::minor>, csv, "semi-minor axis", shown::micrometres},
+     orbit_axis<&EllipticOrbit::minor>, csv | shown_first, "semi-minor axis", shown::micrometres},
 });
 
 constexpr auto point_quantity_table = std::to_array<PointQuantity>({

@@ -7,37 +7,20 @@ import { capital } from '../data/run';
 import { Whirls } from '../data/whirls';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
-import { columnOf, gridTable, type GridColumn } from '../tables/grid';
+import { columnOf, gridTable, namesOfFirst, type GridColumn } from '../tables/grid';
 import { onsetTable } from '../tables/onsets';
 import { choice, el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { valueChooser } from './grid_controls';
 import { part, type View } from './view';
 
-/** What the table of the speeds shows at first, as the terminal does. */
-const main = ['h_min', 'growth', 'whirl_ratio', 'least_log_decrement', 'direction', 'fastest_of_foils', 'growth_stuck', 'growth_by_coefficients', 'stable'];
-
-/** The sense of the fastest motion, as that of the motion is told. */
-function senseColumn(whirls: Whirls): GridColumn[] {
-  return columnOf(whirls, 'direction', 'whirl').map((column) => ({
-    ...column,
-    value: ({ speed = 0 }) => {
-      const place = { speed, contacts: 0 };
-      return whirls.numberAt('direction', { ...place, motion: whirls.fastest(place) });
-    },
-  }));
-}
-
 /** Of every speed: film, the motion that grows fastest, and whether all decay. */
 function columnsOf(whirls: Whirls): GridColumn[] {
-  const ofSpeed = whirls.data.quantities.flatMap(({ name, label }): GridColumn[] => {
+  return whirls.data.quantities.flatMap(({ name, label }): GridColumn[] => {
     const variable = whirls.variable(name);
     if (variable?.dims.join() !== 'speed') return [];
     return columnOf(whirls, name, label).map((column) => (name.startsWith('fastest_of_foils') ? { ...column, label: label.replace(' of the foils', ' of'), words: ['rotor', 'foils'] } : column));
   });
-  const all = [...ofSpeed, ...senseColumn(whirls)];
-  const order = (column: GridColumn): number => (main.includes(column.name) ? main.indexOf(column.name) : main.length);
-  return all.sort((a, b) => order(a) - order(b));
 }
 
 /** Over speed, each by itself: what has no diagram of its own. */
@@ -72,7 +55,7 @@ function sectionsOf(whirls: Whirls, id: string, title: (text: string) => string,
   const compared = { several: false, focus: [whirls], shown: [whirls], names: label, onChange: () => undefined };
   return [
     part(`${id}-motions`, title('Free motions over speed'), onsetTable(whirls), ...motions),
-    part(`${id}-speeds`, title('Speeds'), gridTable({ title: 'Results by speed', label, coordinates: [speed], columns: columnsOf(whirls), main })),
+    part(`${id}-speeds`, title('Speeds'), gridTable({ title: 'Results by speed', label, coordinates: [speed], columns: columnsOf(whirls), main: namesOfFirst(whirls.data.quantities) })),
     part(
       `${id}-case`,
       title('Case and origin'),

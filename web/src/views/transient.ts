@@ -12,18 +12,12 @@ import { formatNumber, formatQuantity } from '../data/units';
 import { caseSection } from '../tables/case';
 import { energyTable } from '../tables/energy';
 import { entryOf, term } from '../tables/glossary';
-import { columnOf, gridTable, inDegrees, type GridColumn } from '../tables/grid';
+import { columnOf, gridTable, inDegrees, namesOfFirst, type GridColumn } from '../tables/grid';
 import { rubTable } from '../tables/rubs';
 import { choice, el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { valueChooser } from './grid_controls';
 import { part, type View } from './view';
-
-/** What the table of the revolutions shows at first, as the terminal does. */
-const main = ['revolution_time', 'revolution_speed', 'amplitude_x', 'amplitude_x_half', 'half_peak_to_peak_x', 'thinnest_film', 'largest_asperity_load'];
-
-/** Of the run as a whole, in large letters. */
-const totals = ['largest_half_peak_to_peak', 'thinnest_film_of_run', 'largest_asperity_load_of_run', 'friction_loss_of_run', 'energy_defect_of_run'];
 
 function quantityOf(run: TimeRun, name: string): { label: string; meaning: string } {
   return run.data.quantities.find((one) => one.name === name) ?? { label: name, meaning: '' };
@@ -33,6 +27,7 @@ function tiles(run: TimeRun): HTMLElement {
   const tile = (what: HTMLElement | string, value: string, more = ''): HTMLElement =>
     el('div', { class: 'tile', role: 'listitem' }, el('span', { class: 'what' }, what), el('strong', {}, value), ...(more === '' ? [] : [el('span', { class: 'change' }, more)]));
   const { revolutions, rub_count: rubs, status } = run.summary;
+  const totals = [...namesOfFirst(run.data.quantities).filter((name) => run.variable(name)?.dims.length === 0), 'energy_defect_of_run'];
   const numbers = (revolutions > 0 ? totals : []).flatMap((name) => {
     const variable = run.variable(name);
     const value = run.total(name);
@@ -164,7 +159,7 @@ function sectionsOf(run: TimeRun, id: string, title: (text: string) => string, c
             `${id}-revolutions`,
             title('Energy, rubs and revolutions'),
             el('div', { class: 'multiples' }, energyTable(run), ...(rubs > 0 ? [rubTable(run)] : [])),
-            gridTable({ title: 'Results by revolution', label, coordinates: station.texts.length > 1 ? [revolution, station] : [revolution], columns: columnsOf(run), main }),
+            gridTable({ title: 'Results by revolution', label, coordinates: station.texts.length > 1 ? [revolution, station] : [revolution], columns: columnsOf(run), main: namesOfFirst(run.data.quantities) }),
           ),
         ]
       : []),

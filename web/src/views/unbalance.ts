@@ -8,15 +8,12 @@ import { periodic, Responses } from '../data/responses';
 import { capital } from '../data/run';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
-import { columnOf, gridTable, inDegrees, type GridColumn } from '../tables/grid';
+import { columnOf, gridTable, inDegrees, namesOfFirst, type GridColumn } from '../tables/grid';
 import { peakTable } from '../tables/peaks';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { valueChooser } from './grid_controls';
 import { part, type View } from './view';
-
-/** What the table of the responses shows at first, as the terminal does. */
-const main = ['amplitude_x', 'phase_x', 'amplitude_y', 'phase_y', 'semi_major', 'semi_minor'];
 
 /** What a bearing does in a turn of a periodic orbit, and what all of them do together. */
 const ofBearings: [string, (values: number[]) => number][] = [
@@ -96,7 +93,7 @@ function sectionsOf(responses: Responses, id: string, title: (text: string) => s
       `${id}-speeds`,
       title('Speeds'),
       gridTable({ title: 'Results by speed', label, coordinates: [speed], columns: speedColumns(responses), main: [] }),
-      gridTable({ title: 'Responses', label, coordinates: [speed, kind, station], columns: responseColumns(responses), main }),
+      gridTable({ title: 'Responses', label, coordinates: [speed, kind, station], columns: responseColumns(responses), main: namesOfFirst(responses.data.quantities) }),
     ),
     part(
       `${id}-case`,
