@@ -3,12 +3,17 @@
 import re
 
 SUFFIXES = {
+    "_N_m_s_per_rad": "N m s/rad",
+    "_N_m_per_rad": "N m/rad",
+    "_N_s_per_rad": "N s/rad",
+    "_N_per_rad": "N/rad",
     "_N_s_per_m": "N s/m",
     "_m3_per_s": "m3/s",
     "_rad_per_s": "rad/s",
     "_N_per_m": "N/m",
     "_kg": "kg",
     "_N_m": "N m",
+    "_N_s": "N s",
     "_deg": "degree",
     "_rad": "rad",
     "_Pa": "Pa",
@@ -204,11 +209,10 @@ MEANINGS = {
     "limits[].bound": "of the quantity",
     "limits[].value": "of the quantity at the best point",
     "limits[].margin": "of the best point to the bound",
-    "bearing_radial_clearance_m": "value of the key; a column per key",
-    "top_foil_thickness_m": "the same",
-    "h_min_m": "value of the first aim; a column per aim, by its quantity",
-    "power_W": "the same of the second",
-    "limit_1_h_min_m": "value of the quantity of the first limit; a column per limit",
+    "friction_coefficient": "value of the key; a column per key",
+    "loss_factor": "value of the first aim; a column per aim, by its quantity",
+    "max_force_N": "the same of the second",
+    "limit_1_max_force_N": "value of the quantity of the first limit; a column per limit",
     "limits[].active": "whether the limit is met by less than 1 % of its bound",
     "front": "numbers of the points of the front, from the best of the first aim on",
     "searches": "one object per search",
@@ -251,8 +255,9 @@ def told(name, meanings):
 
 
 def at_frequency(name, meanings):
-    """What a coefficient of small motions means, which the one at whirl_frequency says."""
-    found = meanings.get(re.sub("^([kc][xy]{2})", r"\1_whirl", name), "")
+    """What a coefficient of small motions means, which those of all frequencies say, or the one at whirl_frequency."""
+    ways = (re.sub("^([kc][xyab]{2})", rf"\1_{way}", name) for way in ("at_frequency", "whirl"))
+    found = next((meanings[way] for way in ways if way in meanings), "")
     return found.replace("whirl_frequency", "the frequency")
 
 

@@ -1,9 +1,11 @@
 """Prints the reference of all variables and columns that results have, as Markdown: small ones are made, and asked."""
 
+import json
 import subprocess
 import sys
-import tempfile
+import tomllib
 import warnings
+from itertools import chain
 from pathlib import Path
 
 import bumpfoil
@@ -31,60 +33,46 @@ SCATTER = {
 }
 
 
-def run_film(case):
-    """Which the program alone has."""
-    with tempfile.TemporaryDirectory() as folder:
-        settings = ["equilibrium.speeds=['45000 rpm']", "equilibrium.positions=[['15 um', '0 um']]"]
-        mesh = [f"film.{key}={value}" for key, value in FILM["film"].items() if key != "h_lift_off"]
-        sets = [word for setting in [*settings, *mesh] for word in ("--set", setting)]
-        subprocess.run([sys.executable, "-m", "bumpfoil", "film", case, "-o", folder, "--quiet", *sets], check=True)
-        return bumpfoil.Result.load(folder)
+def setting(text):
+    """A key and its value, of the text that --set takes: a word needs no quotes there."""
+    key, value = text.split("=", 1)
+    try:
+        return key, tomllib.loads(f"value = {value}")["value"]
+    except tomllib.TOMLDecodeError:
+        return key, value
 
 
-def small_results():
-    """Of each command, plain and with what adds variables to it."""
-    push = {"directions": ["+X"], "steps": 2}
-    gen1 = bumpfoil.Case(EXAMPLES / "gen1.toml", cycle=push)
-    pads = bumpfoil.Case(EXAMPLES / "three_pads.toml", cycle=push)
-    points = [[0.0, -40e-6], [0.0, -45e-6]]
-    orbit = {"centre": ["0 um", "-40 um"], "semi_axes": ["2 um", "2 um"], "steps": 4, "orbits": 2}
+def results_of_experiments():
+    """Of each experiment, plain and with what adds variables to it: the runs that its schema is made of."""
+    schema = subprocess.run([sys.executable, "-m", "bumpfoil", "schema", "--results"], capture_output=True, text=True, check=True)
+    gen1 = bumpfoil.Case(EXAMPLES / "gen1.toml")
+    for command, runs in json.loads(schema.stdout)["experiments"].items():
+        plain = dict(map(setting, runs[0]["set"]))
+        for run in runs:
+            keys = dict(map(setting, run["set"]))
+            besides = ", ".join(f"`{key}`" for key in keys if key not in plain)
+            yield command, f"with {besides}" if besides else "", bumpfoil.run(command, gen1.replace(keys))
+
+
+def results_of_many():
+    """Of sweeps and ensembles."""
+    gen1 = bumpfoil.Case(EXAMPLES / "gen1.toml", cycle={"directions": ["+X"], "steps": 2})
     drawn = {name: {"std": deviation} for name, deviation in SCATTER.items()}
     drawn["sleeve_waviness"] = {"harmonic": 3, "amplitude": "1 um"}
     swept = {"friction.coefficient": [0.1, 0.2]}
     motion = {"directions": ["+X", "+Y"], "amplitudes": ["1 um"], "steps": 2, "loads": [[0, -50]], "frequencies": ["1 Hz"]}
-    circles = {key: value for key, value in motion.items() if key != "directions"} | {"motion": "orbit"}
-    yield "cycle", "", bumpfoil.run_cycle(gen1, solver={"name": "events"})
-    yield "cycle", "foils whose bumps differ", bumpfoil.run_cycle(EXAMPLES / "graded.toml", cycle=push)
-    yield "cycle", "several pads", bumpfoil.run_cycle(pads)
-    yield "strip", "", bumpfoil.run_strip(EXAMPLES / "strip.toml", strip={"steps": 2, "top_foil": True})
-    yield "path", "", bumpfoil.run_path(gen1, points)
-    yield "path", "orbits", bumpfoil.run_path(gen1, path=orbit)
-    yield "path", "several pads", bumpfoil.run_path(pads, points)
-    yield "vibration", "", bumpfoil.run_vibration(gen1, vibration=motion)
-    yield "vibration", "orbits", bumpfoil.run_vibration(gen1, vibration=circles)
-    yield "vibration", "several pads", bumpfoil.run_vibration(pads, vibration=motion)
-    yield "equilibrium", "", bumpfoil.run_equilibrium(EXAMPLES / "running.toml", limits=True, **FILM)
-    yield "equilibrium", "several pads", bumpfoil.run_equilibrium(EXAMPLES / "running_pads.toml", **FILM)
-    two_speeds = {"film": FILM["film"], "stability": {"speeds": ["12000 rpm", "14000 rpm"]}}
-    yield "stability", "", bumpfoil.run_stability(EXAMPLES / "rotor.toml", **two_speeds)
-    yield "unbalance", "", bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film=FILM["film"], unbalance=two_speeds["stability"])
-    short = {"speed": {"to": "12000 rpm", "time": "11 ms"}, "steps_per_revolution": 20, "revolutions_per_spectrum": 1}
-    yield "transient", "", bumpfoil.run_transient(EXAMPLES / "rotor.toml", film=FILM["film"], transient=short)
-    yield "fit", "", bumpfoil.fit(EXAMPLES / "fit.toml", fit={"starts": 1})
-    design = {"optimise": {"maximise": ["h_min"], "minimise": ["power"], "evaluations": 30, "starts": 1, "front": 1}}
-    yield "optimise", "", bumpfoil.optimise(EXAMPLES / "optimise.toml", **design)
-    yield "film", "", run_film(EXAMPLES / "gen1.toml")
+    two_speeds = {"speeds": ["12000 rpm", "14000 rpm"]}
     yield "sweep", "", bumpfoil.run_sweep(gen1, swept)
-    yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)
-    yield "sweep", "running bearings", bumpfoil.run_sweep(EXAMPLES / "running.toml", swept, command="equilibrium", **FILM)
+    yield "sweep", "of vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)
+    yield "sweep", "of running bearings", bumpfoil.run_sweep(EXAMPLES / "running.toml", swept, command="equilibrium", **FILM)
     yield "montecarlo", "", bumpfoil.run_montecarlo(gen1, samples=2, limits=["max_force > 1 N"], montecarlo=drawn)
-    on_film = {"command": "equilibrium", "radial_clearance": {"std": "1 um"}}
-    yield "montecarlo", "running bearings", bumpfoil.run_montecarlo(EXAMPLES / "running.toml", samples=2, montecarlo=on_film, **FILM)
-    on_bearings = {"command": "stability", "radial_clearance": {"std": "1 um"}}
-    unbalanced = {"film": FILM["film"], "unbalance": two_speeds["stability"]}
-    of_unbalance = {"command": "unbalance", "radial_clearance": {"std": "1 um"}}
-    yield "montecarlo", "unbalance", bumpfoil.run_montecarlo(EXAMPLES / "rotor.toml", samples=2, montecarlo=of_unbalance, **unbalanced)
-    yield "montecarlo", "rotors", bumpfoil.run_montecarlo(EXAMPLES / "rotor.toml", samples=2, montecarlo=on_bearings, **two_speeds)
+    for command, of, case, tables in (
+        ("equilibrium", "running bearings", "running.toml", FILM),
+        ("unbalance", "unbalance", "rotor.toml", {"film": FILM["film"], "unbalance": two_speeds}),
+        ("stability", "rotors", "rotor.toml", {"film": FILM["film"], "stability": two_speeds}),
+    ):
+        scatter = {"command": command, "radial_clearance": {"std": "1 um"}}
+        yield "montecarlo", f"of {of}", bumpfoil.run_montecarlo(EXAMPLES / case, samples=2, montecarlo=scatter, **tables)
 
 
 def list_new(name, head, rows, listed):
@@ -100,10 +88,10 @@ def main():
     print(INTRODUCTION)
     listed = {}
     warnings.simplefilter("ignore", bumpfoil.RunWarning)  # of increments that are as few as can be
-    for command, besides, result in small_results():
+    for command, besides, result in chain(results_of_experiments(), results_of_many()):
         dataset = result.to_xarray()
         meanings = meanings_of(dataset)
-        print(f"### {command} of {besides}, besides\n" if besides else f"## {command}\n")
+        print(f"### {command} {besides}, besides\n" if besides else f"## {command}\n")
         (netcdf,) = (name for name in result.files if name.endswith(".nc"))
         parts = {netcdf: (("variable", "dimensions", "unit", "meaning"), rows_of_variables(dataset))}
         for name in sorted(name for name in result.files if name.endswith(".csv")):

@@ -118,7 +118,7 @@ ExperimentInfo equilibrium_experiment() {
   std::vector<std::string> seated = one_state;  // others flutter at their free end, and take longer
   seated.emplace_back("top_foil.formed_radius=seated");
   std::vector<std::string> with_limits = seated;
-  with_limits.insert(with_limits.end(), {"equilibrium.limits=true", "film.h_lift_off=15 um"});
+  with_limits.insert(with_limits.end(), {"equilibrium.limits=true", "film.h_lift_off=1 um"});
   std::vector<std::string> of_pads = seated;
   of_pads.insert(of_pads.end(), {"bump_foil.bumps=8", "pad=[{}, {}, {}]"});
   std::vector<std::string> on_peaks = seated;

@@ -39,7 +39,7 @@ Outcome stability_outcome(const Case& input, StabilityResult made) {
 }  // namespace
 
 ExperimentInfo stability_experiment() {
-  const std::vector<std::string> speeds{"stability.speeds=[\"12000 rpm\", \"13000 rpm\"]", "film.columns_per_pitch=4",
+  const std::vector<std::string> speeds{"stability.speeds=[\"11000 rpm\", \"13000 rpm\"]", "film.columns_per_pitch=4",
                                         "film.rows=4", "rotor.mass=2 kg"};
   const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
     return stability_outcome(input, run_stability(input, progress));

@@ -19,7 +19,8 @@ ExperimentInfo strip_experiment() {
           .run = run,
           .sweeping = cycle_sweeping(Experiment::strip, run),
           .quantities = meanings_of(cycle_quantities(Experiment::strip)),
-          .small_runs = {{"strip.bumps=3", "strip.displacement=20 um", "strip.steps=2", "solver.name=events"}}};
+          .small_runs = {{"strip.bumps=3", "strip.displacement=20 um", "strip.steps=2", "solver.name=events",
+                          "bump_foil.model=frame"}}};
 }
 
 }  // namespace bumpfoil
