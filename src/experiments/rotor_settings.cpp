@@ -13,6 +13,7 @@
 #include "experiments/film/film_keys.hpp"
 #include "experiments/rotor_keys.hpp"
 #include "experiments/rotor_matrices_json.hpp"
+#include "model/case_table.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -377,13 +378,11 @@ void check_tilting(Checks& checks, const RotorSettings& rotor, const Case& input
     resists |= bearing.width.modes > 1 || bearing.top_foil.split || !bearing.has_equal_halves();
   }
   if (!resists) return;
-  for (const char* const command : {"stability", "unbalance", "transient"}) {
-    checks.require_for(
-        command, false, "rotor.matrices", "",
-        "name only displacements at the bearings, but these bearings also resist inclinations",
-        "set width.modes = 1 without tilt, conicity, unlike side pressures and split top foils, or give the rotor by "
-        "[[rotor.shaft]]");
-  }
+  checks.require_for(
+      experiments_where(&CaseTable::rotor), false, "rotor.matrices", "",
+      "name only displacements at the bearings, but these bearings also resist inclinations",
+      "set width.modes = 1 without tilt, conicity, unlike side pressures and split top foils, or give the rotor by "
+      "[[rotor.shaft]]");
 }
 
 }  // namespace

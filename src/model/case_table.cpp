@@ -3,20 +3,6 @@
 #include <algorithm>
 
 namespace bumpfoil {
-namespace {
-
-/// Names of the experiments for which a condition holds.
-template <typename Condition>
-std::vector<std::string_view> experiments_where(const Condition& condition) {
-  std::vector<std::string_view> names;
-  for (const CaseTable& table : case_tables()) {
-    if (condition(table)) names.push_back(table.experiment);
-  }
-  return names;
-}
-
-}  // namespace
-
 const CaseTable* case_table_of(std::string_view experiment) {
   const auto found = std::find_if(case_tables().begin(), case_tables().end(),
                                   [&](const CaseTable& table) { return table.experiment == experiment; });
@@ -30,8 +16,7 @@ const std::vector<std::string_view>& sampled_experiments() {
 }
 
 const std::vector<std::string_view>& swept_experiments() {
-  static const std::vector<std::string_view> names =
-      experiments_where([](const CaseTable& table) { return table.swept; });
+  static const std::vector<std::string_view> names = experiments_where(&CaseTable::swept);
   return names;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -18,6 +19,9 @@ struct CaseTable {
   std::string_view experiment;
   std::string_view needs;  ///< table required to run: its own, or that of another experiment
   bool flat{};             ///< applies to a strip of foil between plates: needs no bearing and ignores pads
+  bool foils{};            ///< runs a bearing with its foils
+  bool film{};             ///< runs a bearing with its film
+  bool rotor{};            ///< runs [rotor] on its bearings
   /// Visits its keys; those outside the case file's tables keep their defaults.
   void (*describe)(CaseVisitor& keys, Case& input);
   /// Checks its settings, if any. @param foil  known properties of the bump foil, possibly none
@@ -29,6 +33,9 @@ struct CaseTable {
   bool swept{};  ///< sweeps and optimisations can run it: it has a Sweeping
   /// Ensembles can run it, as it has a Sampling: by this solver where the case names none and displacements are small.
   std::optional<SolverName> sampled_by{};
+
+  [[nodiscard]] bool is_dry() const { return foils && !film; }
+  [[nodiscard]] bool has_foils_on_film() const { return foils && film; }
 };
 
 /// Tables of all experiments, in the order of the case file. Code that reads, writes and checks cases accesses
@@ -38,6 +45,17 @@ std::span<const CaseTable> case_tables();
 
 /// Null if there is no such experiment.
 const CaseTable* case_table_of(std::string_view experiment);
+
+/// Names of the experiments that meet a condition, in the order of the case file.
+/// @param condition  &CaseTable::film, or a function of a CaseTable
+template <typename Condition>
+std::vector<std::string_view> experiments_where(const Condition& condition) {
+  std::vector<std::string_view> names;
+  for (const CaseTable& table : case_tables()) {
+    if (std::invoke(condition, table)) names.push_back(table.experiment);
+  }
+  return names;
+}
 
 /// Names of the experiments that ensembles can run, and of those that can be swept, in the order of the case file.
 const std::vector<std::string_view>& sampled_experiments();

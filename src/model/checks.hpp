@@ -74,6 +74,13 @@ class Checks {
     return false;
   }
 
+  /// The same for one that prevents several.
+  bool require_for(const std::vector<std::string_view>& commands, bool right, const std::string& key,
+                   const std::string& value, const std::string& what, const std::string& advice) {
+    for (const std::string_view command : commands) require_for(command, right, key, value, what, advice);
+    return right;
+  }
+
   // Valid values create no text: ensembles check every bearing.
 
   bool finite(const std::string& key, double value, std::string_view unit) {

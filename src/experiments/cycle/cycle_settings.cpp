@@ -138,6 +138,7 @@ CaseTable cycle_settings() {
   return {
       .experiment = "cycle",
       .needs = "cycle",
+      .foils = true,
       .describe = describe_cycle,
       .check = check_cycle,
       .given = [](const Case& input) { return !input.cycle.directions.empty() || input.cycle.amplitude.value != 0.0; },

@@ -73,10 +73,10 @@ void check_memory(Checks& checks, const Case& input, const EquilibriumSettings& 
   const std::size_t states =
       equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
   const double nodes = static_cast<double>(states) * film_bumps(input) * input.film.columns_per_pitch * input.film.rows;
-  for (const char* const command : {"equilibrium", "film"}) {
-    checks.require_for(command, nodes <= most_state_nodes, "equilibrium.speeds", fmt::format("{} states", states),
-                       "would not fit in memory with their films", "give fewer speeds or loads, or a coarser film");
-  }
+  const auto runs_states = [](const CaseTable& table) { return table.needs == "equilibrium"; };
+  checks.require_for(experiments_where(runs_states), nodes <= most_state_nodes, "equilibrium.speeds",
+                     fmt::format("{} states", states), "would not fit in memory with their films",
+                     "give fewer speeds or loads, or a coarser film");
 }
 
 /// Checks a list of pairs, each entry within +-`most`.
@@ -138,14 +138,6 @@ void check_equilibrium(Checks& checks, const Case& input, const CheckedBumpFoil&
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
     checks.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
   }
-  checks.require_for("equilibrium", input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                     std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
-                     "set model = \"truss\" or \"frame\"");
-  checks.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
-                     std::string(name_of(input.bump_foil.geometry)),
-                     "a film supports foils of small displacements only", "set geometry = \"linear\"");
-  checks.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
-                     std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
 }
 
 }  // namespace
@@ -153,6 +145,8 @@ void check_equilibrium(Checks& checks, const Case& input, const CheckedBumpFoil&
 CaseTable equilibrium_settings() {
   return {.experiment = "equilibrium",
           .needs = "equilibrium",
+          .foils = true,
+          .film = true,
           .describe = describe_equilibrium,
           .check = check_equilibrium,
           .given = [](const Case& input) { return input.equilibrium.has_value(); },

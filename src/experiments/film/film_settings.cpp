@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -169,9 +168,6 @@ void check_gas(Checks& checks, const GasSettings& gas) {
   checks.within("gas.mean_free_path", gas.mean_free_path, free_path_range);
 }
 
-/// Commands that compute films.
-constexpr std::array film_commands{"equilibrium", "film", "stability", "unbalance"};
-
 /// @param bumps  their number, 0 if unusable
 /// @param stations  columns with crests, at each of which they are side by side in the equations
 /// @param equal_halves  Case::has_equal_halves(): otherwise twice as many rows
@@ -187,12 +183,11 @@ void check_film(Checks& checks, const FilmSettings& film, int bumps, double stat
     const int rows = equal_halves ? film.rows : 2 * film.rows;
     const double bytes = static_cast<double>(bumps) * rows * rows *
                          (stations * stations * bytes_at_crest + bytes_of_column * static_cast<double>(columns));
-    for (const char* const command : film_commands) {
-      checks.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
-                         fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
-                                     columns * bumps, rows, 1e-9 * bytes),
-                         fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
-    }
+    checks.require_for(experiments_where(&CaseTable::film), bytes <= most_film_bytes, "film.columns_per_pitch",
+                       std::to_string(columns),
+                       fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory", columns * bumps,
+                                   rows, 1e-9 * bytes),
+                       fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
   }
   if (film.wall != FilmWall::rigid) {
     checks.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "",
@@ -265,15 +260,19 @@ void check_pair(Checks& checks, const char* key, const std::vector<double>& pair
 
 /// Checks a journal that loads the foils unevenly over the width, without a film.
 /// @param key  that causes it
-void check_dry_width(Checks& checks, const Case& input, const char* key, const char* command) {
-  checks.require_for(command, input.width.modes != 1 || input.top_foil.split, key, "",
+void check_dry_width(Checks& checks, const Case& input, const char* key) {
+  const std::vector<std::string_view> dry = experiments_where(&CaseTable::is_dry);
+  checks.require_for(dry, input.width.modes != 1 || input.top_foil.split, key, "",
                      "needs foils that can follow it where there is no film",
                      "set width.modes = 3, or 2 without a parabola");
-  checks.require_for(command, input.bump_foil.geometry == Geometry::linear, key, "",
+  checks.require_for(dry, input.bump_foil.geometry == Geometry::linear, key, "",
                      "is not supported with large displacements", "set bump_foil.geometry = \"linear\"");
-  checks.require_for(command, input.bump_foil.model != BumpFoilModel::former, key, "",
+  checks.require_for(dry, input.bump_foil.model != BumpFoilModel::former, key, "",
                      "needs a top foil, which the Le Lez (2007) model does not have",
                      "set model = \"truss\" or \"frame\"");
+  checks.require_for(dry, input.width.moment.empty() || input.solver.chosen() != SolverName::uzawa, "solver.name",
+                     std::string(name_of(input.solver.chosen())), "does not support a journal that is free to tilt",
+                     "set name = \"newton\" or \"events\"");
 }
 
 /// Checks journals and sleeves that are tilted or not cylindrical.
@@ -286,50 +285,36 @@ void check_journal(Checks& checks, const Case& input) {
     check_pair(checks, "width.moment", width.moment, most_moment, "N m", "[\"50 N mm\", \"0 N mm\"]");
   checks.require_for("film", width.moment.empty(), "width.moment", "", "needs a bearing that balances it",
                      "give width.tilt, or run equilibrium");
-  for (const char* const command : {"stability", "unbalance", "transient"}) {
-    checks.require_for(command, width.moment.empty(), "width.moment", "",
-                       "is not supported under a rotor, which exerts its own moments on the bearings",
-                       "remove it, or give width.tilt for bearings that are misaligned");
-  }
+  checks.require_for(experiments_where(&CaseTable::rotor), width.moment.empty(), "width.moment", "",
+                     "is not supported under a rotor, which exerts its own moments on the bearings",
+                     "remove it, or give width.tilt for bearings that are misaligned");
   const char* const key = !width.moment.empty()   ? "width.moment"
                           : width.tilts()         ? "width.tilt"
                           : width.conicity != 0.0 ? "width.conicity"
                           : width.crowning != 0.0 ? "width.crowning"
                                                   : nullptr;
-  if (key == nullptr) return;
-  for (const char* const command : {"cycle", "path", "vibration"}) {
-    check_dry_width(checks, input, key, command);
-    checks.require_for(command, width.moment.empty() || input.solver.chosen() != SolverName::uzawa, "solver.name",
-                       std::string(name_of(input.solver.chosen())), "does not support a journal that is free to tilt",
-                       "set name = \"newton\" or \"events\"");
-  }
+  if (key != nullptr) check_dry_width(checks, input, key);
 }
 
 /// Unsupported combinations of bump foils split into strips.
 void check_strips_in_use(Checks& checks, const Case& input) {
   const bool apart = input.bump_foil.is_split() && input.varies_over_the_width();
-  for (const char* const command : {"cycle", "path", "vibration"}) {
-    checks.require_for(command, !apart || input.solver.chosen() != SolverName::uzawa, "solver.name",
-                       std::string(name_of(input.solver.chosen())), "does not support strips that move independently",
-                       "set name = \"newton\" or \"events\"");
-  }
+  checks.require_for(experiments_where(&CaseTable::is_dry), !apart || input.solver.chosen() != SolverName::uzawa,
+                     "solver.name", std::string(name_of(input.solver.chosen())),
+                     "does not support strips that move independently", "set name = \"newton\" or \"events\"");
   if (!input.has_own_strips()) return;
   checks.require_for("strip", !input.strip, "bump_foil.strip", "",
                      "differs over the width, but foils between plates are uniform", "remove [[bump_foil.strip]]");
-  for (const char* const command :
-       {"cycle", "path", "vibration", "equilibrium", "stability", "unbalance", "transient"}) {
-    checks.require_for(command, input.width.modes != 1 || input.top_foil.split, "bump_foil.strip", "",
-                       "needs a top foil that can follow strips that differ",
-                       "set width.modes = 3, or 2 without a parabola");
-  }
+  checks.require_for(experiments_where(&CaseTable::foils), input.width.modes != 1 || input.top_foil.split,
+                     "bump_foil.strip", "", "needs a top foil that can follow strips that differ",
+                     "set width.modes = 3, or 2 without a parabola");
   if (input.top_foil.split) return;  // each strip has a mesh of its own
   const int step = input.bump_foil.least_columns_per_pitch();
   const int columns = input.film.columns_per_pitch;
-  for (const char* const command : {"equilibrium", "stability", "unbalance", "transient"}) {
-    checks.require_for(command, columns % 2 != 0 || columns % step == 0, "film.columns_per_pitch",
-                       std::to_string(columns), "puts no column over the crests of strips staggered by other than 0.5",
-                       fmt::format("give a multiple of {}", step));
-  }
+  checks.require_for(experiments_where(&CaseTable::has_foils_on_film), columns % 2 != 0 || columns % step == 0,
+                     "film.columns_per_pitch", std::to_string(columns),
+                     "puts no column over the crests of strips staggered by other than 0.5",
+                     fmt::format("give a multiple of {}", step));
 }
 
 /// Unsupported combinations if the film varies over the width.
@@ -365,6 +350,19 @@ void check_wall(Checks& checks, const Case& input) {
                      "feeds an edge, and a closed surface has none", "remove it, or set film.closed = false");
 }
 
+/// Foils on which no film can run.
+void check_foils_on_film(Checks& checks, const Case& input) {
+  const std::vector<std::string_view> running = experiments_where(&CaseTable::has_foils_on_film);
+  checks.require_for(running, input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                     std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
+                     "set model = \"truss\" or \"frame\"");
+  checks.require_for(running, input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
+                     std::string(name_of(input.bump_foil.geometry)),
+                     "a film supports foils of small displacements only", "set geometry = \"linear\"");
+  checks.require_for(running, input.solver.chosen() == SolverName::newton, "solver.name",
+                     std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
+}
+
 void check_film(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
   check_wall(checks, input);
   check_width(checks, input);
@@ -376,11 +374,10 @@ void check_film(Checks& checks, const Case& input, const CheckedBumpFoil& foil) 
   checks.require_for("film", !input.asperity, "asperity", "",
                      "applies to journal and top foil, and the command film has no foils",
                      "remove [asperity], or run equilibrium");
-  for (const char* const command : film_commands) {
-    checks.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
-                       "has an out-of-round journal, under which a film is never steady",
-                       "remove journal_waviness and journal_profile");
-  }
+  checks.require_for(experiments_where(&CaseTable::film), input.bearing.journal == RadiusProfile{}, "bearing", "",
+                     "has an out-of-round journal, under which a film is never steady",
+                     "remove journal_waviness and journal_profile");
+  check_foils_on_film(checks, input);
 }
 
 }  // namespace
@@ -400,7 +397,7 @@ void describe_own_film(CaseVisitor& keys, const Case& common, RotorBearing& own)
 }
 
 CaseTable film_settings() {
-  return {.experiment = "film", .needs = "equilibrium", .describe = describe_film, .check = check_film};
+  return {.experiment = "film", .needs = "equilibrium", .film = true, .describe = describe_film, .check = check_film};
 }
 
 }  // namespace bumpfoil

@@ -102,6 +102,7 @@ void check_path(Checks& checks, const Case& input, const CheckedBumpFoil& foil) 
 CaseTable path_settings() {
   return {.experiment = "path",
           .needs = "path",
+          .foils = true,
           .describe = describe_path,
           .check = check_path,
           .given = [](const Case& input) { return input.settings.find<PathSettings>() != nullptr; }};

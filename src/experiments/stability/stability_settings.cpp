@@ -34,6 +34,9 @@ void check_stability(Checks& checks, const Case& input, const CheckedBumpFoil& /
 CaseTable stability_settings() {
   return {.experiment = "stability",
           .needs = "stability",
+          .foils = true,
+          .film = true,
+          .rotor = true,
           .describe = describe_stability,
           .check = check_stability,
           .given = [](const Case& input) { return input.settings.find<StabilitySettings>() != nullptr; },

@@ -142,6 +142,9 @@ void check_transient(Checks& checks, const Case& input, const CheckedBumpFoil& /
 CaseTable transient_settings() {
   return {.experiment = "transient",
           .needs = "transient",
+          .foils = true,
+          .film = true,
+          .rotor = true,
           .describe = describe_transient,
           .check = check_transient,
           .given = [](const Case& input) { return input.settings.find<TransientSettings>() != nullptr; },

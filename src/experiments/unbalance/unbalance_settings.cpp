@@ -44,6 +44,9 @@ void check_unbalance(Checks& checks, const Case& input, const CheckedBumpFoil& /
 CaseTable unbalance_settings() {
   return {.experiment = "unbalance",
           .needs = "unbalance",
+          .foils = true,
+          .film = true,
+          .rotor = true,
           .describe = describe_unbalance,
           .check = check_unbalance,
           .given = [](const Case& input) { return input.settings.find<UnbalanceSettings>() != nullptr; },

@@ -121,6 +121,7 @@ void check_vibration(Checks& checks, const Case& input, const CheckedBumpFoil& f
 CaseTable vibration_settings() {
   return {.experiment = "vibration",
           .needs = "vibration",
+          .foils = true,
           .describe = describe_vibration,
           .check = check_vibration,
           .given = [](const Case& input) { return input.vibration.has_value(); },

@@ -225,6 +225,36 @@ TEST(FindErrors, ChecksTheMeshOfTheFilm) {
   EXPECT_EQ(film([](FilmSettings& f) { f.h_lift_off = 0.05e-6; }), Keys{"film.h_lift_off"});  // below h_floor
 }
 
+TEST(FindErrors, ChecksTheBearingForEveryCommandWithAFilm) {
+  const auto blames = [](const std::function<void(Case&)>& change, const std::string& key, const std::string& command) {
+    Case input = reference_case();
+    change(input);
+    const std::vector<InputError> errors = find_errors(input, {command});
+    return std::any_of(errors.begin(), errors.end(), [&](const InputError& one) { return one.key == key; });
+  };
+  const auto fine = [](Case& input) { input.film = {.columns_per_pitch = 100, .rows = 200}; };
+  const auto uneven = [](Case& input) { input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 1e-6}}; };
+  const auto former = [](Case& input) { input.bump_foil.model = BumpFoilModel::former; };
+  const auto at_large = [](Case& input) {
+    input.bump_foil.model = BumpFoilModel::frame;
+    input.bump_foil.geometry = Geometry::nonlinear;
+  };
+  const auto by_events = [](Case& input) { input.solver.name = SolverName::events; };
+  for (const char* const command : {"film", "equilibrium", "stability", "unbalance", "transient"}) {
+    const bool foils = std::string_view(command) != "film";
+    EXPECT_TRUE(blames(fine, "film.columns_per_pitch", command)) << command;
+    EXPECT_TRUE(blames(uneven, "bearing", command)) << command;
+    EXPECT_EQ(blames(former, "bump_foil.model", command), foils) << command;
+    EXPECT_EQ(blames(at_large, "bump_foil.geometry", command), foils) << command;
+    EXPECT_EQ(blames(by_events, "solver.name", command), foils) << command;
+  }
+  for (const char* const command : {"cycle", "path", "vibration", "strip"}) {
+    EXPECT_FALSE(blames(fine, "film.columns_per_pitch", command)) << command;
+    EXPECT_FALSE(blames(uneven, "bearing", command)) << command;
+    EXPECT_FALSE(blames(by_events, "solver.name", command)) << command;
+  }
+}
+
 TEST(FindErrors, ChecksStatesOfARunningBearing) {
   const auto equilibrium = [](const std::function<void(Case&, EquilibriumSettings&)>& change) {
     return wrong_keys([&](Case& input) {
