@@ -1,6 +1,7 @@
 """Pictures that gnuplot draws of the studies of `bumpfoil reproduce`: all of every curve is in them, and all can be read."""
 
 import csv
+import functools
 import itertools
 import re
 import subprocess
@@ -29,6 +30,13 @@ class Word(NamedTuple):
     size: float
 
 
+# Most words stand in several panels, and to find the ends of their curves takes longer than all else here.
+@functools.cache
+def ink(text, size):
+    """The box of a text that starts at the origin."""
+    return TextPath((0, 0), text, size=size, prop=FontProperties(family="DejaVu Sans")).get_extents()
+
+
 def words(picture):
     found = re.findall(r'<g transform="translate\(([\d.]+),([\d.]+)\)( rotate\(270\))?"[^>]*font-size="([\d.]+)"'
                        r'\s*text-anchor="(\w+)">\s*<text>(.*?)</text>', picture, re.DOTALL)
@@ -36,7 +44,7 @@ def words(picture):
         text = re.sub(r"<[^>]*>", "", inside).strip()
         if not text:
             continue
-        box = TextPath((0, 0), text, size=float(size), prop=FontProperties(family="DejaVu Sans")).get_extents()
+        box = ink(text, float(size))
         start = {"start": 0, "middle": -0.5 * box.width, "end": -box.width}[anchor]
         if turned:
             place = float(x) - box.y1, float(y) - start - box.width, float(x) - box.y0, float(y) - start
