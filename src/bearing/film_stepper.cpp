@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bearing/joint_newton.hpp"
+#include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -28,9 +29,10 @@ OperatingPoint point_of(const BearingModel& bearing, const BearingState& state, 
 }
 
 FilmStepper::FilmStepper(SharedBearing bearing, const FilmBearingOptions& options)
-    : bearing_(std::move(bearing)),
-      options_(options),
-      newton_(std::make_unique<FilmNewton>(bearing_, options.newton)) {}
+    : bearing_(std::move(bearing)), options_(options) {
+  BUMPFOIL_ASSERT(bearing_->film);
+  newton_ = std::make_unique<FilmNewton>(bearing_, options.newton);
+}
 
 FilmStepper::FilmStepper(BearingModel bearing, const FilmBearingOptions& options)
     : FilmStepper(std::make_shared<const BearingModel>(std::move(bearing)), options) {}

@@ -38,7 +38,9 @@ FoilStepper::FoilStepper(SharedBearing foils, const FollowerMaker& make_follower
       modes_(make_mode_system(foils_->problem)),
       follower_(make_follower(SharedProblem({foils_, &foils_->problem}), modes_)),
       dissipation_(foils_->problem),
-      rate_(ContactState::unstressed(foils_->problem)) {}
+      rate_(ContactState::unstressed(foils_->problem)) {
+  BUMPFOIL_ASSERT(!foils_->film);
+}
 
 bool FoilStepper::set_foils(const SharedBearing& foils) {
   if (!is_same(foils_->problem, foils->problem)) return false;

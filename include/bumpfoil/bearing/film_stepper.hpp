@@ -125,6 +125,7 @@ struct HeldMotions {
 /// own states: they belong to the caller. One thread at a time; steppers may share the bearing.
 class FilmStepper {
  public:
+  /// @param bearing  with a film
   explicit FilmStepper(SharedBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
   explicit FilmStepper(BearingModel bearing, const FilmBearingOptions& options = FilmBearingOptions());
   ~FilmStepper();
