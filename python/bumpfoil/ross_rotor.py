@@ -34,7 +34,7 @@ def write_ross_rotor(
     bearings : sequence of int
         Nodes of the two bearings.
     stations : mapping of names to int, optional
-        Nodes of other places that results tell of, or with an unbalance; default: both ends and the disks.
+        Nodes of other places that results describe, or with an unbalance; default: both ends and the disks.
 
     Raises
     ------

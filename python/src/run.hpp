@@ -22,10 +22,10 @@ struct CaseSource {
 /// @throws Error as parse_case() does; errors of what was given in Python have its keys alone
 Case read_source(const CaseSource& source, const std::vector<std::string>& commands = {});
 
-/// @throws Error as check_case() does, told in the same way
+/// @throws Error as check_case() does, with the same text
 void check_source(const CaseSource& source);
 
-/// @throws Error (input) that tells of an argument
+/// @throws Error (input) about an argument
 [[noreturn]] void refuse_argument(std::string name, std::string what, std::string advice);
 
 /// What a command gave.

@@ -538,17 +538,17 @@ void FilmNewton::move_foils() {
   add_to_step(step_.clearance_offset, clearance_rate_);
 }
 
-/// Adds the change of all unknowns for a displacement `way` (m) of the journal or the foils, from their rates per m.
-void FilmNewton::add_to_step(double way, const Step& rate) {
-  step_.film.pressure += way * rate.film.pressure;
-  step_.film.thickness += way * rate.film.thickness;
-  step_.film.deflection += way * rate.film.deflection;
-  step_.film.moment += way * rate.film.moment;
-  step_.film.membrane += way * rate.film.membrane;
-  step_.contact.x += way * rate.contact.x;
-  step_.contact.gap += way * rate.contact.gap;
-  step_.contact.normal_force += way * rate.contact.normal_force;
-  step_.contact.friction_force += way * rate.contact.friction_force;
+/// Adds the change of all unknowns for a displacement (m) of the journal or the foils, from their rates per m.
+void FilmNewton::add_to_step(double displacement, const Step& rate) {
+  step_.film.pressure += displacement * rate.film.pressure;
+  step_.film.thickness += displacement * rate.film.thickness;
+  step_.film.deflection += displacement * rate.film.deflection;
+  step_.film.moment += displacement * rate.film.moment;
+  step_.film.membrane += displacement * rate.film.membrane;
+  step_.contact.x += displacement * rate.contact.x;
+  step_.contact.gap += displacement * rate.contact.gap;
+  step_.contact.normal_force += displacement * rate.contact.normal_force;
+  step_.contact.friction_force += displacement * rate.contact.friction_force;
 }
 
 void FilmNewton::take_step(double fraction, const BearingState& from, BearingState& to) const {

@@ -116,7 +116,7 @@ class FilmNewton {
   static Matrix asperity_change(const Part& part, const Matrix& thickness);
   void find_rates(std::span<const Matrix> rigid, std::span<Step> rates);
   void move_foils();
-  void add_to_step(double way, const Step& rate);
+  void add_to_step(double displacement, const Step& rate);
   void take_step(double fraction, const BearingState& from, BearingState& to) const;
   /// Calls visit(index in the contact block, row of the film's block) for the film's unknowns over a support of a pad
   /// or, after the last one, at the free end.

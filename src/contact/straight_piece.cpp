@@ -58,9 +58,9 @@ void StraightPiece::at(double part, ContactState& state) const {
       const double* const from = (begin.*field).data();
       const double* const to = (target.*field).data();
       double* const between = (state.*field).data();
-      const double way = part;
+      const double fraction = part;
       BUMPFOIL_INDEPENDENT
-      for (Eigen::Index i = 0; i < count; ++i) between[i] = (1.0 - way) * from[i] + way * to[i];
+      for (Eigen::Index i = 0; i < count; ++i) between[i] = (1.0 - fraction) * from[i] + fraction * to[i];
     }
   });
 }
@@ -104,12 +104,12 @@ void StraightPiece::lead(const ContactRates& rate, double part) {
     double* const normal_then = target.normal_force.data();
     double* const friction_then = target.friction_force.data();
     double* const slip = slip_.data();
-    const double way = part;
+    const double fraction = part;
     const Eigen::Index count = slip_.size();
     BUMPFOIL_INDEPENDENT
     for (Eigen::Index c = 0; c < count; ++c) {
-      const double normal_change = way * normal_rate[c];
-      const double tangential_change = way * tangential_rate[c];
+      const double normal_change = fraction * normal_rate[c];
+      const double tangential_change = fraction * tangential_rate[c];
       const double p = closed[c] * (normal[c] + normal_change);
       gap_then[c] = gap[c] + (1.0 - closed[c]) * normal_change;
       normal_then[c] = p;
@@ -161,15 +161,15 @@ void StraightPiece::screen(double part) {
     const double* const friction = begin.friction_force.data();
     const double* const friction_then = target.friction_force.data();
     double* const clear = clear_.data();
-    const double way = part;
+    const double fraction = part;
     const double no_force = force_tolerance;
     const Eigen::Index count = clear_.size();
     BUMPFOIL_INDEPENDENT
     for (Eigen::Index c = 0; c < count; ++c) {
       const double open = 1.0 - closed[c];
-      const double g = gap[c] + way * (gap_then[c] - gap[c]);
-      const double p = normal[c] + way * (normal_then[c] - normal[c]);
-      const double t = friction[c] + way * (friction_then[c] - friction[c]);
+      const double g = gap[c] + fraction * (gap_then[c] - gap[c]);
+      const double p = normal[c] + fraction * (normal_then[c] - normal[c]);
+      const double t = friction[c] + fraction * (friction_then[c] - friction[c]);
       const double least_p = normal[c] < p ? normal[c] : p;
       const double apart = open * (g - displacement_tolerance) + closed[c] * (least_p - no_force);
       const double in_cone = 1.0 + held[c] * (f[c] * p - std::abs(t) - no_force - 1.0);
@@ -182,8 +182,8 @@ void StraightPiece::screen(double part) {
 
 void StraightPiece::look_ahead(std::vector<ModeChange>& changes) {
   BUMPFOIL_ASSERT(mode_ == target.mode);
-  const double way_left = 1.0 - begin_fraction;
-  for (double sight = std::max(least_sight, first_sight * last_length_ / way_left);; sight *= farther_sight) {
+  const double part_left = 1.0 - begin_fraction;
+  for (double sight = std::max(least_sight, first_sight * last_length_ / part_left);; sight *= farther_sight) {
     sight = std::min(1.0, sight);
     changes.clear();
     limits.clear();
@@ -200,7 +200,7 @@ void StraightPiece::look_ahead(std::vector<ModeChange>& changes) {
     for (Eigen::Index i = 0; i < count; ++i) look_at(near[i], changes);
     if (!(end_part > sight)) break;
   }
-  last_length_ = end_part * way_left;
+  last_length_ = end_part * part_left;
 }
 
 /// Check of contact c for look_ahead().
@@ -233,7 +233,7 @@ void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
     }
   }
   if (loaded && m == ContactMode::stick) return;
-  if (loaded) trial.normal = std::max(0.0, trial.normal);  // opens later on the way, if at all
+  if (loaded) trial.normal = std::max(0.0, trial.normal);  // opens later in the piece, if at all
   if (change().to != m) changes.push_back(change());
 }
 

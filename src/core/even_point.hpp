@@ -14,8 +14,8 @@ inline Eigen::VectorXd even_point(std::size_t k, const Eigen::VectorXd& shift) {
   for (int i = 0; i < 50; ++i) root = std::pow(1.0 + root, 1.0 / (n + 1.0));
   Eigen::VectorXd x(shift.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double way = 0.5 + shift[i] + static_cast<double>(k) * std::pow(root, -static_cast<double>(i + 1));
-    x[i] = way - std::floor(way);
+    const double along = 0.5 + shift[i] + static_cast<double>(k) * std::pow(root, -static_cast<double>(i + 1));
+    x[i] = along - std::floor(along);
   }
   return x;
 }

@@ -66,11 +66,11 @@ double BranchFollower::steps() const {
     steps = std::max(steps, std::abs(to_.speed - from_.speed) / (options_.speed_step * speed));
   }
   steps = std::max(steps, std::abs(to_.clearance_offset - from_.clearance_offset) / (options_.position_step * c));
-  const auto by_way = [&](Control control, const Eigen::Vector2d& way) {
-    if (control == Control::displacement) steps = std::max(steps, way.norm() / (options_.position_step * c));
+  const auto by_distance = [&](Control control, const Eigen::Vector2d& displacement) {
+    if (control == Control::displacement) steps = std::max(steps, displacement.norm() / (options_.position_step * c));
   };
-  by_way(to_.control, to_.journal - from_.journal);
-  by_way(to_.tilt.control, to_.tilt.value - from_.tilt.value);
+  by_distance(to_.control, to_.journal - from_.journal);
+  by_distance(to_.tilt.control, to_.tilt.value - from_.tilt.value);
   return steps;
 }
 

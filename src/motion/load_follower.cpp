@@ -85,16 +85,16 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 class Bracket {
  public:
   /// Adds a direction whose force increment `rise` lies to one side of the required one.
-  void add(const Eigen::Vector2d& way, const Eigen::Vector2d& rise, const Eigen::Vector2d& wanted) {
-    (cross(wanted, rise) > 0.0 ? left_ : right_) = way.normalized();
+  void add(const Eigen::Vector2d& move, const Eigen::Vector2d& rise, const Eigen::Vector2d& wanted) {
+    (cross(wanted, rise) > 0.0 ? left_ : right_) = move.normalized();
   }
 
   /// The direction, or one inside the bracket of the same length if it lies outside or at an edge, which has been
   /// tried.
-  [[nodiscard]] Eigen::Vector2d inside(const Eigen::Vector2d& way) const {
-    const double turn = no_turn * way.norm();
-    if (!left_ || !right_ || (cross(*right_, way) > turn && cross(way, *left_) > turn)) return way;
-    return way.norm() * (*left_ + *right_).normalized();
+  [[nodiscard]] Eigen::Vector2d inside(const Eigen::Vector2d& move) const {
+    const double turn = no_turn * move.norm();
+    if (!left_ || !right_ || (cross(*right_, move) > turn && cross(move, *left_) > turn)) return move;
+    return move.norm() * (*left_ + *right_).normalized();
   }
 
  private:

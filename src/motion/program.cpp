@@ -34,11 +34,11 @@ Leg revolutions(const OperatingPoint& at, double count, int steps_per_revolution
 }
 
 Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps) {
-  const Eigen::Vector2d way = to - from;
-  const double length = way.norm();
+  const Eigen::Vector2d displacement = to - from;
+  const double length = displacement.norm();
   return {.branch = Branch::loading,
           .control = control,
-          .line = {.base = from, .direction = length > 0.0 ? Eigen::Vector2d(way / length) : way},
+          .line = {.base = from, .direction = length > 0.0 ? Eigen::Vector2d(displacement / length) : displacement},
           .begin = 0.0,
           .end = length,
           .steps = steps};

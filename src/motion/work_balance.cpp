@@ -73,8 +73,8 @@ WorkBalance EnergyMeter::step_to(const MachineState& end) {
   const double dt = now.at.time - last.at.time;
   // The acceleration of the step is used at both ends.
   last.at.acceleration = now.at.acceleration = (now.at.speed - last.at.speed) / dt;
-  const Eigen::VectorXd way = now.rotor.y - last.rotor.y;
-  WorkBalance step{.forces = 0.5 * (forces_(last.at) + forces_(now.at)).dot(way)};
+  const Eigen::VectorXd displacement = now.rotor.y - last.rotor.y;
+  WorkBalance step{.forces = 0.5 * (forces_(last.at) + forces_(now.at)).dot(displacement)};
   const Rotor& rotor = stepper_.rotor();
   const auto twice_energy = [&](const RotorMotion& motion) {
     return quadratic(rotor.mass, motion.v) + quadratic(rotor.stiffness, motion.y);

@@ -10,7 +10,8 @@ namespace bumpfoil {
 /// - `top_displacement` is that of the missing top foil: the crest follows the journal, -(r_i - height_error_i), where
 ///   it is in contact; zero elsewhere.
 /// - `journal_top` and `top_bump` are the one contact between journal and crest; friction belongs to `top_bump`.
-/// - Normal forces below zero are tensions: contacts hold in both senses. Modes tell slip from the unstressed state.
+/// - Normal forces below zero are tensions: contacts hold in both senses. Modes distinguish slip from the unstressed
+///   state.
 /// - Gaps below zero are crests that rise into the journal where its undeformed gap is open, which nothing hinders.
 /// - `dissipated_energy` is zero: friction that opposes the total displacement gives its work back. `residuals` as in
 ///   FormerSolution, first contact and tangent stiffness of a crest alone; both tangents are the same.

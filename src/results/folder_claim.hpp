@@ -11,7 +11,7 @@ namespace bumpfoil {
 std::filesystem::path work_folder(const std::filesystem::path& folder);
 
 /// The exclusive right to write to a folder: a locked file in its work folder, released with its owner or the process.
-/// On file systems without locks, the last claim wins, and is_held() tells the others.
+/// On file systems without locks, the last claim wins, and is_held() is false for the others.
 class FolderClaim {
  public:
   /// @throws Error (file) if another process holds it, or the folder is not writable

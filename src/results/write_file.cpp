@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A hidden file under a temporary name next to its final path. Its process keeps it locked, which tells others that it
+/// A hidden file under a temporary name next to its final path. Its process keeps it locked, which shows others that it
 /// is in use.
 class TemporaryFile {
  public:

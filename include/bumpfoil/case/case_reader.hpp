@@ -10,7 +10,7 @@
 
 namespace bumpfoil {
 
-/// Further errors of a case that a command is to run: those that only what runs it can tell.
+/// Further errors of a case that a command is to run: those that only the command itself can find.
 using CaseCheck = std::function<std::vector<InputError>(const std::string& command, const Case& input)>;
 
 /// Additions of the caller to a case file.

@@ -55,7 +55,7 @@ enum class Rates {
   by_solves,  ///< states are exact to 1e-11 of the largest force
   /// In a matrix of all contacts, some times faster for short foils. Errors of rates, some 1e-11, add up from piece to
   /// piece. By solves all the same for long foils, and on processors without wide vectors, where it does not pay. Parts
-  /// of the response tell of x the tangential unknowns alone; states that are returned are exact solutions for their
+  /// of the response contain of x the tangential unknowns alone; states that are returned are exact solutions for their
   /// modes.
   by_tableau,
 };

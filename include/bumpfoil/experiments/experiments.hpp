@@ -88,7 +88,7 @@ struct ExperimentInfo {
   std::string_view advice;           ///< how to reduce the memory that its results take
   std::vector<Switch> switches{};
   ExperimentRun run;
-  /// Errors of a valid case that only the run of the experiment can tell; may be left out.
+  /// Errors of a valid case that only the experiment itself can find; may be left out.
   std::function<std::vector<InputError>(const Case&)> check{};
   std::function<std::string(const Case&)> solvers{};  ///< names of those it takes; null: the solver of the case
   /// Runs it for the command line, and stages its files as it goes: of an experiment whose results the memory may not
@@ -114,7 +114,7 @@ const std::vector<ExperimentInfo>& experiments();
 const ExperimentInfo& experiment_named(std::string_view name);
 
 /// The files of a run, with one new run id: its tables as CSV, its texts, its dataset as netCDF-4 with CF conventions,
-/// and summary.json with their checksums, so that readers can tell a whole set from a damaged or mixed one. What is not
+/// and summary.json with their checksums, so that readers detect a damaged or mixed set. What is not
 /// known is the fill value of its variable, and null in summary.json.
 /// | netCDF is not thread-safe: call from one thread at a time.
 /// @param outcome  with contents

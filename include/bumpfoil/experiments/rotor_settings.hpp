@@ -73,7 +73,7 @@ struct Machine {
   double reduction_error{};              ///< see ReducedRotor
   std::vector<Eigen::Vector2d> loads;    ///< on the bearings by its weight, N
 
-  /// Places of the rotor that results tell of: its bearings, then its stations.
+  /// Places of the rotor that results describe: its bearings, then its stations.
   [[nodiscard]] std::vector<RotorStation> places() const;
   /// Minimum film thickness of a bearing, m.
   [[nodiscard]] double thinnest_film(std::size_t bearing, const BearingState& state) const;

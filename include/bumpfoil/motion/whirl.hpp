@@ -28,7 +28,7 @@ struct Whirl {
   [[nodiscard]] double log_decrement() const;  ///< -2 pi Re s / Im s; infinite without an oscillation
   [[nodiscard]] double damping_ratio() const;  ///< -Re s / |s|
   /// Whether it is a motion of foils and films, in which the rotor takes little part. Where a rotor is light, motions
-  /// of both mix, and this is a matter of degree: rotor_share tells it.
+  /// of both mix, and this is a matter of degree: rotor_share.
   [[nodiscard]] bool is_of_foils() const { return rotor_share < 0.25; }
 };
 

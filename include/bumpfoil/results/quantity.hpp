@@ -19,7 +19,7 @@ inline constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 /// What an absent value stands for in statistics.
 enum class Undefined {
   unknown,  ///< nothing: it is left out
-  largest,  ///< more than can be told, such as a clearance that was never taken up: the largest in percentiles
+  largest,  ///< too large to be known, such as a clearance that was never taken up: the largest in percentiles
 };
 
 /// As what values are written.
@@ -93,7 +93,7 @@ inline constexpr Tags first_of_experiment = 512;
 }  // namespace tag
 
 /// A column of CSV or key of JSON carries its unit at its end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".
-/// What tells variables of one netCDF file apart falls away, as each table has one of them: "iterations" for
+/// What distinguishes variables of one netCDF file is dropped, as each table has one of them: "iterations" for
 /// `total_iterations`, "status" for `increment_status` and `speed_status`.
 std::string key_of(std::string_view name, std::string_view unit);
 

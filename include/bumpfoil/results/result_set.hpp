@@ -30,7 +30,7 @@ RunStatus run_status(const std::vector<Status>& parts, std::size_t due);
 struct Provenance {
   std::string command_line;
   std::string case_text;  ///< of the case file, as its author wrote it
-  bool times{true};  ///< whether files tell when the run was and how long its parts took; if not, the run id follows
+  bool times{true};  ///< whether files contain when the run was and how long its parts took; if not, the run id follows
                      ///< from case and program, and the same run writes the same bytes
 };
 

@@ -128,7 +128,7 @@ std::optional<CompressionPeak> compression_peak(const FieldMatrix& compression,
 }
 
 void CycleQuantities::add(const Increment& increment, bool checked, bool ends_leg,
-                          std::span<const LoadingCurve::Point> way) {
+                          std::span<const LoadingCurve::Point> between) {
   cycle_.cost += increment.cost;
   cycle_.substeps += increment.substeps;
   // NaN must not count as a small residual.
@@ -145,7 +145,7 @@ void CycleQuantities::add(const Increment& increment, bool checked, bool ends_le
   largest_work_ = std::max(largest_work_, std::abs(work_));
   if (increment.index == 0) cycle_.start = increment;
   if (cycle_.course == Course::one_sided && increment.index <= cycle_.steps) {
-    for (const LoadingCurve::Point& point : way) loading_.add(point);
+    for (const LoadingCurve::Point& point : between) loading_.add(point);
     loading_.add({increment.displacement, increment.force_direct});
   }
   if (ends_leg) cycle_.turns.push_back(increment);

@@ -27,11 +27,11 @@ class CycleRecorder {
     // is the loop energy.
     const bool checked = ends_leg || !cycle_.start;
     const Increment next = log_.make(step, branch, normal_, displacement, checked);
-    way_.clear();
+    between_.clear();
     for (const Waypoint& point : step.waypoints) {
-      way_.push_back({point.position.dot(normal_), cleared(point.force.dot(normal_), foils().round_off.force)});
+      between_.push_back({point.position.dot(normal_), cleared(point.force.dot(normal_), foils().round_off.force)});
     }
-    quantities_.add(next, checked && step.converged(), ends_leg, way_);
+    quantities_.add(next, checked && step.converged(), ends_leg, between_);
     if (next.index == 0 && step.converged()) {
       cycle_.initial_journal_load = interface_loads(foils(), step.state.contacts, Interface::journal_top).sum();
     }
@@ -82,7 +82,7 @@ class CycleRecorder {
   Cycle cycle_;
   IncrementLog log_;
   CycleQuantities quantities_;
-  std::vector<LoadingCurve::Point> way_;
+  std::vector<LoadingCurve::Point> between_;
 };
 
 }  // namespace

@@ -33,12 +33,12 @@ void follow_on(const Cycle& before, Cycle& cycle) {
 
 }  // namespace
 
-double approach(FoilStepper& stepper, const Approach& way, Step& step) {
-  stepper.assemble(way.centre, step);
+double approach(FoilStepper& stepper, const Approach& plan, Step& step) {
+  stepper.assemble(plan.centre, step);
   const double assembly_dissipation = step.state.dissipated_energy;
-  if (!way.preload || !step.converged()) return assembly_dissipation;
-  const auto& [control, value] = *way.preload;
-  const Eigen::Vector2d from = control == Control::displacement ? way.centre.position : Eigen::Vector2d::Zero();
+  if (!plan.preload || !step.converged()) return assembly_dissipation;
+  const auto& [control, value] = *plan.preload;
+  const Eigen::Vector2d from = control == Control::displacement ? plan.centre.position : Eigen::Vector2d::Zero();
   const Eigen::Vector2d distance = value - from;
   if (distance.isZero(0.0)) return assembly_dissipation;
   BearingState state = step.state;
@@ -47,8 +47,8 @@ double approach(FoilStepper& stepper, const Approach& way, Step& step) {
                          .line = {.base = from, .direction = distance.normalized()},
                          .begin = 0.0,
                          .end = distance.norm(),
-                         .steps = way.steps}};
-  const bool there = march(stepper_of(stepper, largest_place(lead_in), way.reach), schedule_of(lead_in), state, step,
+                         .steps = plan.steps}};
+  const bool there = march(stepper_of(stepper, largest_place(lead_in), plan.reach), schedule_of(lead_in), state, step,
                            [](const Passage& at) { return at.step.converged() ? Verdict::go_on : Verdict::refuse; });
   if (!there) return assembly_dissipation;
   step.state = std::move(state);
@@ -82,9 +82,9 @@ Cycle CycleSeries::next(Recording recording, const ProgressCallback& progress, s
   cycle.clearances = std::move(clearances);
   if (program_.empty()) {
     if (centre_) {
-      const Approach way{
+      const Approach plan{
           .centre = *centre_, .preload = course_.preload, .steps = course_.steps, .reach = course_.reach};
-      cycle.assembly_dissipation = approach(stepper_, way, step_);
+      cycle.assembly_dissipation = approach(stepper_, plan, step_);
     }
     program_ = program();
   } else {

@@ -27,7 +27,7 @@ struct Approach {
 /// Takes foils to the start of cycles. Work, dissipation and slip count from there.
 /// @param step  receives the history of the start, or of the failure on the way
 /// @return dissipation of the assembly, J
-double approach(FoilStepper& stepper, const Approach& way, Step& step);
+double approach(FoilStepper& stepper, const Approach& plan, Step& step);
 
 /// Takes foils through successive cycles of one course, with the friction state of the last. The first starts with the
 /// assembly in one step from the unstressed foils and the way to the preload, `steps` increments which are not

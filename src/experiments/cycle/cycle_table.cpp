@@ -17,7 +17,7 @@
 namespace bumpfoil {
 namespace {
 
-/// More cycles of a strip are not all shown: the first and the last tell how it settles.
+/// Of many cycles of a strip only the first and the last are shown: how it settles.
 constexpr std::size_t most_cycles_shown = 6;
 
 /// Cycles in the table: all directions; for many cycles of a strip the first and the last.

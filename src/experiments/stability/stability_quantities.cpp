@@ -132,7 +132,7 @@ constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
      "",
      {},
      search_status},
-    // Without an onset a rotor is stable at all speeds, or at none: stable_up_to tells them apart.
+    // Without an onset a rotor is stable at all speeds, or at none: stable_up_to says which.
     {"onset_speed", "rad/s", "lowest speed at which whirl begins, sliding contacts keep sliding",
      of_first_onset<false, false, &Onset::speed>, headline | leading | sampled | no_limits, "onset of whirl",
      shown::revolutions},

@@ -40,7 +40,7 @@ double turn_half(const TurnView& view) {
   return view.place.half ? std::abs((*view.place.half)[axis]) : absent;
 }
 template <int axis>
-double turn_way(const TurnView& view) {
+double turn_range(const TurnView& view) {
   return view.place.orbit.half_peak_to_peak[axis];
 }
 template <int axis>
@@ -61,9 +61,9 @@ constexpr auto turn_quantity_table = std::to_array<TurnQuantity>({
      shown::micrometres},
     {"phase_y", "degree", "phase of Y in y = Re(Y exp(i a)), a the magnitude of the angle of the rotor", turn_phase<1>,
      csv, "phase, Y"},
-    {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", turn_way<0>,
+    {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", turn_range<0>,
      csv | shown_first | leading, "half peak-to-peak, X", shown::micrometres},
-    {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", turn_way<1>, csv,
+    {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", turn_range<1>, csv,
      "half peak-to-peak, Y", shown::micrometres},
     {"amplitude_x_half", "m",
      "amplitude along X at half the rotation frequency, of two revolutions with this one in their middle", turn_half<0>,

@@ -18,8 +18,8 @@ constexpr std::size_t most_rubs_shown = 10;
 const PlaceTurn& widest(const TransientTurn& revolution) {
   std::size_t at = 0;
   for (std::size_t i = 1; i < revolution.bearings.size(); ++i) {
-    const auto way = [&](std::size_t k) { return revolution.places[k].orbit.half_peak_to_peak.maxCoeff(); };
-    if (way(i) > way(at)) at = i;
+    const auto size = [&](std::size_t k) { return revolution.places[k].orbit.half_peak_to_peak.maxCoeff(); };
+    if (size(i) > size(at)) at = i;
   }
   return revolution.places[at];
 }

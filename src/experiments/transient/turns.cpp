@@ -59,8 +59,8 @@ Eigen::Matrix2Xd at_equal_angles(const PlaceMotion& motion, double begin, std::s
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = begin + step * static_cast<double>(i);
     while (at + 2 < motion.angles.size() && motion.angles[at + 1] < angle) ++at;
-    const double way = motion.angles[at + 1] - motion.angles[at];  // zero while the rotor is at rest
-    const double part = way > 0.0 ? (angle - motion.angles[at]) / way : 0.0;
+    const double turned = motion.angles[at + 1] - motion.angles[at];  // zero while the rotor is at rest
+    const double part = turned > 0.0 ? (angle - motion.angles[at]) / turned : 0.0;
     places.col(static_cast<Eigen::Index>(i)) = (1.0 - part) * motion.at(at) + part * motion.at(at + 1);
   }
   return places;

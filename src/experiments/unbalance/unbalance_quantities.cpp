@@ -137,7 +137,7 @@ double orbit_axis(const StationResponse& response) {
 }
 
 template <int axis>
-double half_way(const StationResponse& response) {
+double half_range(const StationResponse& response) {
   return response.orbit == nullptr ? amplitude<axis>(response) : response.orbit->half_peak_to_peak[axis];
 }
 template <int axis>
@@ -162,9 +162,9 @@ constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
      shown::micrometres},
     {"phase_y", "degree", "phase of Y in y = Re(Y exp(i nu t)), nu the magnitude of Omega", phase<1>, csv | shown_first,
      "phase, Y", shown::degrees},
-    {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", half_way<0>, csv,
+    {"half_peak_to_peak_x", "m", "half of the peak-to-peak displacement along X", half_range<0>, csv,
      "half peak-to-peak, X", shown::micrometres},
-    {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", half_way<1>, csv,
+    {"half_peak_to_peak_y", "m", "half of the peak-to-peak displacement along Y", half_range<1>, csv,
      "half peak-to-peak, Y", shown::micrometres},
     {"h_min", "m", "minimum film thickness of the bearing in a turn of an orbit",
      [](const StationResponse& response) { return response.turn == nullptr ? absent : response.turn->thinnest; }, csv,
@@ -336,11 +336,11 @@ std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
       const double before = (orbits[i] - orbits[i - 1]) / (speed[1] - speed[0]);
       const double after = (orbits[i + 1] - orbits[i]) / (speed[2] - speed[1]);
       const double curvature = (after - before) / (speed[2] - speed[0]);
-      const double way = 0.5 * (speed[0] - speed[1] - before / curvature);  // from the middle point to the vertex
+      const double offset = 0.5 * (speed[0] - speed[1] - before / curvature);  // from the middle point to the vertex
       peaks.push_back({.kind = kind,
                        .station = stations[where[i]].name,
-                       .speed = speed[1] + way,
-                       .amplitude = orbits[i] - curvature * way * way});
+                       .speed = speed[1] + offset,
+                       .amplitude = orbits[i] - curvature * offset * offset});
     }
   }
   return peaks;

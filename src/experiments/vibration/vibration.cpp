@@ -92,8 +92,9 @@ class VibrationRunner {
     const auto begin = std::chrono::steady_clock::now();
     const Program orbit = circle(about.position, radius, sense, 4 * vibration_.steps);
     BearingState state = foils_.state();
-    const Program way{straight_leg(Control::displacement, about.position, orbit.front().line.base, vibration_.steps)};
-    take(way, state, cycle, nullptr);
+    const Program approach{
+        straight_leg(Control::displacement, about.position, orbit.front().line.base, vibration_.steps)};
+    take(approach, state, cycle, nullptr);
     for (int loop = 0; loop < most_vibration_loops && cycle.converged() && !cycle.settled; ++loop) {
       const double work = state.work;
       const double dissipated = state.dissipated_energy;
@@ -104,9 +105,9 @@ class VibrationRunner {
       std::vector<OrbitPoint> points;
       for (std::size_t i = 0; i < forces.size(); ++i)
         points.push_back({orbit[i].line.place(orbit[i].begin), forces[i]});
-      const double rounding = foils_.stepper().foils().round_off.energy;
-      cycle.loop_energy = orbit_energy(cleared(state.work - work, rounding),
-                                       cleared(state.dissipated_energy - dissipated, rounding), points);
+      const double round_off = foils_.stepper().foils().round_off.energy;
+      cycle.loop_energy = orbit_energy(cleared(state.work - work, round_off),
+                                       cleared(state.dissipated_energy - dissipated, round_off), points);
       cycle.loop_energies.push_back(*cycle.loop_energy);
       cycle.settled = is_settled(cycle.loop_energies);
       out.harmonic = orbit_harmonic(forces, radius);

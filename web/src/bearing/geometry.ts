@@ -104,7 +104,7 @@ export class BearingGeometry {
   readonly crestPlaces: number[];
   readonly footPlaces: number[];
   readonly crestOffsets: number[];
-  /** Of the bump foil at each bump; all 0 in results that do not tell. */
+  /** Of the bump foil at each bump; all 0 in results that do not have it. */
   readonly thicknesses: number[];
   readonly sleeveGaps: number[];
   readonly twoFeet: boolean;

@@ -24,7 +24,7 @@ export function nearestPoint(chart: Chart, curves: Point[][], x: number, y: numb
   return found;
 }
 
-/** Shows the tip of the point under the pointer, and tells of clicks on points. */
+/** Shows the tip of the point under the pointer, and reports clicks on points. */
 export function followPointer(
   chart: () => Chart,
   instance: EChartsType,

@@ -12,7 +12,7 @@ export interface Factor {
   /** On the axis, and by itself. */
   text: string;
   title: string;
-  /** Partial rank correlation with a quantity in a direction, -1 to 1; NaN where too few samples tell. */
+  /** Partial rank correlation with a quantity in a direction, -1 to 1; NaN where samples are too few. */
   correlation: (quantity: string, direction: number) => number;
 }
 

@@ -7,7 +7,7 @@ import { speedText } from './states';
 const revolutions = 30 / Math.PI;
 const degrees = 180 / Math.PI;
 
-/** How a response was found, in the order of result.nc, as people are told. */
+/** How a response was found, in the order of result.nc, as pages call it. */
 export const responseKinds = ['small orbits, contacts sliding', 'small orbits, full stick', 'periodic orbits with friction'] as const;
 /** Of these. */
 export const sliding = 0;

@@ -181,7 +181,7 @@ export class Run extends Result<RunData> {
     });
   }
 
-  /** A rig told it, not the program: nothing is known of its foils. */
+  /** It was measured, not computed: nothing is known of its foils. */
   get isMeasured(): boolean {
     return this.data.measured === true;
   }

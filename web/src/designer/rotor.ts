@@ -27,7 +27,7 @@ interface Design {
 
 type Answer = StabilityAnswer | InputErrors;
 
-/** What tiles tell of a run. */
+/** What tiles show of a run. */
 interface Facts {
   /** The first speed at which whirl begins, rad/s; NaN if none was found, of which the text says why. */
   onset: number;

@@ -46,7 +46,7 @@ export function valueTable(fit: Fit): HTMLElement {
   ).root;
 }
 
-/** Which parameters the data tell together: fields are darker the nearer a correlation is to 1 or −1. */
+/** Which parameters the data determine only together: fields are darker the nearer a correlation is to 1 or −1. */
 export function correlationTable(fit: Fit): HTMLElement {
   const { parameters } = fit;
   const shade = (correlation: number | null, self: boolean): string => {

@@ -9,7 +9,7 @@ import { look, onLookChange } from '../ui/theme';
 import { numberOf } from '../tables/results';
 import { curvesOfRun } from '../charts/curves';
 
-/** What cards tell, those of it that the results have, the first in large letters; of several runs what can be compared. */
+/** What cards show, those of it that the results have, the first in large letters; of several runs what can be compared. */
 const leading = ['loaded_stiffness', 'max_force', 'secant_stiffness', 'loss_factor'];
 const leadingOfSeveral = ['loaded_stiffness', 'loss_factor'];
 

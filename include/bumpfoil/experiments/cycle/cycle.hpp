@@ -48,7 +48,7 @@ struct StressPeak {
   double stress{};  ///< Pa
   StressPlace place{};
   int bump{-1};           ///< from 0, of all pads; -1 at the weld
-  int pad{};              ///< from 0, at the weld; elsewhere the bump tells, see find_bump()
+  int pad{};              ///< from 0, at the weld; elsewhere it follows from the bump, see find_bump()
   int increment{};        ///< of the cycle
   double displacement{};  ///< at that increment, m
 

@@ -61,8 +61,8 @@ class CycleQuantities {
   /// The next increment.
   /// @param checked    its energy and residuals are known
   /// @param ends_leg  a leg of the program ends with it
-  /// @param way       what is known of the way to it
-  void add(const Increment& increment, bool checked, bool ends_leg, std::span<const LoadingCurve::Point> way = {});
+  /// @param between   known points of the response since the increment before
+  void add(const Increment& increment, bool checked, bool ends_leg, std::span<const LoadingCurve::Point> between = {});
 
   /// Loads and tangents at the turning point, once its increment was added.
   void turn(TurningPoint response);

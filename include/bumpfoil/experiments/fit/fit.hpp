@@ -141,7 +141,7 @@ struct FitProfilePoint {
 /// What was found of a parameter, SI.
 struct FittedValue {
   double value{};
-  std::optional<double> standard_error{};  ///< absent at a bound and at a jump, and where the data do not tell it
+  std::optional<double> standard_error{};  ///< absent at a bound and at a jump, and where the data do not determine it
   std::optional<double> lower_95{};
   std::optional<double> upper_95{};
   bool at_bound{};
@@ -198,7 +198,7 @@ struct FitResult {
   int degrees_of_freedom{};
   /// Of the sensitivities of the data, each parameter's scaled to length 1: 1 / smallest singular value [Brun2001].
   double collinearity{};
-  std::vector<std::string> directions;  ///< what the data hardly tell, in words
+  std::vector<std::string> directions;  ///< what the data hardly determine, in words
   std::vector<FitMinimum> minima;       ///< that differ, the best first
   std::vector<FittedData> data;
   std::size_t runs{};  ///< evaluations of the model
