@@ -1,20 +1,16 @@
 #include "bumpfoil/bearing/film_bearing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
 #include "bearing/foil_lines.hpp"
 #include "bearing/strip_points.hpp"
 #include "bumpfoil/core/assert.hpp"
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/section.hpp"
 #include "bumpfoil/structure/top_foil_on_lines.hpp"
-#include "core/linear_algebra.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bearing/joint_newton.hpp"
-#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -30,7 +30,9 @@ OperatingPoint point_of(const BearingModel& bearing, const BearingState& state, 
 
 FilmStepper::FilmStepper(SharedBearing bearing, const FilmBearingOptions& options)
     : bearing_(std::move(bearing)), options_(options) {
-  BUMPFOIL_ASSERT(bearing_->film);
+  if (!bearing_->film) {
+    throw Error(ErrorKind::input, {{"", 0, "", "", "this bearing has no film", "give one of make_film_bearing()"}});
+  }
   newton_ = std::make_unique<FilmNewton>(bearing_, options.newton);
 }
 

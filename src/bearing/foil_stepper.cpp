@@ -6,6 +6,7 @@
 #include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -23,6 +24,11 @@ Excitation between(const Excitation& begin, const Excitation& end, double fracti
           .top_load = between(begin.top_load, end.top_load, fraction)};
 }
 
+SharedBearing without_film(SharedBearing foils) {
+  if (!foils->film) return foils;
+  throw Error(ErrorKind::input, {{"", 0, "", "", "this bearing has a film", "advance it by a FilmStepper"}});
+}
+
 }  // namespace
 
 BearingState BearingState::unstressed(const BearingModel& foils) {
@@ -34,13 +40,11 @@ BearingState BearingState::unstressed(const BearingModel& foils) {
 }
 
 FoilStepper::FoilStepper(SharedBearing foils, const FollowerMaker& make_follower)
-    : foils_(std::move(foils)),
+    : foils_(without_film(std::move(foils))),
       modes_(make_mode_system(foils_->problem)),
       follower_(make_follower(SharedProblem({foils_, &foils_->problem}), modes_)),
       dissipation_(foils_->problem),
-      rate_(ContactState::unstressed(foils_->problem)) {
-  BUMPFOIL_ASSERT(!foils_->film);
-}
+      rate_(ContactState::unstressed(foils_->problem)) {}
 
 bool FoilStepper::set_foils(const SharedBearing& foils) {
   if (!is_same(foils_->problem, foils->problem)) return false;

@@ -18,8 +18,8 @@ namespace {
 /// Sums of numbers with this many digits are exact in 64 bits.
 constexpr int most_digits = 15;
 constexpr std::int64_t digits_limit = 1'000'000'000'000'000;
-/// Fraction of a step by which a range may miss its end, for steps such as thirds.
-constexpr std::int64_t rounding = 1'000'000;
+/// A range may miss its end by one of so many parts of a step, for steps such as thirds.
+constexpr std::int64_t parts_of_step = 1'000'000;
 
 /// digits * 10^exponent
 struct Decimal {
@@ -173,7 +173,7 @@ class SweptKeyParser {
     }
     // Rounded to the nearest whole number of steps; span and step have the same sign.
     const std::int64_t steps = (span + step / 2) / step;
-    if (std::abs(span - steps * step) > std::abs(step) / rounding) {
+    if (std::abs(span - steps * step) > std::abs(step) / parts_of_step) {
       const std::int64_t below = from + span / step * step;
       refuse(fmt::format("does not end at {}", text_of({digits[1], exponent})),
              fmt::format("steps of {} lead to {} and {}: end at one of them, or give another step",

@@ -108,7 +108,7 @@ test('the running bearing is that of the program, beside the design before', () 
     });
     assert.match(await view.locator('.remarks').textContent(), /load \(5000, 0\) N: touchdown: the film is thinner than the contact threshold film\.h_floor; last state/);
     await answeredIn(page, '.running', () => page.locator('[data-key="solver.name"] select').selectOption('events', { force: true }));
-    assert.match(await view.locator('.remarks').textContent(), /solver\.name = events: cannot solve contacts under a film; use newton/);
+    assert.match(await view.locator('.remarks').textContent(), /solver\.name = events: cannot solve contacts under a film; set name = "newton"/);
     // A case that says where it runs is run there, and one with tolerances has a spread of films.
     await answeredIn(page, '.running', () => write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n[equilibrium]\nspeeds = ["30000 rpm"]\npositions = [["5 um", "0 um"]]\n[montecarlo]\nradial_clearance = { distribution = "normal", std = "1 um" }\n`));
     assert.match(await view.locator('> .note').first().textContent(), /^30000 rpm, position \(5, 0\) µm: the journal runs at x = 5\.00 µm, y = 0/);

@@ -54,7 +54,7 @@ def test_the_tangent_is_the_derivative_of_a_step(bearing):
 
 
 def test_a_rotor_of_the_user_moves_as_that_of_the_program():
-    """A mass that is kicked, by the same formula of BDF2, from the equilibrium of the same cold start."""
+    """A mass that is kicked, by the same formula of BDF2, from the same equilibrium."""
     mass, steps, duration = 1.0, 60, 2e-3
     dt = 2 * np.pi / abs(SPEED) / 40
     theirs = bumpfoil.run_transient(

@@ -8,6 +8,7 @@
 
 #include "bumpfoil/bearing/film_model.hpp"
 #include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/bearing_design.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/structure/bump_sheet.hpp"
@@ -23,9 +24,9 @@ struct RoundOff {
   double stress{};  ///< Pa: 1e-12 of Young's modulus
 };
 
-/// `value`, or 0 where it is round-off.
-inline double cleared(double value, double rounding) {
-  return std::abs(value) < rounding ? 0.0 : value;
+/// `value`, or 0 where it is below a threshold: round-off.
+inline double cleared(double value, double threshold) {
+  return std::abs(value) < threshold ? 0.0 : value;
 }
 
 /// How the foils of a pad lie in the sleeve without a journal, where their top foil is formed otherwise than the circle
@@ -126,9 +127,8 @@ struct BearingModel {
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   /// Not where a wall takes the place of the foils.
   [[nodiscard]] bool has_foils() const { return bumps() > 0; }
-  [[nodiscard]] int top_bump() const {
-    return has_top_foil() && !film ? journal_contacts() : 0;
-  }  ///< place of the contact in the block of a bump
+  /// Place of the contact of top foil and crest in the block of a bump.
+  [[nodiscard]] int top_bump() const { return has_top_foil() && !film ? journal_contacts() : 0; }
   /// Contacts of the journal with what is over the crests of a bump.
   [[nodiscard]] int journal_contacts() const { return lines.empty() ? 1 : static_cast<int>(lines.size()); }
   /// Where crests touch the top foil.
@@ -167,12 +167,14 @@ struct BearingModel {
   }
   /// Under a film: place of the first pressure in the block of a bump, at one of its stations.
   [[nodiscard]] int first_pressure(int station = 0) const {
+    BUMPFOIL_ASSERT(film);
     return structure.dofs.size + station * film->pads.front().foil.mesh.unknown_rows();
   }
-  /// Place behind the pressures of all stations.
+  /// Under a film: place behind the pressures of all stations.
   [[nodiscard]] int behind_pressures() const { return first_pressure(film->pads.front().stations); }
-  /// Place of the first unknown of the membrane at a station.
+  /// Under a film: place of the first unknown of the membrane at a station.
   [[nodiscard]] int first_of_membrane(int station) const {
+    BUMPFOIL_ASSERT(film);
     const auto of_station = 2 * static_cast<int>(film->pads.front().foil.stretching.rows());
     return problem.K.block_size() - (film->pads.front().stations - station) * of_station;
   }
@@ -181,8 +183,9 @@ struct BearingModel {
   /// The unknowns that the structure knows among those of the problem, in the mean over the width, or those of the bump
   /// foil over one strip, from 0, of several that move apart.
   [[nodiscard]] Vector foil_unknowns(const Vector& x, std::optional<int> strip = {}) const;
-  /// Contacts of the journal on a line, the first of each bump: entries of a vector of all contacts.
+  /// Contacts of the journal on a line, the first of each bump: entries of a vector of all contacts. Not under a film.
   [[nodiscard]] auto pressed(int line = 0) const {
+    BUMPFOIL_ASSERT(!film);
     return Eigen::seqN(Eigen::Index{structure.first_bump} * contacts_per_block() + line, Eigen::Index{bumps()},
                        Eigen::Index{contacts_per_block()});
   }

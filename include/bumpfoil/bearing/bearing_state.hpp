@@ -60,7 +60,7 @@ struct Step {
   std::vector<Waypoint> waypoints;  ///< between its ends: forces are linear from one to the next, as far as is known
   SolveCost cost;
   int substeps{};     ///< extra solves because the increment had to be halved
-  bool is_linear{};   ///< in pieces, so that W = E_end - E_begin + D holds to rounding
+  bool is_linear{};   ///< in pieces, so that W = E_end - E_begin + D holds to round-off
   FilmReport film{};  ///< how that of a running bearing was found
 
   [[nodiscard]] bool converged() const { return status == Status::converged; }

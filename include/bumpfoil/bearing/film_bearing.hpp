@@ -1,16 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/film/film_integrals.hpp"
 
-/// Bearings that run: those with a film (BearingModel::film), which all functions here require.
+/// Bearings that run: those with a film (BearingModel::film), which all functions here but make_film_bearing() require.
 namespace bumpfoil {
 
-/// Foils of a bearing under a film, whether they are under one already or not.
+/// The bearing of these foils with a film; a film that it already has is replaced.
 BearingModel make_film_bearing(const BearingModel& foils, const Gas& gas, const FilmResolution& resolution,
                                const FilmSurroundings& surroundings = {});
 

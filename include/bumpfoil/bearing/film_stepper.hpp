@@ -125,7 +125,7 @@ struct HeldMotions {
 /// own states: they belong to the caller. One thread at a time; steppers may share the bearing.
 class FilmStepper {
  public:
-  /// @param bearing  with a film
+  /// @throws Error (input) if the bearing has no film
   explicit FilmStepper(SharedBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
   explicit FilmStepper(BearingModel bearing, const FilmBearingOptions& options = FilmBearingOptions());
   ~FilmStepper();

@@ -23,7 +23,7 @@ using FollowerMaker =
 /// In all functions `step` receives the result, its storage is reused, and it must not hold the state to start from.
 class FoilStepper {
  public:
-  /// @param foils  without a film
+  /// @throws Error (input) if the bearing has a film
   FoilStepper(SharedBearing foils, const FollowerMaker& make_follower);
 
   /// Switches to other foils with the same stiffness and contacts; only their gaps may differ. An assembly must follow.

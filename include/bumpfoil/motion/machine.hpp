@@ -64,7 +64,7 @@ struct MachineReport {
 /// method fails to find is taken again in 2, 4, ... 128 equal parts. One thread at a time.
 class MachineStepper {
  public:
-  /// @param bearings  in the order of Rotor::bearings, none twice: they may share a FilmModel. They outlive this
+  /// @param bearings  in the order of Rotor::bearings, none twice: they may share a BearingModel. They outlive this
   MachineStepper(Rotor rotor, std::vector<FilmStepper*> bearings);
 
   /// A machine whose bearings carry the rotor in these states, all at one speed: nothing moves.

@@ -30,8 +30,9 @@ enum class Verdict {
 /// Called after every increment, failed ones included.
 using Observer = std::function<Verdict(const Passage&)>;
 
-/// Takes a bearing from state to state, with a film or without: increment `taken` = 1..steps of a leg, from a state
-/// into `step`. How it is found is the business of the stepper: followed from event to event, over folds, in parts.
+/// Takes one increment of a bearing, with a film or without: `taken` = 1..steps of a leg, from a state into `step`. It
+/// sets state and status of the step, whose other contents may be of an earlier increment. Following events, crossing
+/// folds and halving the increment is its business.
 using BearingStepper = std::function<void(const Leg& leg, int taken, const BearingState& from, Step& step)>;
 
 /// Of a bearing without a film.

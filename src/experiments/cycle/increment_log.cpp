@@ -38,8 +38,8 @@ void EnergyBalance::add(const Increment& increment, bool is_linear) {
   const double stored = increment.elastic_energy - start_;
   imbalance_ = std::max(imbalance_, std::abs(increment.work - stored - increment.dissipated_energy));
   // Round-off of the energies, and of forces without load.
-  const double rounding = 1e-12 * (increment.elastic_energy + force_scale_ * std::abs(increment.displacement));
-  scale_ = std::max({scale_, std::abs(increment.work), rounding / largest_imbalance});
+  const double energy_round_off = 1e-12 * (increment.elastic_energy + force_scale_ * std::abs(increment.displacement));
+  scale_ = std::max({scale_, std::abs(increment.work), energy_round_off / largest_imbalance});
 }
 
 bool EnergyBalance::holds() const {

@@ -360,7 +360,8 @@ void check_foils_on_film(Checks& checks, const Case& input) {
                      std::string(name_of(input.bump_foil.geometry)),
                      "a film supports foils of small displacements only", "set geometry = \"linear\"");
   checks.require_for(running, input.solver.chosen() == SolverName::newton, "solver.name",
-                     std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
+                     std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film",
+                     "set name = \"newton\"");
 }
 
 void check_film(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {

@@ -21,7 +21,7 @@ struct Reading {
 /// Noise would lengthen the loop, so arc length is measured along means of neighbouring readings.
 class MeasuredCurve {
  public:
-  /// @param fully_reversed  the loop is fully reversed: a push follows its minimum displacement
+  /// @param fully_reversed  whether the loop is fully reversed: it then rises again from its minimum displacement
   MeasuredCurve(const FitData& data, bool fully_reversed);
 
   [[nodiscard]] const std::vector<Reading>& readings() const { return readings_; }

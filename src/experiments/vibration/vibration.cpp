@@ -105,9 +105,9 @@ class VibrationRunner {
       std::vector<OrbitPoint> points;
       for (std::size_t i = 0; i < forces.size(); ++i)
         points.push_back({orbit[i].line.place(orbit[i].begin), forces[i]});
-      const double round_off = foils_.stepper().foils().round_off.energy;
-      cycle.loop_energy = orbit_energy(cleared(state.work - work, round_off),
-                                       cleared(state.dissipated_energy - dissipated, round_off), points);
+      const double energy_round_off = foils_.stepper().foils().round_off.energy;
+      cycle.loop_energy = orbit_energy(cleared(state.work - work, energy_round_off),
+                                       cleared(state.dissipated_energy - dissipated, energy_round_off), points);
       cycle.loop_energies.push_back(*cycle.loop_energy);
       cycle.settled = is_settled(cycle.loop_energies);
       out.harmonic = orbit_harmonic(forces, radius);

@@ -58,7 +58,7 @@ TEST(BearingModel, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
   }
 }
 
-TEST(BearingModel, FollowAWavySleeve) {
+TEST(BearingModel, FollowsAWavySleeve) {
   Case input = case_with_given_constants();
   input.bump_foil.height_errors.assign(26, 1e-6);
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
@@ -85,7 +85,7 @@ TEST(BearingModel, FollowAWavySleeve) {
   }
 }
 
-TEST(BearingModel, TaperWithTheSleeveAndGiveWayToTheJournal) {
+TEST(BearingModel, TapersWithTheSleeveAndGivesWayToTheJournal) {
   Case input = case_with_given_constants();
   const Vector round = make_bearing_foils(input)->assembled_gap;
   input.bearing.taper = 8e-6;

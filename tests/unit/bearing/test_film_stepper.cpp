@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_runs.hpp"
 
@@ -9,6 +10,10 @@ namespace bumpfoil {
 namespace {
 
 constexpr FilmResolution four_rows{.columns_per_pitch = 4, .rows = 4};
+
+TEST(FilmStepper, NeedsAFilm) {
+  EXPECT_THROW(FilmStepper(make_foils(film_reference_case(four_rows))), Error);
+}
 
 TEST(FilmStepper, KeepsTheHistoryOfFriction) {
   const BearingModel bearing = film_reference_bearing(four_rows, 0.1);
@@ -41,15 +46,15 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
   constexpr double h = 1e-9;  // m; no contact changes its mode over so little
   for (const int axis : {0, 1}) {
     Eigen::Vector2d force[2];
-    Vector lift[2];
+    Vector deflection[2];
     for (const int side : {0, 1}) {
       BearingState moved = state;
       const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
       ASSERT_EQ(stepper.advance(OperatingPoint::held_at(there, speed), moved).status, Status::converged);
       force[side] = film_bearing_outcome(bearing, moved).force;
-      lift[side] = bearing.film->scales.thickness * moved.film.deflection.row(0).transpose();
+      deflection[side] = bearing.film->scales.thickness * moved.film.deflection.row(0).transpose();
     }
-    response = std::max(response, (lift[1] - lift[0]).cwiseAbs().maxCoeff() / (2.0 * h));
+    response = std::max(response, (deflection[1] - deflection[0]).cwiseAbs().maxCoeff() / (2.0 * h));
     // Forces of tens of newtons are good to 1e-9 N: 1e-6 of a few MN/m.
     EXPECT_LT(((force[1] - force[0]) / (2.0 * h) - K->col(axis)).norm(), 3e-6 * K->norm());
   }

@@ -8,6 +8,7 @@
 
 #include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/span_loads.hpp"
@@ -258,6 +259,11 @@ TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
   const TangentStiffnesses tangent = make_stepper(foils).tangents(state).along(unit_vector(0.0));
   EXPECT_EQ(tangent.loading, 0.0);
   EXPECT_EQ(tangent.unloading, 0.0);
+}
+
+TEST(FoilStepper, DoesNotTakeAFilm) {
+  const auto running = std::make_shared<const BearingModel>(make_film_bearing(case_with_given_constants()));
+  EXPECT_THROW(make_stepper(running), Error);
 }
 
 TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {

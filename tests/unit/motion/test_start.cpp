@@ -17,7 +17,7 @@ BearingModel tight_bearing() {
 }
 
 /// With clearance nothing is opened; without, until c remains.
-TEST(OpeningToStart, LeavesTheRoomOfAFilm) {
+TEST(ClearanceOffsetToStart, LeavesTheRoomOfAFilm) {
   EXPECT_EQ(clearance_offset_to_start(film_reference_bearing({4, 4}), 1e-7), 0.0);
   const BearingModel tight = tight_bearing();
   EXPECT_NEAR(clearance_offset_to_start(tight, 1e-7) + tight.film->assembled_clearance, tight.film->scales.thickness,

@@ -268,7 +268,7 @@ TEST(CycleRunner, FindsClearancesInsideIncrements) {
   }
 }
 
-TEST(CycleRunner, SwingsAboutALoadThatTheJournalCarries) {
+TEST(CycleRunner, IsFullyReversedAboutALoadThatTheJournalCarries) {
   for (const SolverName solver : {SolverName::newton, SolverName::events}) {
     Case input = short_case(20);
     input.solver.name = solver;
@@ -341,7 +341,7 @@ TEST(CycleRunner, FollowsALoad) {
 }
 
 /// The load turns round, and the journal crosses its clearance.
-TEST(CycleRunner, SwingsThroughTheCentre) {
+TEST(CycleRunner, IsFullyReversedThroughTheCentre) {
   Case input = short_case(6);
   input.cycle.swing = true;
   const SharedBearing foils = make_bearing_foils(input);

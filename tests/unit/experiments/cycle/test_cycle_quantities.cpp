@@ -120,7 +120,7 @@ TEST(CycleQuantities, TakeTheWayToAnIncrementIntoAccount) {
 }
 
 /// A fully reversed cycle from +10 to -10 um, with 30 and 10 N there.
-TEST(CycleQuantities, OfASwingCompareItsTurningPoints) {
+TEST(CycleQuantities, OfAFullyReversedCycleCompareItsTurningPoints) {
   Cycle cycle;
   cycle.course = Course::fully_reversed;
   cycle.clearances = {{.force = 5.0, .displacement = {}}};

@@ -33,7 +33,7 @@ TEST(MeasuredLoop, OfATriangleHasTheQuantitiesOfTheClosedForm) {
   EXPECT_EQ(cycle.increments[3].branch, Branch::unloading);
 }
 
-TEST(MeasuredLoop, ToBothSidesIsASwing) {
+TEST(MeasuredLoop, ToBothSidesIsFullyReversed) {
   // A parametric ellipse, F = K x + C y: the loop energy is pi X C.
   constexpr double amplitude = 20e-6, stiffness = 5e6, across = 30.0;
   constexpr int count = 4000;

@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Free, FreeStrip,
                          testing::Combine(testing::Values(BumpFoilModel::truss, BumpFoilModel::frame), testing::Bool(),
                                           testing::Values(0.0, 0.1)));
 
-TEST(RunStrip, SwingsAboutItsPreload) {
+TEST(RunStrip, IsFullyReversedAboutItsPreload) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
   input.strip->cycles = 2;
   for (const Target preload : {Target{Control::displacement, 15e-6}, Target{Control::load, 150.0}}) {
