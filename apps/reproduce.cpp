@@ -16,6 +16,7 @@
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/ensemble/parallel_runs.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/results/made_folder.hpp"
 #include "bumpfoil/results/result_folder.hpp"
@@ -74,7 +75,8 @@ class StudyWriter {
     for (const StudyRun& run : study_.runs) {
       const Case& input = cases_.emplace_back(study_case(run));
       run_folders_.emplace_back(path / run.name, existing, run_names);
-      increments_ += static_cast<double>(input.cycle.directions.size()) * (2.0 * input.cycle.steps + 1.0);
+      const CycleSettings& cycle = input.settings.get<CycleSettings>();
+      increments_ += static_cast<double>(cycle.directions.size()) * (2.0 * cycle.steps + 1.0);
     }
   }
 

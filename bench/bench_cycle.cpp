@@ -7,6 +7,7 @@
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/long_bearing.hpp"
 
 namespace bumpfoil {
@@ -15,7 +16,7 @@ namespace {
 /// Reference bearing, friction 0.1, +X, 100 steps per branch.
 Case reference_push() {
   Case input = reference_case();
-  input.cycle.directions = {0.0};
+  input.settings.get<CycleSettings>().directions = {0.0};
   return input;
 }
 
@@ -25,9 +26,11 @@ void increment(benchmark::State& bench) {
   const BearingModel foils = *make_bearing_foils(input);
   NewtonSolver solver(foils.problem);
   std::vector<ContactLoading> loadings;
-  for (int k = 0; k <= 2 * input.cycle.steps; ++k) {
-    const int from_centre = k <= input.cycle.steps ? k : 2 * input.cycle.steps - k;
-    const double displacement = input.cycle.amplitude.value * from_centre / input.cycle.steps;
+  for (int k = 0; k <= 2 * input.settings.get<CycleSettings>().steps; ++k) {
+    const int from_centre =
+        k <= input.settings.get<CycleSettings>().steps ? k : 2 * input.settings.get<CycleSettings>().steps - k;
+    const double displacement =
+        input.settings.get<CycleSettings>().amplitude.value * from_centre / input.settings.get<CycleSettings>().steps;
     loadings.push_back(loading_under(foils, {.position = {displacement, 0.0}}));
   }
   const ContactState unstressed = ContactState::unstressed(foils.problem);
@@ -75,7 +78,7 @@ void cycle_quantities(benchmark::State& bench, SolverName solver) {
   input.solver.name = solver;
   CycleRunner runner(make_bearing_foils(input), input.solver);
   for (auto _ : bench) {
-    const Cycle cycle = runner.run(0.0, input.cycle, Recording::quantities);
+    const Cycle cycle = runner.run(0.0, input.settings.get<CycleSettings>(), Recording::quantities);
     if (!cycle.converged()) bench.SkipWithError("the cycle failed");
     benchmark::DoNotOptimize(cycle.loop_energy);
   }
@@ -95,7 +98,7 @@ BENCHMARK(make_foils_and_runner)->Unit(benchmark::kMicrosecond);
 
 void cycle_of_steps(benchmark::State& bench, SolverName solver) {
   Case input = reference_push();
-  input.cycle.steps = static_cast<int>(bench.range(0));
+  input.settings.get<CycleSettings>().steps = static_cast<int>(bench.range(0));
   run_cycle(bench, input, solver);
 }
 void each_number_of_steps(benchmark::internal::Benchmark* bench) {
@@ -107,7 +110,7 @@ BENCHMARK_CAPTURE(cycle_of_steps, events, SolverName::events)->Apply(each_number
 /// 20 steps per branch: both the number of events and the cost of each grow with the number of bumps.
 void cycle_of_bumps(benchmark::State& bench, SolverName solver) {
   Case input = with_bumps(reference_push(), static_cast<int>(bench.range(0)));
-  input.cycle.steps = 20;
+  input.settings.get<CycleSettings>().steps = 20;
   run_cycle(bench, input, solver);
 }
 void each_number_of_bumps(benchmark::internal::Benchmark* bench) {

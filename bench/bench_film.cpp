@@ -8,7 +8,9 @@
 #include "alternating.hpp"
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/rest.hpp"
 
@@ -243,9 +245,9 @@ void run_up(benchmark::State& bench) {
   input.film.columns_per_pitch = static_cast<int>(bench.range(0));
   input.film.rows = static_cast<int>(bench.range(1));
   input.asperity = AsperitySettings{.sigma = 0.3e-6, .density = 1.7e10, .radius = 10e-6, .friction = 0.2};
-  input.equilibrium =
-      EquilibriumSettings{.loads = {{50.0, 0.0}}, .path = FilmPath::speed_ramp, .paths = ComparedPaths::one};
-  for (int i = 0; i < speeds; ++i) input.equilibrium->speeds.push_back(speed * i / (speeds - 1));
+  input.settings.set(
+      EquilibriumSettings{.loads = {{50.0, 0.0}}, .path = FilmPath::speed_ramp, .paths = ComparedPaths::one});
+  for (int i = 0; i < speeds; ++i) input.settings.get<EquilibriumSettings>().speeds.push_back(speed * i / (speeds - 1));
   for (auto _ : bench) {
     if (!analyse_running_bearing(input).converged()) bench.SkipWithError("not converged");
   }

@@ -5,6 +5,7 @@
 #include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/long_bearing.hpp"
 
 namespace bumpfoil {

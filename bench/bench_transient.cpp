@@ -28,7 +28,7 @@ struct Example {
   explicit Example(double rpm)
       : speed(rpm * std::numbers::pi / 30.0),
         input(read_case("examples/rotor.toml")),
-        settings(rotor_settings_of(input)),
+        settings(input.settings.get<RotorSettings>()),
         machine(make_machine(input, {speed}, "stability")),
         steppers(machine.make_steppers()) {
     settings.unbalances.clear();

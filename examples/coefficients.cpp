@@ -2,6 +2,7 @@
 // Of the foils at rest, about 50 N downwards: in a running bearing they are in series with the gas film.
 #include <fmt/format.h>
 #include <Eigen/LU>
+#include <bumpfoil/experiments/reference_case.hpp>
 #include <bumpfoil/experiments/vibration/vibration.hpp>
 #include <complex>
 #include <numbers>
@@ -9,7 +10,7 @@
 int main() {
   using namespace std::complex_literals;
   bumpfoil::Case bearing = bumpfoil::reference_case();
-  bumpfoil::VibrationSettings& vibration = bearing.vibration.emplace();
+  bumpfoil::VibrationSettings& vibration = bearing.settings.set(bumpfoil::VibrationSettings{});
   vibration.loads = {{0.0, -50.0}};
   vibration.motion = bumpfoil::Motion::orbit;
   vibration.amplitudes = {1e-6};

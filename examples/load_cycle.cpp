@@ -1,13 +1,14 @@
 // A downward load of 400 N is applied to the journal and removed. The journal is free to move sideways.
 #include <fmt/format.h>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 #include <numbers>
 
 int main() {
   bumpfoil::Case bearing = bumpfoil::reference_case();
-  bearing.cycle = {.directions = {-0.5 * std::numbers::pi},
-                   .amplitude = {.control = bumpfoil::Control::load, .value = 400.0},
-                   .steps = 50};
+  bearing.settings.set(bumpfoil::CycleSettings{.directions = {-0.5 * std::numbers::pi},
+                                               .amplitude = {.control = bumpfoil::Control::load, .value = 400.0},
+                                               .steps = 50});
   const bumpfoil::Cycle cycle = bumpfoil::run_cycles(bearing).cycles.front();
   if (!cycle.converged()) return 3;
 

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 #include <bumpfoil/case/case_reader.hpp>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 
 int main() {
   const auto push = [](const char* name, bumpfoil::Case bearing) {
-    bearing.cycle.directions = {0.0};
-    bearing.cycle.steps = 50;
+    auto& settings = bearing.settings.get<bumpfoil::CycleSettings>();
+    settings.directions = {0.0};
+    settings.steps = 50;
     const bumpfoil::Cycle cycle = bumpfoil::run_cycles(bearing).cycles.front();
     if (!cycle.converged()) return false;
     fmt::print("{}: {:.1f} N, first contact {:.1f} um\n", name, cycle.turning_point->max_force,

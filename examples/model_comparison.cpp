@@ -2,12 +2,13 @@
 // Le Lez (2007) model.
 #include <fmt/format.h>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 #include <utility>
 
 int main() {
   using bumpfoil::BumpFoilModel;
   bumpfoil::Case bearing = bumpfoil::reference_case();
-  bearing.cycle = {.directions = {0.0}, .amplitude = {.value = 60e-6}, .steps = 30};
+  bearing.settings.set(bumpfoil::CycleSettings{.directions = {0.0}, .amplitude = {.value = 60e-6}, .steps = 30});
   const auto push = [&bearing](const char* name, BumpFoilModel model, bumpfoil::Geometry geometry) {
     bearing.bump_foil.model = model;
     bearing.bump_foil.geometry = geometry;
@@ -19,6 +20,6 @@ int main() {
   const bool converged = push("truss", BumpFoilModel::truss, bumpfoil::Geometry::linear) &&
                          push("frame", BumpFoilModel::frame, bumpfoil::Geometry::linear) &&
                          push("frame, large displacements", BumpFoilModel::frame, bumpfoil::Geometry::nonlinear) &&
-                         push("former model", BumpFoilModel::former, bumpfoil::Geometry::linear);
+                         push("Le Lez (2007)", BumpFoilModel::former, bumpfoil::Geometry::linear);
   return converged ? 0 : 3;
 }

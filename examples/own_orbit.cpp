@@ -1,6 +1,7 @@
 // Your own orbit, here a figure of eight about a point below the centre: forces, and friction loss.
 #include <fmt/format.h>
 #include <bumpfoil/experiments/path/path.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 #include <cmath>
 #include <numbers>
 

@@ -1,4 +1,5 @@
 #include <bumpfoil/experiments/cycle/cycle.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 #include <iostream>
 
 int main() {

@@ -1,11 +1,13 @@
 // The effect of friction: push tests with coefficients from 0 to 0.5. `bumpfoil sweep` does the same on all cores.
 #include <fmt/format.h>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 
 int main() {
   bumpfoil::Case bearing = bumpfoil::reference_case();
-  bearing.cycle.directions = {0.0};
-  bearing.cycle.steps = 50;
+  auto& settings = bearing.settings.get<bumpfoil::CycleSettings>();
+  settings.directions = {0.0};
+  settings.steps = 50;
   for (const double coefficient : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
     bearing.friction = {.top_bump = coefficient, .bump_sleeve = coefficient};
     const bumpfoil::Cycle push = bumpfoil::run_cycles(bearing).cycles.front();

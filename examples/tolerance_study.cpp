@@ -4,12 +4,14 @@
 #include <bumpfoil/ensemble/sample.hpp>
 #include <bumpfoil/ensemble/statistics.hpp>
 #include <bumpfoil/experiments/cycle/sampled_cycles.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 
 int main() {
   bumpfoil::Case bearing = bumpfoil::reference_case();
   bearing.solver.name = bumpfoil::SolverName::events;
-  bearing.cycle.directions = {0.0};
-  bearing.cycle.steps = 50;
+  auto& settings = bearing.settings.get<bumpfoil::CycleSettings>();
+  settings.directions = {0.0};
+  settings.steps = 50;
   bearing.montecarlo.emplace().bump_height.emplace().distribution.sigma = 10e-6;  // m, of a normal distribution
 
   std::vector<double> forces, clearances;

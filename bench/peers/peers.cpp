@@ -12,6 +12,9 @@
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #ifdef BUMPFOIL_PEERS_SICONOS
 #include <Eigen/Eigenvalues>
 
@@ -142,7 +145,8 @@ std::string time_siconos(SiconosMethod method, const ContactProblem& problem, co
 std::string bearing_rows() {
   const Case input = reference_case();
   const BearingModel foils = *make_bearing_foils(input);
-  const Loadings loadings = loadings_of(foils, input.cycle.amplitude.value, input.cycle.steps);
+  const Loadings loadings = loadings_of(foils, input.settings.get<CycleSettings>().amplitude.value,
+                                        input.settings.get<CycleSettings>().steps);
   const auto named = [](SolverName name) {
     SolverSettings settings;
     settings.name = name;
@@ -171,7 +175,8 @@ std::string strip_rows() {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.height_reference = HeightReference::midsurface;
   input.bump_foil.weld_at = WeldPosition::arc_start;
-  input.strip = StripSettings{.bumps = 10, .top_foil = false, .amplitude = {.value = compression}, .steps = steps};
+  input.settings.set(
+      StripSettings{.bumps = 10, .top_foil = false, .amplitude = {.value = compression}, .steps = steps});
   const BearingModel foils = *make_strip_foils(input);
   return time_solver("newton", SolverSettings(), foils.problem, loadings_of(foils, compression, steps), 21);
 }

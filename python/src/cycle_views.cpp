@@ -134,7 +134,8 @@ py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t
     quantities[std::string(quantity.name).c_str()] = spelled(quantity.value(cycle, input), quantity.form);
   }
   if (result.experiment == Experiment::cycle) {
-    const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+    const std::vector<VariableMeaning> clearances =
+        clearance_quantities(input.settings.get<CycleSettings>().clearance_forces);
     for (std::size_t i = 0; i < clearances.size(); ++i) {
       quantities[clearances[i].name.c_str()] = spelled(clearance_of(cycle, i), clearances[i].form);
     }

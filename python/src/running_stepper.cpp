@@ -65,8 +65,7 @@ RunningStepper::RunningStepper(const RunningStepper& other)
 
 SharedInstant RunningStepper::begin(const OperatingPoint& point) {
   Case requested = input_;
-  if (!requested.equilibrium) requested.equilibrium.emplace();
-  EquilibriumSettings& settings = *requested.equilibrium;
+  auto& settings = requested.settings.get_or_create<EquilibriumSettings>();
   settings.speeds = {point.speed};
   (point.by_load() ? settings.loads : settings.positions) = {point.journal};
   (point.by_load() ? settings.positions : settings.loads).clear();

@@ -13,6 +13,7 @@
 
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/control.hpp"
 #include "case/units.hpp"
 
 namespace bumpfoil {

@@ -71,7 +71,7 @@ std::string quantity_pattern(const std::vector<Dimension>& dimensions, std::stri
 /// Schema properties of keys beyond their description: ranges, defaults and examples. Paths have no list indices.
 class KeyFacts {
  public:
-  KeyFacts() : listed_(list_keys(reference_case())), unset_(list_keys({})) {
+  KeyFacts() : listed_(list_keys(presets().front().input)), unset_(list_keys({})) {
     for (const CheckedKey& one : checked_keys(case_of_all_keys())) {
       const auto [range, first] = ranges_.try_emplace(without_counts(one.key), one.range);
       range->second.least = std::min(range->second.least, one.range.least);
@@ -312,7 +312,7 @@ class SchemaWriter final : public CaseVisitor {
 std::string case_schema() {
   const KeyFacts facts;
   SchemaWriter root(facts);
-  Case input = reference_case();
+  Case input = presets().front().input;
   // These choices require the fewest tables and keys.
   input.bump_foil.model = BumpFoilModel::former;
   input.bearing = {};

@@ -125,7 +125,7 @@ std::string case_reference() {
   constexpr std::string_view header = "\n| key | value | default | meaning |\n|---|---|---|---|\n";
   const std::vector<ListedKey> unset = list_keys({});
   std::size_t i = 0;
-  for (const ListedKey& listed : list_keys(reference_case())) {
+  for (const ListedKey& listed : list_keys(presets().front().input)) {
     const Key& key = listed.key;
     const std::string fallback = fallback_of(listed, unset[i++]);
     if (listed.is_table()) {
@@ -143,7 +143,7 @@ std::string case_reference() {
 
 std::vector<std::string> case_key_names() {
   std::vector<std::string> names;
-  for (const ListedKey& listed : list_keys(reference_case())) {
+  for (const ListedKey& listed : list_keys(presets().front().input)) {
     if (!listed.is_table() && without_counts(listed.path) == listed.path) names.push_back(listed.path);
   }
   return names;
@@ -151,7 +151,7 @@ std::vector<std::string> case_key_names() {
 
 nlohmann::ordered_json case_labels() {
   nlohmann::ordered_json labels;
-  for (const ListedKey& listed : list_keys(reference_case())) {
+  for (const ListedKey& listed : list_keys(presets().front().input)) {
     labels[listed.path]["title"] = listed.key.title;
     if (listed.kind == "list of directions") {
       labels[listed.path]["unit"] = "direction";

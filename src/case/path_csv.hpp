@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/control.hpp"
 
 namespace bumpfoil {
 

@@ -17,7 +17,8 @@ struct Preset {
   std::vector<std::pair<std::string_view, std::string_view>> remarks;
 };
 
-/// All presets; the first is reference_case().
+/// All presets; the first is the reference case. They are defined in a higher layer, as case_tables() are: they have
+/// settings of experiments.
 const std::vector<Preset>& presets();
 
 }  // namespace bumpfoil

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/control.hpp"
 #include "case/reading_log.hpp"
 #include "case/units.hpp"
 

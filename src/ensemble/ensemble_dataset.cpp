@@ -84,7 +84,7 @@ Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const 
     data.add_dimension({"strip", "1", "strip of the bump foil, from the side z < 0 on", whole_number},
                        numbers_from(1.0, strips));
   }
-  for (const NamedNumbers& geometry : make_result_layout(input, Experiment::cycle).at_bumps) {
+  for (const NamedNumbers& geometry : make_bearing_layout(input).at_bumps) {
     data.add_coordinate({geometry.name, geometry.unit, geometry.long_name}, {"bump"}, geometry.values);
   }
   add_deviations(input, data);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bumpfoil/contact/newton.hpp"
-#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/origin/uzawa.hpp"
 #include "experiments/cycle/cycle_run.hpp"
@@ -37,8 +37,7 @@ SharedBearing make_bearing_foils(const Case& input, const std::vector<std::strin
 
 SharedBearing make_strip_foils(const Case& input) {
   require_valid(input, {"strip"});
-  if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
-  const StripSettings& strip = *input.strip;
+  const StripSettings& strip = input.settings.get<StripSettings>();
   return std::make_shared<const BearingModel>(make_foils(input, strip.bumps, strip.weld, strip.top_foil));
 }
 

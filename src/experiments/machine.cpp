@@ -26,7 +26,7 @@ FilmResolution resolution_under(const RotorSettings& rotor, const Case& bearing)
 
 Machine make_machine(const Case& input, const std::vector<double>& speeds, const std::string& command) {
   require_valid(input, {command});
-  const RotorSettings& settings = rotor_settings_of(input);
+  const RotorSettings& settings = input.settings.get<RotorSettings>();
   double highest = 0.0;
   for (const double speed : speeds) highest = std::max(highest, std::abs(speed));
   const std::size_t places = settings.tilts() ? settings.bearing_count() : 1;

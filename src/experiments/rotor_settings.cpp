@@ -413,14 +413,6 @@ RotorForces forces_on(const RotorSettings& settings, const Rotor& rotor) {
   };
 }
 
-const RotorSettings& rotor_settings_of(const Case& input) {
-  const RotorSettings* const settings = input.settings.find<RotorSettings>();
-  if (settings == nullptr) {
-    throw Error(ErrorKind::input, {{"", 0, "rotor", "", "this table is missing", "add [rotor] with a mass"}});
-  }
-  return *settings;
-}
-
 void describe_rotor(CaseVisitor& keys, Case& input) {
   const RotorSettings* const held = input.settings.find<RotorSettings>();
   RotorSettings rotor = held == nullptr ? RotorSettings{} : *held;

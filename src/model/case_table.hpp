@@ -43,6 +43,12 @@ struct CaseTable {
 /// experiments.
 std::span<const CaseTable> case_tables();
 
+/// Whether a case gives settings of this type: a CaseTable::given.
+template <typename Settings>
+bool gives(const Case& input) {
+  return input.settings.find<Settings>() != nullptr;
+}
+
 /// Null if there is no such experiment.
 const CaseTable* case_table_of(std::string_view experiment);
 

@@ -48,8 +48,6 @@ void check_common(Checks& checks, const std::string& table, const Case& input, c
 void check_use(Checks& checks, const Case& input) {
   checks.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "", "does not support pads",
                  "set model = \"truss\" or \"frame\", or remove [[pad]]");
-  checks.require_for("strip", !input.strip, "strip", "", "lies flat, cut from one foil, and the bearing has pads",
-                     "remove [[pad]], and give the foils of one in [bump_foil] and [top_foil]");
 }
 
 }  // namespace

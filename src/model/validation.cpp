@@ -110,7 +110,7 @@ void check_ensemble_command(Checks& checks, const Case& input) {
                  fmt::format("give one of {}", fmt::join(sampled_experiments(), ", ")));
   if (!known) return;
   checks.require_for("montecarlo", !run->given || run->given(input), "montecarlo.command", command,
-                     fmt::format("needs the table [{}], which is missing or empty", run->needs),
+                     fmt::format("needs the table [{}], which is missing", run->needs),
                      fmt::format("add [{}], or set another command", run->needs));
 }
 

@@ -83,7 +83,7 @@ class Optimiser {
     result_.aims = model_.aims();
     result_.limits = model_.limits();
     result_.optimised = input;
-    result_.optimised.settings.set(OptimiseSettings{});
+    result_.optimised.settings.remove<OptimiseSettings>();
   }
 
   OptimiseResult run() {

@@ -66,9 +66,9 @@ std::vector<InputError> errors_whatever_the_bearing(const Case& input, OptimiseS
 
 }  // namespace
 
-OptimiseModel::OptimiseModel(const Case& input) : settings_(*input.settings.find<OptimiseSettings>()) {
+OptimiseModel::OptimiseModel(const Case& input) : settings_(input.settings.get<OptimiseSettings>()) {
   Case bare = input;
-  bare.settings.set(OptimiseSettings{});
+  bare.settings.remove<OptimiseSettings>();
   text_ = case_to_toml(bare);
   std::vector<InputError> errors;
   runner_ = make_point_runner(bare, settings_, errors);
@@ -168,9 +168,9 @@ std::optional<OptimisePoint> OptimiseModel::evaluate(const std::vector<double>& 
 }
 
 std::vector<InputError> optimise_errors(const Case& input) {
-  OptimiseSettings settings = *input.settings.find<OptimiseSettings>();
+  OptimiseSettings settings = input.settings.get<OptimiseSettings>();
   Case bare = input;
-  bare.settings.set(OptimiseSettings{});
+  bare.settings.remove<OptimiseSettings>();
   if (!find_errors(bare).empty()) return errors_whatever_the_bearing(input, std::move(settings));
   // Errors of keys are reported by [optimise] itself; the quantities do not depend on them.
   std::erase_if(settings.keys,

@@ -151,7 +151,7 @@ CycleRun former_cycle_run(const Case& input) {
   const auto model = std::make_shared<const FormerModel>(make_former_model(input));
   return [model, solver = std::make_shared<FormerSolver>(*model), &input](double direction,
                                                                           const ProgressCallback& progress) {
-    return run_former_cycle(*model, *solver, direction, input.cycle, progress);
+    return run_former_cycle(*model, *solver, direction, input.settings.get<CycleSettings>(), progress);
   };
 }
 

@@ -24,6 +24,7 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/results/csv_text.hpp"
@@ -140,9 +141,10 @@ Json answer_cycles(const Json& request) {
   const Case input = read(request, {"cycle"});
   Case own = input;
   const std::array<std::size_t, 2> whole{0, 1};
-  own.cycle.directions = part_of(input.cycle.directions, request.value("part", whole));
+  std::vector<double>& directions = own.settings.get<CycleSettings>().directions;
+  directions = part_of(directions, request.value("part", whole));
   // There may be fewer directions than parts.
-  if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.chosen(), .cycles = {}})}};
+  if (directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.chosen(), .cycles = {}})}};
   return {{"run", shown_run(input, run_cycles(own))}};
 }
 
@@ -158,17 +160,18 @@ Json answer_properties(const Json& request) {
 Json answer_vibration(const Json& request) {
   Case input = read(request, {});
   const auto load = request.at("load").get<std::array<double, 2>>();
-  input.vibration = VibrationSettings{.loads = {{load[0], load[1]}},
-                                      .directions = {0.0, 0.5 * std::numbers::pi},
-                                      .amplitudes = request.at("amplitudes").get<std::vector<double>>(),
-                                      .frequencies = {1.0},
-                                      .steps = request.at("steps").get<int>()};
+  const VibrationSettings& vibration =
+      input.settings.set(VibrationSettings{.loads = {{load[0], load[1]}},
+                                           .directions = {0.0, 0.5 * std::numbers::pi},
+                                           .amplitudes = request.at("amplitudes").get<std::vector<double>>(),
+                                           .frequencies = {1.0},
+                                           .steps = request.at("steps").get<int>()});
   const VibrationResult result = run_vibration(input);
-  const std::vector<LinearFoils> foils = linear_foils(*input.vibration, result);
+  const std::vector<LinearFoils> foils = linear_foils(vibration, result);
   Json json{{"position_m", {result.loads.front().position.x(), result.loads.front().position.y()}},
             {"status", name_of(result.loads.front().status)},
             {"directions", Json::array()}};
-  const std::size_t amplitudes = input.vibration->amplitudes.size();
+  const std::size_t amplitudes = vibration.amplitudes.size();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     Json direction{{"stiffness", Json::array()}, {"loss_factor", Json::array()}, {"dissipation", Json::array()}};
@@ -199,7 +202,8 @@ void coarsen(Case& input, const std::array<int, 2>& mesh) {
 
 /// The settings of the case, if any, at speeds with loads or at positions.
 EquilibriumSettings operating_points(const Json& request, const Case& input) {
-  EquilibriumSettings settings = input.equilibrium.value_or(EquilibriumSettings{});
+  const EquilibriumSettings* const held = input.settings.find<EquilibriumSettings>();
+  EquilibriumSettings settings = held == nullptr ? EquilibriumSettings{} : *held;
   const auto vectors = [&request](const char* key) {
     std::vector<Eigen::Vector2d> all;
     if (!request.contains(key)) return all;
@@ -224,10 +228,10 @@ Json answer_equilibrium(const Json& request) {
     input = sampled_case(input, draw_sample(input, request.at("sample").get<std::uint64_t>()));
     input.solver = solver;
   }
-  input.equilibrium = operating_points(request, input);
+  input.settings.set(operating_points(request, input));
   if (request.contains("mesh")) {
     coarsen(input, request.at("mesh").get<std::array<int, 2>>());
-    input.equilibrium->paths = ComparedPaths::one;
+    input.settings.get<EquilibriumSettings>().paths = ComparedPaths::one;
   }
   const EquilibriumResult result = run_equilibrium(input);
   Json states = Json::array();
@@ -264,11 +268,12 @@ Json answer_samples(const Json& request) {
   Json samples = request.value("before", Json::array());
   const auto first = request.at("first").get<std::uint64_t>();
   const auto count = request.at("count").get<std::uint64_t>();
+  const std::size_t directions_of_case = input.settings.get<CycleSettings>().directions.size();
   for (std::uint64_t number = first; number < first + count; ++number) {
     const Case sampled = sampled_case(input, draw_sample(input, number));
     Json directions = Json::array();
     const std::optional<CycleResult> result = run_sampled_cycles(sampled);
-    for (std::size_t i = 0; i < input.cycle.directions.size(); ++i) {
+    for (std::size_t i = 0; i < directions_of_case; ++i) {
       Json values = Json::array();
       for (const CycleQuantity& quantity : quantities) {
         values.push_back(result ? value_json(quantity.value(result->cycles[i], sampled)) : Json());
@@ -278,7 +283,7 @@ Json answer_samples(const Json& request) {
     samples.push_back(std::move(directions));
   }
   Json statistics = Json::array();
-  for (std::size_t direction = 0; direction < input.cycle.directions.size(); ++direction) {
+  for (std::size_t direction = 0; direction < directions_of_case; ++direction) {
     Json of_direction;
     for (std::size_t k = 0; k < quantities.size(); ++k) {
       of_direction[quantities[k].key()] = statistics_json(

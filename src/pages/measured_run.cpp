@@ -19,6 +19,7 @@
 #include "bumpfoil/results/quantity.hpp"
 #include "core/base64.hpp"
 #include "experiments/cycle/measured_loops_csv.hpp"
+#include "pages/shown_run.hpp"
 #include "readers/result_kinds.hpp"
 #include "results/summary_json.hpp"
 

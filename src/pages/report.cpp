@@ -90,7 +90,8 @@ Json quantities_json(const Json& result, const std::optional<Case>& input) {
     if (of_cycles && (meaning.tags & tag::of_width_alone) != 0 && meaning_of(result, meaning.name).empty()) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
-  if (has_cycles(experiment.name) && input) add_clearances(input->cycle.clearance_forces, json);
+  const CycleSettings* const cycle = input ? input->settings.find<CycleSettings>() : nullptr;
+  if (experiment.name == name_of(Experiment::cycle) && cycle != nullptr) add_clearances(cycle->clearance_forces, json);
   return json;
 }
 
@@ -120,12 +121,12 @@ constexpr std::size_t part_of_samples = 4;
 Json ensemble_json(const Json& result, const std::string& name, std::size_t samples, std::size_t most_values) {
   const auto input = [&] {
     try {
-      return parse_case(result["attributes"].value("case_understood", ""), name);
+      return parse_case(result["attributes"].value("case_understood", ""), name,
+                        {.overrides = {}, .commands = {"montecarlo"}});
     } catch (const Error&) {
       refuse_damaged(name, "the case in it cannot be read", advice_on_damage);
     }
   }();
-  if (!input.montecarlo) refuse_damaged(name, "the case in it has no ensemble", advice_on_damage);
   Json quantities = Json::array();
   const EnsembleLayout layout = make_ensemble_layout(input);
   for (const EnsembleColumn& column : layout.columns) {

@@ -183,7 +183,7 @@ Json shown_run(const Case& input, const CycleResult& result) {
     meaning.long_name = spelled(quantity.long_name, wording);
     run["quantities"].push_back(shown_quantity(meaning));
   }
-  add_clearances(input.cycle.clearance_forces, run["quantities"]);
+  add_clearances(input.settings.get<CycleSettings>().clearance_forces, run["quantities"]);
   return run;
 }
 

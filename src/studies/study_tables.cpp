@@ -10,6 +10,7 @@
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
@@ -27,7 +28,7 @@ std::vector<CycleQuantity> quantities_of_cycle() {
 
 /// Common to all studies: those of the reference bearing.
 const std::vector<double>& clearance_forces() {
-  static const std::vector<double> forces = reference_case().cycle.clearance_forces;
+  static const std::vector<double> forces = reference_case().settings.get<CycleSettings>().clearance_forces;
   return forces;
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
 namespace bumpfoil {
@@ -81,7 +82,7 @@ SweepLayout layout_of(const Sweep& sweep, const std::vector<SweepPoint>& points)
   const bool lists = std::any_of(sweep.axes.begin(), sweep.axes.end(), is_list);
   const auto not_begun = [&](std::size_t point) {
     Case input = sweep.cases[point];
-    if (lists) input.equilibrium->speeds = {absent};  // represents all points, at any speed
+    if (lists) input.settings.get<EquilibriumSettings>().speeds = {absent};  // represents all points, at any speed
     return sweep.experiment->sweeping->not_begun(input).swept(sweep.with_loops);
   };
   const auto first = static_cast<std::size_t>(largest - points.begin());

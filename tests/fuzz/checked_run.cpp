@@ -96,7 +96,8 @@ std::string wrong_outcome(const Case& input, const Outcome& outcome) {
 
 /// Checks both solvers on a push by solver-independent balances.
 std::string wrong_push(const Case& input) {
-  if (input.cycle.amplitude.control == Control::load || input.cycle.preload || input.cycle.swing ||
+  if (input.settings.get<CycleSettings>().amplitude.control == Control::load ||
+      input.settings.get<CycleSettings>().preload || input.settings.get<CycleSettings>().swing ||
       input.bump_foil.model == BumpFoilModel::former || input.bump_foil.geometry == Geometry::nonlinear ||
       total_bumps(input) > 60) {
     return {};

@@ -7,6 +7,7 @@
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "property/counted_allocator.hpp"
 #include "support/random_problem.hpp"
 
@@ -72,7 +73,7 @@ TEST(Allocation, ARunnerHoldsLittle) {
   for (const auto& [solver, most] : solvers) {
     const std::size_t before = mallinfo2().uordblks;
     const auto runner = std::make_unique<CycleRunner>(foils, SolverSettings{.name = solver, .uzawa = {}});
-    EXPECT_TRUE(runner->run(0.0, input.cycle, Recording::quantities).converged());
+    EXPECT_TRUE(runner->run(0.0, input.settings.get<CycleSettings>(), Recording::quantities).converged());
     EXPECT_LT(mallinfo2().uordblks + mallinfo2().hblkhd - before, most);
     EXPECT_GT(mallinfo2().uordblks - before, 20'000U);  // the factors of 26 blocks alone take more
   }

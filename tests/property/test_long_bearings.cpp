@@ -11,7 +11,7 @@ namespace {
 /// interior point needs for a few bumps, 10 to 40 steps of two solves if everything changes and none if nothing does.
 /// Measured: 19 to 40 solves per increment.
 void expect_long_solved(const Case& input) {
-  const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
+  const Cycle cycle = run_single_cycle(input, input.settings.get<CycleSettings>().directions.front());
   ASSERT_EQ(first_failure(cycle), "");
   EXPECT_EQ(cycle.substeps, 0);
   EXPECT_LE(cycle.cost.iterations, 50 * cycle.due);
@@ -30,7 +30,7 @@ TEST(LongBearings, FiveHundredBumpsInTenSteps) {
 TEST(LongBearings, AgainstTheWeldWithStrongFriction) {
   Case input = long_bearing(500, 3);
   input.friction = {.top_bump = 0.5, .bump_sleeve = 0.5};
-  input.cycle.directions = {std::numbers::pi};
+  input.settings.get<CycleSettings>().directions = {std::numbers::pi};
   expect_long_solved(input);
 }
 

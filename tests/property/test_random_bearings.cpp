@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -14,7 +15,7 @@ namespace {
 void expect_all_solved(std::uint64_t first) {
   for (std::uint64_t number = first; number < first + 50; ++number) {
     const Case input = random_case(number);
-    const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
+    const Cycle cycle = run_single_cycle(input, input.settings.get<CycleSettings>().directions.front());
     EXPECT_EQ(first_failure(cycle), "") << input.title;
     EXPECT_EQ(cycle.substeps, 0) << input.title;
   }
@@ -40,7 +41,7 @@ TEST(RandomBearings, AreFollowedFromEventToEvent) {
   for (std::uint64_t number = 0; number < 100; ++number) {
     Case input = random_case(number);
     input.solver.name = SolverName::events;
-    const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
+    const Cycle cycle = run_single_cycle(input, input.settings.get<CycleSettings>().directions.front());
     ASSERT_EQ(first_failure(cycle), "") << input.title;
     EXPECT_EQ(cycle.substeps, 0) << input.title;
     double largest_work = 0.0;
@@ -78,9 +79,10 @@ Case soft_top_foil() {
   foil.sleeve_gaps[19] = 3.280372337433222e-05;
   input.top_foil.thickness = 2.9388730702553342e-05;
   input.friction.top_bump = input.friction.bump_sleeve = 0.1;
-  input.cycle.directions = {0.5 * std::numbers::pi};
-  input.cycle.amplitude.value = 5.7320151280644255e-05;
-  input.cycle.steps = 10;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.5 * std::numbers::pi};
+  cycle.amplitude.value = 5.7320151280644255e-05;
+  cycle.steps = 10;
   return input;
 }
 
@@ -90,7 +92,7 @@ TEST(RandomBearings, StandFreeOnceTheyAreLetGo) {
   for (std::uint64_t number = 0; number < 10; ++number) {
     Case input = number == 0 ? soft_top_foil() : random_foils(number, BumpFoilModel::frame);
     input.solver.name = SolverName::events;
-    const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
+    const Cycle cycle = run_single_cycle(input, input.settings.get<CycleSettings>().directions.front());
     for (Eigen::Index k = 0; k < cycle.fields.increments(); ++k) {
       double force = 0.0;
       for (const InterfaceFields* at : {&cycle.fields.journal_top, &cycle.fields.top_bump, &cycle.fields.bump_sleeve}) {
@@ -111,11 +113,11 @@ TEST(RandomBearings, AreFollowedUnderLoads) {
   for (std::uint64_t number = 0; number < 24; ++number) {
     Case input = random_case(number);
     input.solver.name = SolverName::events;
-    input.cycle.amplitude = {Control::load, 20.0 + 15.0 * static_cast<double>(number)};
+    input.settings.get<CycleSettings>().amplitude = {Control::load, 20.0 + 15.0 * static_cast<double>(number)};
     std::vector<Cycle> cycles;
     for (const int steps : {3, 17}) {
-      input.cycle.steps = steps;
-      cycles.push_back(run_single_cycle(input, input.cycle.directions.front()));
+      input.settings.get<CycleSettings>().steps = steps;
+      cycles.push_back(run_single_cycle(input, input.settings.get<CycleSettings>().directions.front()));
       EXPECT_EQ(first_failure(cycles.back()), "") << input.title;
       ASSERT_TRUE(cycles.back().loop_energy) << input.title;
     }
@@ -131,7 +133,8 @@ TEST(RandomBearings, AreFollowedUnderLoads) {
 TEST(RandomBearings, AreTheSameForTheSameNumberAndDifferOtherwise) {
   EXPECT_EQ(random_case(7).bump_foil.height_errors, random_case(7).bump_foil.height_errors);
   EXPECT_NE(random_case(7).bump_foil.height_errors, random_case(8).bump_foil.height_errors);
-  EXPECT_EQ(random_case(7).cycle.directions, random_case(7).cycle.directions);
+  const auto directions = [] { return random_case(7).settings.get<CycleSettings>().directions; };
+  EXPECT_EQ(directions(), directions());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "support/long_bearing.hpp"
@@ -15,7 +16,7 @@
 namespace bumpfoil {
 
 Cycle run_single_cycle(Case input, double direction) {
-  input.cycle.directions = {direction};
+  input.settings.get<CycleSettings>().directions = {direction};
   CycleResult result = run_cycles(input);
   BUMPFOIL_ASSERT(result.cycles.size() == 1);
   return std::move(result.cycles.front());
@@ -35,8 +36,9 @@ Case random_case(std::uint64_t number) {
   for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
     input.bump_foil.height_errors.push_back(scatter(generator));
   }
-  input.cycle.directions = {uniform(0.0, 2.0 * std::numbers::pi)};
-  input.cycle.steps = static_cast<int>(std::lround(25.0 * std::pow(16.0, uniform(0.0, 1.0))));
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {uniform(0.0, 2.0 * std::numbers::pi)};
+  cycle.steps = static_cast<int>(std::lround(25.0 * std::pow(16.0, uniform(0.0, 1.0))));
   return input;
 }
 
@@ -66,9 +68,10 @@ Case random_foils(std::uint64_t number, BumpFoilModel model) {
   std::normal_distribution<double> scatter;
   const double deviation = uniform(0.0, 1.0) < 0.3 ? 0.0 : uniform(0.0, 20e-6);
   for (int bump = 0; bump < foil.bumps; ++bump) foil.height_errors.push_back(deviation * scatter(generator));
-  input.cycle.directions = {uniform(0.0, 2.0 * std::numbers::pi)};
-  input.cycle.amplitude.value = input.bearing.radial_clearance + uniform(5e-6, 50e-6);
-  input.cycle.steps = static_cast<int>(std::lround(decades(15.0, 60.0)));
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {uniform(0.0, 2.0 * std::numbers::pi)};
+  cycle.amplitude.value = input.bearing.radial_clearance + uniform(5e-6, 50e-6);
+  cycle.steps = static_cast<int>(std::lround(decades(15.0, 60.0)));
   return input;
 }
 
@@ -100,8 +103,9 @@ CycleResult failed_at_increment_three(CycleResult result) {
 
 Case long_bearing(int bumps, int steps) {
   Case input = with_bumps(case_with_given_constants(), bumps);
-  input.cycle.steps = steps;
-  input.cycle.directions = {0.0};
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.steps = steps;
+  cycle.directions = {0.0};
   return input;
 }
 

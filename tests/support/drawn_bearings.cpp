@@ -11,6 +11,8 @@
 #include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/ensemble/draws.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
@@ -126,7 +128,7 @@ void Push::keep(Step& next) {
 }
 
 Run Push::run(int every) {
-  const CycleSettings& cycle = input_.cycle;
+  const CycleSettings& cycle = input_.settings.get<CycleSettings>();
   const int steps = cycle.steps * every;
   Step next;
   stepper_.assemble({}, next);
@@ -184,9 +186,10 @@ Case drawn_bearing(std::uint64_t number) {
   input.friction.top_bump = draws.uniform(0.0, 0.5);
   const double at_sleeve = draws.uniform(0.0, 0.5);
   input.friction.bump_sleeve = number % 3 == 0 ? input.friction.top_bump : at_sleeve;
-  input.cycle.directions = {draws.uniform(0.0, 2.0 * std::numbers::pi)};
-  input.cycle.amplitude.value = input.bearing.radial_clearance + draws.uniform(5e-6, 50e-6);
-  input.cycle.steps = static_cast<int>(std::lround(draws.decades(8.0, 25.0)));
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {draws.uniform(0.0, 2.0 * std::numbers::pi)};
+  cycle.amplitude.value = input.bearing.radial_clearance + draws.uniform(5e-6, 50e-6);
+  cycle.steps = static_cast<int>(std::lround(draws.decades(8.0, 25.0)));
   const double scatter = draws.uniform(0.0, 40e-6);
   for (int bump = 0; bump < foil.bumps; ++bump) {
     foil.height_errors.push_back(scatter * normal_quantile(draws.probability()));

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/rotor_settings.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/transient/transient.hpp"
@@ -18,8 +21,9 @@ inline Case ensemble_case(const MonteCarloSettings& ensemble) {
 /// A small ensemble of the reference bearing: heights and friction scatter, +X and -X, few increments.
 inline Case ensemble_case(int samples) {
   Case input = reference_case();
-  input.cycle.directions.resize(2);
-  input.cycle.steps = 4;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions.resize(2);
+  cycle.steps = 4;
   MonteCarloSettings& ensemble = input.montecarlo.emplace();
   ensemble.samples = samples;
   ensemble.seed = 1;
@@ -34,7 +38,7 @@ inline Case running_ensemble_case(int samples) {
   Case input = reference_case();
   input.film.columns_per_pitch = 4;
   input.film.rows = 6;
-  input.equilibrium.emplace(EquilibriumSettings{.speeds = {4712.0}, .loads = {{20.0, 0.0}, {40.0, 0.0}}, .steps = 2});
+  input.settings.set(EquilibriumSettings{.speeds = {4712.0}, .loads = {{20.0, 0.0}, {40.0, 0.0}}, .steps = 2});
   MonteCarloSettings& ensemble = input.montecarlo.emplace();
   ensemble.command = "equilibrium";
   ensemble.samples = samples;
@@ -60,7 +64,7 @@ inline Case rotor_ensemble_case(int samples) {
 inline Case unbalance_ensemble_case(int samples) {
   Case input = rotor_ensemble_case(samples);
   input.montecarlo->command = "unbalance";
-  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  RotorSettings rotor = input.settings.get<RotorSettings>();
   rotor.unbalances.emplace_back().amount = 2e-6;
   input.settings.set(rotor);
   input.settings.set(UnbalanceSettings{.speeds = {-700.0, -900.0, -1100.0}});

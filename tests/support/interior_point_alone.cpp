@@ -9,6 +9,7 @@
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
 
 namespace bumpfoil {
 
@@ -17,10 +18,11 @@ InteriorPointRun run_interior_point_alone(const Case& input, int increments) {
   NewtonSolver solver(foils.problem, {.max_mode_updates = 0, .max_events = 0});
   ContactState previous = ContactState::unstressed(foils.problem);
   ContactState state;
-  const double phi = input.cycle.directions.front();
+  const double phi = input.settings.get<CycleSettings>().directions.front();
   InteriorPointRun run;
   for (int k = 0; k <= 2 * increments; ++k) {
-    const double displacement = input.cycle.amplitude.value * (k <= increments ? k : 2 * increments - k) / increments;
+    const double displacement =
+        input.settings.get<CycleSettings>().amplitude.value * (k <= increments ? k : 2 * increments - k) / increments;
     const ContactLoading loading =
         loading_under(foils, {.position = {displacement * std::cos(phi), displacement * std::sin(phi)}});
     const SolveReport report = solver.solve(loading, previous, state);

@@ -1,5 +1,7 @@
 #include "support/reference_cycles.hpp"
 
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/json_data.hpp"
 
 namespace bumpfoil {
@@ -19,7 +21,7 @@ std::vector<ReferenceCycle> read_cycles() {
     const double f = entry.at("friction_coefficient");
     cycle.input.friction = {.top_bump = f, .bump_sleeve = f};
     cycle.input.bump_foil.height_errors = entry.at("height_errors_m").get<std::vector<double>>();
-    cycle.input.cycle.directions = {entry.at("direction_deg").get<double>() * degree};
+    cycle.input.settings.get<CycleSettings>().directions = {entry.at("direction_deg").get<double>() * degree};
     cycle.force_direct = to_vector(entry.at("force_direct_N"));
     cycle.force_cross = to_vector(entry.at("force_cross_N"));
     cycle.max_force = entry.at("max_force_N");
@@ -47,8 +49,9 @@ Case case_with_given_constants() {
                            .k3 = truss.at("k3_N_per_m").get<double>(),
                            .k4 = truss.at("k4_N_per_m").get<double>(),
                            .theta_d = truss.at("theta_d_deg").get<double>() * degree};
-  input.cycle.amplitude.value = truss_data().at("amplitude_m");
-  input.cycle.steps = truss_data().at("steps");
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.amplitude.value = truss_data().at("amplitude_m");
+  cycle.steps = truss_data().at("steps");
   return input;
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "bumpfoil/experiments/fit/fit.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil::test_support {
@@ -31,9 +32,10 @@ inline Case few_bumps(double friction, double clearance) {
   input.bump_foil.bumps = 8;
   input.friction = {friction, friction};
   input.bearing.radial_clearance = clearance;
-  input.cycle.directions = {0.75 * 3.141592653589793};
-  input.cycle.amplitude = {Control::displacement, 60e-6};
-  input.cycle.steps = 300;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.75 * 3.141592653589793};
+  cycle.amplitude = {Control::displacement, 60e-6};
+  cycle.steps = 300;
   input.solver.name = SolverName::events;
   return input;
 }
@@ -44,7 +46,7 @@ inline FitParameter fitted(const std::string& key, double start, double lower, d
 
 /// A fit of the bearing to loops in its direction.
 inline Case fit_of(Case input, FitData data, std::vector<FitParameter> parameters, int starts = 1) {
-  data.direction = input.cycle.directions.front();
+  data.direction = input.settings.get<CycleSettings>().directions.front();
   input.settings.set(FitSettings{.data = {std::move(data)}, .parameters = std::move(parameters), .starts = starts});
   return input;
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/bonded_foils.hpp"
 #include "support/json_data.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/transient/transient.hpp"
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
@@ -15,7 +17,8 @@ Keys wrong_keys(const std::function<void(Case&)>& change) {
   Keys keys;
   for (const auto& [command, error] : check_case(input)) {
     // Skips commands without a table.
-    if (command == "film" || command == "limits" || (command == "equilibrium" && !input.equilibrium) ||
+    if (command == "film" || command == "limits" ||
+        (command == "equilibrium" && input.settings.find<EquilibriumSettings>() == nullptr) ||
         (command == "stability" && input.settings.find<StabilitySettings>() == nullptr) ||
         (command == "unbalance" && input.settings.find<UnbalanceSettings>() == nullptr) ||
         (command == "transient" && input.settings.find<TransientSettings>() == nullptr) ||

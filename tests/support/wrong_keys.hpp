@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 namespace bumpfoil::test_support {
 
 using Keys = std::vector<std::string>;
+
+/// A value that is wrong everywhere.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Keys of errors after a change of the reference case.
 Keys wrong_keys(const std::function<void(Case&)>& change);

@@ -34,9 +34,9 @@ TEST(DrawnBearings, HaveTheSameQuantitiesAloneAsWithAllRecords) {
     Case input = drawn_bearing(number);
     input.solver.name = SolverName::events;
     CycleRunner runner(make_bearing_foils(input), input.solver);
-    const double direction = input.cycle.directions.front();
-    const Cycle alone = runner.run(direction, input.cycle, Recording::quantities);
-    const Cycle all = runner.run(direction, input.cycle);
+    const double direction = input.settings.get<CycleSettings>().directions.front();
+    const Cycle alone = runner.run(direction, input.settings.get<CycleSettings>(), Recording::quantities);
+    const Cycle all = runner.run(direction, input.settings.get<CycleSettings>());
     ASSERT_EQ(alone.status, all.status) << input.title;
     const TurningPoint& expected = *all.turning_point;
     EXPECT_NEAR(alone.turning_point->max_force, expected.max_force, 1e-9 * std::max(1.0, expected.max_force));

@@ -15,6 +15,7 @@
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "support/cycle_energies.hpp"
 
@@ -291,8 +292,9 @@ TEST(DryTilt, EnergiesOfACycleBalance) {
     Case input = some_case(false, 0.1);
     input.width = width;
     input.solver.name = SolverName::events;
-    input.cycle.directions = {0.3};
-    input.cycle.steps = 20;
+    CycleSettings& settings = input.settings.get<CycleSettings>();
+    settings.directions = {0.3};
+    settings.steps = 20;
     const CycleResult result = run_cycles(input);
     ASSERT_TRUE(result.converged());
     const Cycle& cycle = result.cycles.front();

@@ -100,10 +100,10 @@ INSTANTIATE_TEST_SUITE_P(Reference, ReferenceEnergies, testing::Range(std::size_
 
 TEST(Energy, DefectOfThePlainBalanceShrinksWithTheIncrement) {
   Case input = case_with_given_constants();
-  for (const double direction : input.cycle.directions) {
+  for (const double direction : input.settings.get<CycleSettings>().directions) {
     std::vector<double> defects;
     for (const int steps : {25, 100, 400}) {
-      input.cycle.steps = steps;
+      input.settings.get<CycleSettings>().steps = steps;
       const Cycle cycle = run_single_cycle(input, direction);
       defects.push_back(plain_balance_defect(cycle) / largest_work(cycle));
     }
@@ -116,9 +116,9 @@ TEST(Energy, DefectOfThePlainBalanceShrinksWithTheIncrement) {
 TEST(Energy, ExactBalanceHoldsWithScatterStrongFrictionAndInterference) {
   for (std::uint64_t number = 0; number < 6; ++number) {
     Case input = random_case(number);
-    input.cycle.steps = 40;
+    input.settings.get<CycleSettings>().steps = 40;
     input.bearing.radial_clearance = number % 2 == 0 ? -5e-6 : 31.8e-6;
-    const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
+    const Cycle cycle = run_single_cycle(input, input.settings.get<CycleSettings>().directions.front());
     ASSERT_EQ(first_failure(cycle), "") << number;
     const std::vector<FullIncrement> increments = full_increments(cycle);
     double sum = 0.0;

@@ -54,9 +54,9 @@ TEST_P(EventCycles, KeepThePlainEnergyBalance) {
 /// The loop energy depends on the path, not on its increments.
 TEST_P(EventCycles, DoNotDependOnTheNumberOfSteps) {
   Case input = with_events(case_with_given_constants());
-  input.cycle.steps = 10;
+  input.settings.get<CycleSettings>().steps = 10;
   const Cycle coarse = run_single_cycle(input, GetParam());
-  input.cycle.steps = 130;
+  input.settings.get<CycleSettings>().steps = 130;
   const Cycle fine = run_single_cycle(input, GetParam());
   ASSERT_TRUE(coarse.turning_point && fine.turning_point && coarse.loop_energy && fine.loop_energy);
   EXPECT_NEAR(coarse.turning_point->max_force, fine.turning_point->max_force, 1e-9 * fine.turning_point->max_force);
@@ -117,7 +117,7 @@ Case short_stiff_bumps() {
   input.top_foil = {
       .thickness = 2.2544859624343658e-05, .youngs_modulus = input.bump_foil.youngs_modulus, .poisson_ratio = 0.29};
   input.friction = {};
-  input.cycle.amplitude.value = 0.00010799717071993301;
+  input.settings.get<CycleSettings>().amplitude.value = 0.00010799717071993301;
   return input;
 }
 
@@ -143,7 +143,7 @@ Case snapping_bumps() {
   input.top_foil = {
       .thickness = 0.00035033194299343475, .youngs_modulus = input.bump_foil.youngs_modulus, .poisson_ratio = 0.0};
   input.friction = {.top_bump = 1.0, .bump_sleeve = 0.0};
-  input.cycle.amplitude.value = 1.6063897939869458e-05;
+  input.settings.get<CycleSettings>().amplitude.value = 1.6063897939869458e-05;
   return input;
 }
 
@@ -152,7 +152,7 @@ TEST(Events, KeepTheEnergyWhereTheyCannotBeFollowed) {
   for (Case input : {short_stiff_bumps(), snapping_bumps()}) {
     std::vector<double> loops;
     for (const int steps : {2, 5}) {
-      input.cycle.steps = steps;
+      input.settings.get<CycleSettings>().steps = steps;
       const Cycle cycle = run_single_cycle(with_events(input), 0.0);
       ASSERT_EQ(first_failure(cycle), "");
       const double scale = most_work(cycle);
@@ -173,7 +173,7 @@ TEST(Events, KeepTheEnergyWhereTheyCannotBeFollowed) {
 TEST(Events, LeaveContactsOpenWhereNothingIsLoaded) {
   Case input = with_events(case_with_given_constants());
   input.friction = {};
-  input.cycle.steps = 20;
+  input.settings.get<CycleSettings>().steps = 20;
   for (int i = 0; i < input.bump_foil.bumps; ++i) input.bump_foil.sleeve_gaps.push_back(1e-6 * (1 + i * 7 % 24));
   for (const double direction : {0.0, 0.5 * std::numbers::pi}) {
     const Cycle cycle = run_single_cycle(input, direction);
@@ -192,7 +192,7 @@ TEST(Events, UniformIncrementsApproachThePath) {
   const double exact = *run_single_cycle(with_events(input), 0.0).loop_energy;
   std::vector<double> error;
   for (const int steps : {10, 40, 160, 640}) {
-    input.cycle.steps = steps;
+    input.settings.get<CycleSettings>().steps = steps;
     error.push_back(std::abs(*run_single_cycle(input, 0.0).loop_energy - exact) / exact);
   }
   // First order: a quarter for four times the steps; a factor of two allows for events within increments.

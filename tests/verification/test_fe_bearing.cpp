@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/fe_records.hpp"
 #include "support/full_increment.hpp"
@@ -16,7 +17,7 @@ Case frame_case(const FeCycle& fe) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.height_reference = HeightReference::midsurface;
   input.friction = {.top_bump = fe.friction_coefficient, .bump_sleeve = fe.friction_coefficient};
-  input.cycle.steps = fe.steps;
+  input.settings.get<CycleSettings>().steps = fe.steps;
   return input;
 }
 

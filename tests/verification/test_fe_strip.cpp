@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "support/fe_records.hpp"
 #include "support/full_increment.hpp"
 
@@ -17,10 +19,10 @@ Cycle press_frame(const FeStrip& fe) {
   input.bump_foil.weld_at = WeldPosition::arc_start;
   input.bump_foil.geometry = fe.large_displacements ? Geometry::nonlinear : Geometry::linear;
   input.friction = {.top_bump = fe.friction_coefficient, .bump_sleeve = fe.friction_coefficient};
-  input.strip = StripSettings{.bumps = fe.bumps,
-                              .top_foil = fe.top_foil,
-                              .amplitude = {.control = Control::displacement, .value = 20e-6},
-                              .steps = 20};
+  input.settings.set(StripSettings{.bumps = fe.bumps,
+                                   .top_foil = fe.top_foil,
+                                   .amplitude = {.control = Control::displacement, .value = 20e-6},
+                                   .steps = 20});
   return run_strip(input).cycles.front();
 }
 

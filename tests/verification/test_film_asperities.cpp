@@ -24,7 +24,7 @@ constexpr FilmResolution mesh{.columns_per_pitch = 6, .rows = 4};
 Case rough_case(double rpm, const Eigen::Vector2d& load, double friction = 0.0) {
   Case input = film_reference_case(mesh, friction);
   input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 240e6, .friction = 0.2};
-  input.equilibrium = {.speeds = {speed_of_rpm(rpm)}, .loads = {load}};
+  input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(rpm)}, .loads = {load}});
   return input;
 }
 
@@ -112,7 +112,8 @@ TEST(FilmAsperities, TurnsAndMirrors) {
   constexpr double angle = 0.7;
   Case turned = input;
   turned.bearing.weld_angle += angle;
-  turned.equilibrium->loads = {Eigen::Vector2d(Eigen::Rotation2Dd(angle) * input.equilibrium->loads.front())};
+  turned.settings.get<EquilibriumSettings>().loads = {
+      Eigen::Vector2d(Eigen::Rotation2Dd(angle) * input.settings.get<EquilibriumSettings>().loads.front())};
   const RunningState there = rough_state(turned);
   EXPECT_LT((Eigen::Rotation2Dd(-angle) * there.last->position - here.last->position).norm(),
             1e-7 * input.bearing.radial_clearance);
@@ -121,8 +122,9 @@ TEST(FilmAsperities, TurnsAndMirrors) {
   Case mirrored = input;  // about the X axis
   mirrored.bearing.weld_angle = -input.bearing.weld_angle;
   mirrored.bearing.wrap = Wrap::counterclockwise;
-  mirrored.equilibrium->speeds = {-input.equilibrium->speeds.front()};
-  mirrored.equilibrium->loads = {{25.0, -10.0}};
+  EquilibriumSettings& equilibrium = mirrored.settings.get<EquilibriumSettings>();
+  equilibrium.speeds = {-input.settings.get<EquilibriumSettings>().speeds.front()};
+  equilibrium.loads = {{25.0, -10.0}};
   const RunningState image = rough_state(mirrored);
   EXPECT_NEAR(image.last->position.y(), -here.last->position.y(), 1e-7 * input.bearing.radial_clearance);
   EXPECT_NEAR(image.outcome->torque, -here.outcome->torque, 1e-7 * here.outcome->torque);
@@ -202,10 +204,11 @@ TEST(FilmAsperities, HoldATiltedJournalAtRestAsWithoutAFilm) {
 TEST(FilmAsperities, RunUpFromRestIsACurveOfStribeck) {
   Case input = rough_case(0.0, {50.0, 0.0}, 0.1);
   input.top_foil.formed_radius = {FormedTo::seated};
-  input.equilibrium->path = FilmPath::speed_ramp;
-  input.equilibrium->speeds.clear();
+  EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  equilibrium.path = FilmPath::speed_ramp;
+  equilibrium.speeds.clear();
   for (const double rpm : {0.0, 300.0, 1000.0, 2000.0, 4000.0, 10000.0, 30000.0}) {
-    input.equilibrium->speeds.push_back(speed_of_rpm(rpm));
+    equilibrium.speeds.push_back(speed_of_rpm(rpm));
   }
   const EquilibriumResult result = run_equilibrium(input);
   ASSERT_TRUE(result.converged());
@@ -225,8 +228,8 @@ TEST(FilmAsperities, RunUpFromRestIsACurveOfStribeck) {
   EXPECT_TRUE(least != torque.begin() + 1 && least != torque.end() - 1);
   const auto i = static_cast<std::size_t>(least - torque.begin());
   ASSERT_TRUE(result.states.front().least_torque_speed.has_value());
-  EXPECT_GT(*result.states.front().least_torque_speed, input.equilibrium->speeds[i - 1]);
-  EXPECT_LT(*result.states.front().least_torque_speed, input.equilibrium->speeds[i + 1]);
+  EXPECT_GT(*result.states.front().least_torque_speed, equilibrium.speeds[i - 1]);
+  EXPECT_LT(*result.states.front().least_torque_speed, equilibrium.speeds[i + 1]);
 }
 
 }  // namespace

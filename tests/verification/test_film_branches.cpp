@@ -45,7 +45,7 @@ void expect_same_state(const Found& a, const Found& b, double tolerance) {
 Case loaded_reference(double load, double friction, const FilmResolution& resolution) {
   Case input = film_reference_case(resolution, friction);
   input.bump_foil.truss = {};  // identified
-  input.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}};
+  input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}});
   return input;
 }
 
@@ -74,7 +74,7 @@ TEST(FilmBranches, MeshesAndIncrementsFindTheSameBranch) {
   }
   for (const int steps : {20, 50}) {
     Case input = loaded_reference(20.0, 0.1, {6, 8});
-    input.equilibrium->steps = steps;
+    input.settings.get<EquilibriumSettings>().steps = steps;
     found.push_back(found_of(input));
   }
   for (const Found& one : found) {
@@ -89,7 +89,7 @@ TEST(FilmBranches, TurnedBearingsStandInTurnedStates) {
   const Found plain = found_of(input);
   for (const double turn : {0.4, 2.0}) {
     input.bearing.weld_angle = std::numbers::pi + turn;
-    input.equilibrium->loads = {Eigen::Rotation2Dd(turn) * Eigen::Vector2d(20.0, 0.0)};
+    input.settings.get<EquilibriumSettings>().loads = {Eigen::Rotation2Dd(turn) * Eigen::Vector2d(20.0, 0.0)};
     const Found turned = found_of(input);
     EXPECT_EQ(turned.jumps, plain.jumps);
     EXPECT_EQ(turned.loaded_bumps, plain.loaded_bumps);
@@ -102,9 +102,10 @@ TEST(FilmBranches, RunningUpUnderALoadArrivesWhereLoadingDoes) {
   std::vector<Found> found;
   for (const FilmPath path : {FilmPath::load_ramp, FilmPath::speed_ramp, FilmPath::position_ray}) {
     Case input = loaded_reference(20.0, 0.1, {4, 6});
-    input.equilibrium->speeds = {speed_of_rpm(30000.0)};
-    input.equilibrium->loads = {{20.0, 5.0}};
-    input.equilibrium->path = path;
+    EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+    equilibrium.speeds = {speed_of_rpm(30000.0)};
+    equilibrium.loads = {{20.0, 5.0}};
+    equilibrium.path = path;
     found.push_back(found_of(input));
     ASSERT_TRUE(found.back().converged) << found.size();
     EXPECT_EQ(found.back().loaded_bumps, found.front().loaded_bumps) << found.size();
@@ -129,17 +130,17 @@ Case random_case(int number) {
   const double direction = uniform(0.0, 2.0 * std::numbers::pi);
   const double load = uniform(3.0, 60.0);
   const double speed = speed_of_rpm(uniform(15e3, 60e3)) * (uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0);
-  input.equilibrium = EquilibriumSettings{.speeds = {speed},
-                                          .loads = {load * Eigen::Vector2d(std::cos(direction), std::sin(direction))}};
+  input.settings.set(EquilibriumSettings{.speeds = {speed},
+                                         .loads = {load * Eigen::Vector2d(std::cos(direction), std::sin(direction))}});
   return input;
 }
 
 TEST_P(RandomBranches, DoNotDependOnIncrements) {
   Case input = random_case(GetParam());
   const Found ten = found_of(input);
-  input.equilibrium->steps = 37;
+  input.settings.get<EquilibriumSettings>().steps = 37;
   expect_same_state(ten, found_of(input), 1e-6);
-  input.equilibrium->steps = 150;
+  input.settings.get<EquilibriumSettings>().steps = 150;
   expect_same_state(ten, found_of(input), 1e-6);
 }
 

@@ -55,8 +55,8 @@ TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
   for (const ReferenceEquilibrium& reference : reference_equilibria()) {
     SCOPED_TRACE(reference.load.x());
     Case input = film_reference_case(reference.resolution);
-    input.equilibrium =
-        EquilibriumSettings{.speeds = {reference.speed}, .loads = {{reference.load.x(), reference.load.y()}}};
+    input.settings.set(
+        EquilibriumSettings{.speeds = {reference.speed}, .loads = {{reference.load.x(), reference.load.y()}}});
     const EquilibriumResult result = run_equilibrium(input);
     ASSERT_TRUE(result.converged());
     const RunningState& state = result.states.front();

@@ -21,7 +21,7 @@ namespace {
 Case formed_case(double ratio, double load, const FilmResolution& resolution = {.columns_per_pitch = 6, .rows = 8}) {
   Case input = film_reference_case(resolution);
   if (ratio != 1.0) input.top_foil.formed_radius = {FormedTo::radius, ratio * input.bearing.radius};
-  input.equilibrium = {.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}};
+  input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}});
   return input;
 }
 
@@ -95,7 +95,7 @@ TEST(FilmFormed, IsSeatedByPressureFeedAndAShorterOverhang) {
   Case fed = formed_case(1.0, 10.0);
   fed.film.inlet_pressure = 1.005 * fed.gas.ambient_pressure;
   EXPECT_NEAR(growth(fed), -0.945, 2e-3);
-  fed.equilibrium->loads = {{100.0, 0.0}};
+  fed.settings.get<EquilibriumSettings>().loads = {{100.0, 0.0}};
   EXPECT_NEAR(growth(fed), -1.249, 1e-3);
   Case shorter = formed_case(1.02, 50.0, {.columns_per_pitch = 8, .rows = 8});
   shorter.top_foil.overhang = 0.25 * shorter.bump_foil.pitch.values.front();
@@ -118,9 +118,10 @@ TEST(FilmFormed, PadsFlutterAwayFromTheJournalUnlessTheyAreFormed) {
     const double arc = 8.0 * 4.572e-3 / 19.05e-3;
     input.bump_foil.bumps = 8;
     input.bearing.weld_angle = 0.5 * arc;
-    input.equilibrium->loads.clear();
-    input.equilibrium->positions = {{reference.e * input.bearing.radial_clearance, 0.0}};
-    input.equilibrium->path = FilmPath::cold_start;
+    EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+    equilibrium.loads.clear();
+    equilibrium.positions = {{reference.e * input.bearing.radial_clearance, 0.0}};
+    equilibrium.path = FilmPath::cold_start;
     const RunningState state = state_of(input);
     EXPECT_NEAR(state.held.sliding->rate.real() / state.last->speed, reference.growth, 1e-5);
     EXPECT_NEAR(bump_loads(make_film_bearing(input), *state.last)[7], reference.hold_down, 2e-6);
@@ -152,9 +153,10 @@ TEST(FilmFormed, VariablePitchesConvergeWithSecondOrder) {
     Case input = formed_case(1.01, 1.0, {.columns_per_pitch = columns, .rows = columns + columns / 2});
     input.bump_foil.pitch = PerBump(4.2e-3, 4.944e-3, Grading::linear);
     input.top_foil.overhang = 1.5e-3;
-    input.equilibrium->loads.clear();
-    input.equilibrium->positions = {{15e-6, 8e-6}};
-    input.equilibrium->path = FilmPath::cold_start;
+    EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+    equilibrium.loads.clear();
+    equilibrium.positions = {{15e-6, 8e-6}};
+    equilibrium.path = FilmPath::cold_start;
     force.push_back(state_of(input).outcome->force.x());
   }
   const double ratio = (force[0] - force[1]) / (force[1] - force[2]);
@@ -173,11 +175,11 @@ TEST(FilmFormed, TurnsAndMirrorsWithTheBearing) {
   constexpr double angle = 0.7;
   Case turned = input;
   turned.bearing.weld_angle += angle;
-  turned.equilibrium->loads = {40.0 * Eigen::Vector2d(std::cos(angle), std::sin(angle))};
+  turned.settings.get<EquilibriumSettings>().loads = {40.0 * Eigen::Vector2d(std::cos(angle), std::sin(angle))};
   Case mirrored = input;  // about the X axis
   mirrored.bearing.weld_angle = -input.bearing.weld_angle;
   mirrored.bearing.wrap = Wrap::counterclockwise;
-  mirrored.equilibrium->speeds = {-input.equilibrium->speeds.front()};
+  mirrored.settings.get<EquilibriumSettings>().speeds = {-input.settings.get<EquilibriumSettings>().speeds.front()};
   for (const auto& [other, sense] : {std::pair{turned, 1.0}, std::pair{mirrored, -1.0}}) {
     const RunningState state = state_of(other);
     EXPECT_LT((state.last->film.pressure - as_given.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);

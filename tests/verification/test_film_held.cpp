@@ -306,7 +306,7 @@ TEST(FilmHeld, CriticalMassesAreThoseAtTheOnsetOfWhirl) {
         Onset{2.0, 16380.620386170356, 0.39393997800952035}}) {
     SCOPED_TRACE(onset.mass);
     Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8});
-    input.equilibrium = {.speeds = {speed_of_rpm(-onset.rpm)}, .loads = {{9.81 * onset.mass, 0.0}}};
+    input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(-onset.rpm)}, .loads = {{9.81 * onset.mass, 0.0}}});
     const RunningState state = run_equilibrium(input).states.front();
     ASSERT_TRUE(state.critical_mass && state.stuck_critical_mass);
     // Onsets are known to 1e-7 of the growth, and the state to 1e-9.
@@ -320,7 +320,7 @@ TEST(FilmHeld, CriticalMassesAreThoseAtTheOnsetOfWhirl) {
 /// Unstable states, here of foils whose free end is the inlet, have no critical mass.
 TEST(FilmHeld, CriticalMassesAreOfStatesThatLast) {
   Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8});
-  input.equilibrium = {.speeds = {speed_of_rpm(45000.0)}, .loads = {{10.0, 0.0}}};
+  input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{10.0, 0.0}}});
   EXPECT_FALSE(run_equilibrium(input).states.front().critical_mass.has_value());
 }
 

@@ -14,7 +14,7 @@ namespace {
 RunningState state_of(double clearance, double load, const FilmResolution& resolution, double rpm = -45000.0) {
   Case input = film_reference_case(resolution);
   input.bearing.radial_clearance = clearance;
-  input.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(rpm)}, .loads = {{load, 0.0}}};
+  input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(rpm)}, .loads = {{load, 0.0}}});
   return run_equilibrium(input).states.at(0);
 }
 

@@ -18,7 +18,7 @@ TEST(FilmInterferenceRefinement, ConvergesWithTheMesh) {
   for (const int fineness : {1, 2, 4}) {
     Case input = film_reference_case({.columns_per_pitch = 6 * fineness, .rows = 8 * fineness});
     input.bearing.radial_clearance = 0.0;
-    input.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(-45000.0)}, .loads = {{50.0, 0.0}}};
+    input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(-45000.0)}, .loads = {{50.0, 0.0}}});
     const RunningState state = run_equilibrium(input).states.at(0);
     ASSERT_TRUE(state.found()) << fineness;
     EXPECT_EQ(state.last->clearance_offset, 0.0);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/film/wall_film.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -24,14 +25,14 @@ struct PlainBearing {
     input.bump_foil.bumps = bumps;
     input.bump_foil.pitch = 2.0 * std::numbers::pi * input.bearing.radius / bumps;
     input.film = {.columns_per_pitch = 6, .rows = bumps, .closed = true};
-    input.equilibrium = EquilibriumSettings{};
-    input.equilibrium->path = FilmPath::position_ray;
-    input.equilibrium->positions = {{eccentricity * input.bearing.radial_clearance, 0.0}};
-    input.equilibrium->speeds = {1.0};
+    EquilibriumSettings& equilibrium = input.settings.set(EquilibriumSettings{});
+    equilibrium.path = FilmPath::position_ray;
+    equilibrium.positions = {{eccentricity * input.bearing.radial_clearance, 0.0}};
+    equilibrium.speeds = {1.0};
     const FilmScales scales = make_wall_bearing(input).film->scales;
     speed = bearing_number / scales.bearing_number(scales.radius);
-    input.equilibrium->speeds = {speed};
-    for (const double ratio : whirl_ratios) input.equilibrium->frequencies.push_back(ratio * speed);
+    equilibrium.speeds = {speed};
+    for (const double ratio : whirl_ratios) equilibrium.frequencies.push_back(ratio * speed);
     result = run_wall_films(input);
     EXPECT_TRUE(result.states.front().found());
   }
@@ -101,15 +102,15 @@ TEST(FilmPlain, ImpedanceIsTheClosedFormAtSmallEccentricity) {
 TEST(FilmPlain, StiffnessOverAFoundationIsTheDerivativeOfTheForce) {
   Case input = reference_case();
   input.film = {.columns_per_pitch = 4, .rows = 4, .wall = FilmWall::springs, .wall_stiffness = 5e9};
-  input.equilibrium = EquilibriumSettings{};
-  input.equilibrium->speeds = {4000.0};
-  input.equilibrium->path = FilmPath::position_ray;
+  EquilibriumSettings& equilibrium = input.settings.set(EquilibriumSettings{});
+  equilibrium.speeds = {4000.0};
+  equilibrium.path = FilmPath::position_ray;
   constexpr double step = 2e-9;
   const Eigen::Vector2d place(12e-6, 5e-6);
-  input.equilibrium->positions = {place};
+  equilibrium.positions = {place};
   for (const Eigen::Index axis : {0, 1}) {
     for (const double side : {1.0, -1.0}) {
-      input.equilibrium->positions.emplace_back(place + side * step * Eigen::Vector2d::Unit(axis));
+      equilibrium.positions.emplace_back(place + side * step * Eigen::Vector2d::Unit(axis));
     }
   }
   const EquilibriumResult result = run_wall_films(input);

@@ -48,13 +48,13 @@ TEST(FilmInSleeves, ThatAreWiderAllAroundHasAnotherClearance) {
 
 TEST(FilmInSleeves, WithOneWaveIsThatOfAMovedJournal) {
   Case round = film_reference_case({.columns_per_pitch = 4, .rows = 6});
-  round.equilibrium =
-      EquilibriumSettings{.speeds = {film_speed}, .positions = {{11e-6, 4e-6}}, .path = FilmPath::position_ray};
+  round.settings.set(
+      EquilibriumSettings{.speeds = {film_speed}, .positions = {{11e-6, 4e-6}}, .path = FilmPath::position_ray});
   for (const bool closed : {false, true}) {
     round.film.closed = closed;
     Case waves = round;
     waves.bearing.sleeve.waves = {{.harmonic = 1, .amplitude = 5e-6, .phase = 0.5 * pi}};
-    waves.equilibrium->positions = {{11e-6, 9e-6}};
+    waves.settings.get<EquilibriumSettings>().positions = {{11e-6, 9e-6}};
     const EquilibriumResult a = run_wall_films(round);
     const EquilibriumResult b = run_wall_films(waves);
     ASSERT_TRUE(a.converged() && b.converged());

@@ -12,7 +12,7 @@ namespace {
 int loaded_bumps_after(FilmPath path) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 6}, 0.1);
   input.bump_foil.truss = {};  // identified
-  input.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{20.0, 5.0}}, .path = path};
+  input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{20.0, 5.0}}, .path = path});
   const RunningState state = run_equilibrium(input).states.at(0);
   return state.found() ? state.outcome->loaded_bumps : 0;
 }

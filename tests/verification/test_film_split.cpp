@@ -232,9 +232,9 @@ TEST(FilmOnSplitFoils, OfPadsIsThatOfPadsSideBySide) {
 /// The mesh error of each strip is that of the narrow bearing.
 TEST(FilmOnSplitFoils, HasTheMeshErrorOfNarrowBearings) {
   Case input = split_case(0.0);
-  input.equilibrium = EquilibriumSettings{.speeds = {split_speed}, .loads = {{90.0, 0.0}}, .paths = ComparedPaths::one};
+  input.settings.set(EquilibriumSettings{.speeds = {split_speed}, .loads = {{90.0, 0.0}}, .paths = ComparedPaths::one});
   Case alone = alone_case(input, 0);
-  alone.equilibrium->loads = {{30.0, 0.0}};
+  alone.settings.get<EquilibriumSettings>().loads = {{30.0, 0.0}};
   EquilibriumResult split = run_equilibrium(input);
   EquilibriumResult narrow = run_equilibrium(alone);
   estimate_mesh_errors(input, split);

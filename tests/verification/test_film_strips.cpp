@@ -22,8 +22,8 @@ const Eigen::Vector2d some_load(80.0, 0.0);
 Case split_case(int modes, double friction) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4, .width_modes = modes}, friction);
   input.bump_foil.strips = 3;
-  input.equilibrium =
-      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {some_load}, .paths = ComparedPaths::one};
+  input.settings.set(
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {some_load}, .paths = ComparedPaths::one});
   return input;
 }
 
@@ -104,7 +104,7 @@ TEST(FilmOnStrips, ThatAreAlikeRubsAsOnOneOfTheirWidth) {
 /// three lines over the width instead of at all rows.
 void expect_held_at_rest_as_without_a_film(Case input) {
   input.asperity = AsperitySettings{.sigma = 0.01e-6, .pressure_factor = 240e6, .friction = 0.2};
-  input.equilibrium->speeds = {0.0};
+  input.settings.get<EquilibriumSettings>().speeds = {0.0};
   SharedBearing bearing;
   const RunningState running = state_of(input, bearing);
 

@@ -8,6 +8,7 @@
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/vibration/vibration_settings.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_motions.hpp"

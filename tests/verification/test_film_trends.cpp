@@ -15,7 +15,7 @@ namespace {
 Case trend_case(std::vector<double> rpm, std::vector<Eigen::Vector2d> loads, FilmPath path) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 6});
   for (double& speed : rpm) speed = speed_of_rpm(speed);
-  input.equilibrium = EquilibriumSettings{.speeds = std::move(rpm), .loads = std::move(loads), .path = path};
+  input.settings.set(EquilibriumSettings{.speeds = std::move(rpm), .loads = std::move(loads), .path = path});
   return input;
 }
 

@@ -88,8 +88,8 @@ RunningState under(double load, const FilmResolution& resolution, SharedBearing&
                    const std::optional<PerBump>& pitch = {}) {
   Case input = film_reference_case(resolution);
   if (pitch) input.bump_foil.pitch = *pitch;
-  input.equilibrium =
-      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}, .paths = ComparedPaths::one};
+  input.settings.set(
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}, .paths = ComparedPaths::one});
   EquilibriumResult result = run_equilibrium(input);
   bearing = result.bearing;
   return result.states.front();
@@ -277,8 +277,8 @@ RunningState tilted(const Case& input, SharedBearing& bearing) {
 Case tilted_case(const FilmResolution& resolution, double load) {
   Case input = film_reference_case(resolution);
   input.width.tilt = {5e-6 / input.bearing.axial_length, 0.0};
-  input.equilibrium =
-      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}, .paths = ComparedPaths::one};
+  input.settings.set(
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{load, 0.0}}, .paths = ComparedPaths::one});
   return input;
 }
 
@@ -471,8 +471,8 @@ TEST(FilmUnderATiltedJournal, ActsOnPads) {
 /// other. Exchanging both pressures gives the mirror image.
 TEST(FilmBetweenSidePressures, CarriesGasFromSideToSide) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4, .width_modes = 3});
-  input.equilibrium =
-      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{50.0, 0.0}}, .paths = ComparedPaths::one};
+  input.settings.set(
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{50.0, 0.0}}, .paths = ComparedPaths::one});
   const double ambient = input.gas.ambient_pressure;
   input.film.side_pressure = {1.2 * ambient, ambient};
   SharedBearing bearing;

@@ -21,7 +21,8 @@ TEST_P(FormerAndPresent, DifferAsThePageSays) {
   const Comparison& expected = GetParam();
   Case input = case_with_given_constants();
   input.friction = {.top_bump = expected.friction, .bump_sleeve = expected.friction};
-  input.cycle.directions = {input.cycle.directions[static_cast<std::size_t>(expected.direction)]};
+  input.settings.get<CycleSettings>().directions = {
+      input.settings.get<CycleSettings>().directions[static_cast<std::size_t>(expected.direction)]};
   const Cycle present = run_cycles(input).cycles.front();
   input.bump_foil.model = BumpFoilModel::former;
   const Cycle former = run_cycles(input).cycles.front();
@@ -41,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Reference, FormerAndPresent,
 TEST(FormerTowardsTheWeld, TheClampedTopFoilCarriesTheDifferenceTowardsTheWeld) {
   Case input = case_with_given_constants();
   input.friction = {};
-  input.cycle.directions = {input.cycle.directions[1]};
+  input.settings.get<CycleSettings>().directions = {input.settings.get<CycleSettings>().directions[1]};
   const Cycle present = run_cycles(input).cycles.front();
   input.bump_foil.model = BumpFoilModel::former;
   const Cycle former = run_cycles(input).cycles.front();
@@ -55,7 +56,7 @@ TEST(FormerTowardsTheWeld, TheClampedTopFoilCarriesTheDifferenceTowardsTheWeld) 
 
 TEST(FormerAcrossTheWeld, FreeCrestsRiseThroughTheJournalWhereThePresentModelLoadsThem) {
   Case input = case_with_given_constants();
-  input.cycle.directions = {input.cycle.directions[2]};
+  input.settings.get<CycleSettings>().directions = {input.settings.get<CycleSettings>().directions[2]};
   const Cycle present = run_cycles(input).cycles.front();
   input.bump_foil.model = BumpFoilModel::former;
   const Cycle former = run_cycles(input).cycles.front();

@@ -17,7 +17,7 @@ Case with_clearance(double clearance, double friction) {
   Case input = case_with_given_constants();
   input.bearing.radial_clearance = clearance;
   input.friction = {.top_bump = friction, .bump_sleeve = friction};
-  input.cycle.steps = 40;
+  input.settings.get<CycleSettings>().steps = 40;
   return input;
 }
 
@@ -70,7 +70,7 @@ TEST(Interference, JournalLoadsAreTheDerivativeOfTheAssemblyEnergy) {
   const auto assembly = [](double clearance) {
     Case input = with_clearance(clearance, 0.0);
     input.bump_foil.height_errors = reference_cycles().back().input.bump_foil.height_errors;
-    input.cycle.steps = 1;
+    input.settings.get<CycleSettings>().steps = 1;
     return run_single_cycle(input, 0.0);
   };
   for (const double clearance : {-10e-6, -3e-6, 2e-6}) {
@@ -85,7 +85,7 @@ TEST(Interference, JournalLoadsAreTheDerivativeOfTheAssemblyEnergy) {
 
 TEST(Interference, HeightsBeyondTheClearanceSqueezeTheCentredJournal) {
   Case input = case_with_given_constants();
-  input.cycle.steps = 40;
+  input.settings.get<CycleSettings>().steps = 40;
   std::vector<double>& errors = input.bump_foil.height_errors;
   errors.assign(26, 0.0);
   errors[5] = 60e-6;

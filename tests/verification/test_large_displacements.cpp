@@ -8,6 +8,7 @@
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"
@@ -23,7 +24,7 @@ Case large_frame_case(Geometry geometry, double friction) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.geometry = geometry;
   input.friction = {.top_bump = friction, .bump_sleeve = friction};
-  input.cycle.steps = 25;
+  input.settings.get<CycleSettings>().steps = 25;
   return input;
 }
 
@@ -54,7 +55,7 @@ TEST(LargeDisplacements, VanishWithTheDisplacement) {
     for (const Geometry geometry : {Geometry::linear, Geometry::nonlinear}) {
       Case input = large_frame_case(geometry, 0.1);
       input.bearing.radial_clearance = 0.0;
-      input.cycle.amplitude.value = amplitude;
+      input.settings.get<CycleSettings>().amplitude.value = amplitude;
       force.push_back(run_single_cycle(input, 0.0).turning_point->max_force);
     }
     difference.push_back(std::abs(force[1] / force[0] - 1.0));
@@ -67,7 +68,7 @@ TEST(LargeDisplacements, EnergyBalanceConverges) {
   std::vector<double> defect;
   for (const int steps : {25, 50, 100}) {
     Case input = large_frame_case(Geometry::nonlinear, 0.1);
-    input.cycle.steps = steps;
+    input.settings.get<CycleSettings>().steps = steps;
     const Cycle cycle = run_single_cycle(input, 0.0);
     ASSERT_TRUE(cycle.converged());
     const FullIncrement turning = turning_increment(cycle);
@@ -115,8 +116,9 @@ TEST(LargeDisplacements, AreFollowedInRandomBearings) {
     Case input = random_case(number);
     input.bump_foil.model = BumpFoilModel::frame;
     input.bump_foil.geometry = Geometry::nonlinear;
-    input.cycle.steps = 25;
-    EXPECT_EQ(first_failure(run_single_cycle(input, input.cycle.directions.front())), "") << input.title;
+    input.settings.get<CycleSettings>().steps = 25;
+    EXPECT_EQ(first_failure(run_single_cycle(input, input.settings.get<CycleSettings>().directions.front())), "")
+        << input.title;
   }
 }
 

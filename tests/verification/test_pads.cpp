@@ -9,6 +9,7 @@
 #include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -29,8 +30,9 @@ Case pressed_pads(std::size_t pads, BumpFoilModel model = BumpFoilModel::truss) 
   input.bump_foil.model = model;
   input.bump_foil.bumps = 7;
   input.pads.resize(pads);
-  input.cycle.amplitude.value = 20e-6;
-  input.cycle.steps = 8;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.amplitude.value = 20e-6;
+  cycle.steps = 8;
   return input;
 }
 
@@ -56,7 +58,7 @@ TEST(Pads, OneIsTheBearingWithoutPads) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case plain = reference_case();
     plain.bump_foil.model = model;
-    plain.cycle.steps = 8;
+    plain.settings.get<CycleSettings>().steps = 8;
     Case padded = plain;
     padded.pads.resize(1);
     const Cycle a = run_single_cycle(plain, 0.5 * pi);
@@ -77,7 +79,7 @@ TEST(Pads, ThatNothingTouchesChangeNothing) {
   Case both = pressed_pads(2);
   both.bearing.radial_clearance = 10e-6;  // the journal leaves pad 2, which faces -X
   both.bearing.weld_angle = 0.5 * 7 * both.bump_foil.pitch.values.front() / both.bearing.radius;
-  both.cycle.amplitude.value = 40e-6;
+  both.settings.get<CycleSettings>().amplitude.value = 40e-6;
   const Cycle cycle = run_single_cycle(both, 0.0);
   expect_forces(cycle, {run_single_cycle(pad_alone(both, 0), 0.0)}, 1e-9);
   EXPECT_EQ(cycle.fields.pad_force_x.col(1).cwiseAbs().maxCoeff(), 0.0);
@@ -175,7 +177,7 @@ Case orbited_pads(const Eigen::Vector2d& centre) {
 TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
   const Case input = orbited_pads({9e-6, -5e-6});
   Case turned = input;
-  PathSettings& turned_path = *turned.settings.find<PathSettings>();
+  PathSettings& turned_path = turned.settings.get<PathSettings>();
   turned_path.centre.value = turning(third) * turned_path.centre.value;
   turned_path.tilt += third;
   const Cycle one = run_path(input).cycles.front();
@@ -226,17 +228,17 @@ TEST(Pads, EqualOnesAtEqualAnglesAreAsStiffInAllDirectionsAboutTheCentre) {
 LinearFoils vibrating(const Case& input) {
   const VibrationResult result = run_vibration(input);
   EXPECT_TRUE(result.converged());
-  return linear_foils(*input.vibration, result).front();
+  return linear_foils(input.settings.get<VibrationSettings>(), result).front();
 }
 
 /// Pads under a load, with vibrations along two directions.
 Case vibrating_pads() {
   Case input = pressed_pads(3);
-  input.vibration = VibrationSettings{.loads = {50.0 * unit_vector(0.4)},
-                                      .directions = {0.2, 0.2 + 0.5 * pi},
-                                      .amplitudes = {1e-6},
-                                      .frequencies = {2.0 * pi * 200.0},
-                                      .steps = 12};
+  input.settings.set(VibrationSettings{.loads = {50.0 * unit_vector(0.4)},
+                                       .directions = {0.2, 0.2 + 0.5 * pi},
+                                       .amplitudes = {1e-6},
+                                       .frequencies = {2.0 * pi * 200.0},
+                                       .steps = 12});
   return input;
 }
 
@@ -245,8 +247,9 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnTheirCoefficientsWithTheLoad) {
   const LinearFoils one = vibrating(input);
   ASSERT_GT(one.loss.norm(), 0.01 * one.stiffness.norm());
   Case turned = input;
-  turned.vibration->loads.front() = turning(third) * input.vibration->loads.front();
-  for (double& direction : turned.vibration->directions) direction += third;
+  turned.settings.get<VibrationSettings>().loads.front() =
+      turning(third) * input.settings.get<VibrationSettings>().loads.front();
+  for (double& direction : turned.settings.get<VibrationSettings>().directions) direction += third;
   const LinearFoils other = vibrating(turned);
   // Loads are reached to 1e-9, loops settle to 1e-6 of their energy.
   expect_near(other.stiffness, turning(third) * one.stiffness * turning(-third), 1e-5);
@@ -260,8 +263,10 @@ TEST(Pads, AddTheirForcesAtEveryPointOfAVibration) {
   for (const SolverName solver : {SolverName::newton, SolverName::events}) {
     input.solver.name = solver;
     for (const bool orbits : {false, true}) {
-      input.vibration->motion = orbits ? Motion::orbit : Motion::line;
-      input.vibration->directions = orbits ? std::vector<double>{} : vibrating_pads().vibration->directions;
+      VibrationSettings& settings = input.settings.get<VibrationSettings>();
+      settings.motion = orbits ? Motion::orbit : Motion::line;
+      settings.directions =
+          orbits ? std::vector<double>{} : vibrating_pads().settings.get<VibrationSettings>().directions;
       const VibrationResult result = run_vibration(input);
       ASSERT_TRUE(result.converged());
       for (const StaticLoad& load : result.loads) {
@@ -285,8 +290,9 @@ TEST(Pads, AddTheirForcesAtEveryPointOfAVibration) {
 TEST(Pads, EqualOnesAtEqualAnglesTurnTheirForcesWithTheVibration) {
   const Case input = vibrating_pads();
   Case turned = input;
-  turned.vibration->loads.front() = turning(third) * input.vibration->loads.front();
-  for (double& direction : turned.vibration->directions) direction += third;
+  turned.settings.get<VibrationSettings>().loads.front() =
+      turning(third) * input.settings.get<VibrationSettings>().loads.front();
+  for (double& direction : turned.settings.get<VibrationSettings>().directions) direction += third;
   const VibrationResult one = run_vibration(input);
   const VibrationResult other = run_vibration(turned);
   ASSERT_TRUE(one.converged() && other.converged());
@@ -309,8 +315,8 @@ TEST(Pads, OfTheMirrorImageHaveMirroredCoefficients) {
   // Foils wrapped clockwise and counterclockwise from a weld on the X axis are mirror images about it.
   Case mirrored = input;
   mirrored.bearing.wrap = Wrap::counterclockwise;
-  mirrored.vibration->loads.front().y() *= -1.0;
-  for (double& direction : mirrored.vibration->directions) direction *= -1.0;
+  mirrored.settings.get<VibrationSettings>().loads.front().y() *= -1.0;
+  for (double& direction : mirrored.settings.get<VibrationSettings>().directions) direction *= -1.0;
   const LinearFoils other = vibrating(mirrored);
   const Eigen::Matrix2d mirror = Eigen::Vector2d(1.0, -1.0).asDiagonal();
   expect_near(other.stiffness, mirror * one.stiffness * mirror, 1e-5);
@@ -321,8 +327,9 @@ TEST(Pads, AreNearerByTheirLobe) {
   // Without friction the force of a pad depends only on the journal position.
   Case plain = pressed_pads(1);
   plain.friction = {};
-  plain.cycle.steps = 40;
-  plain.cycle.amplitude.value = 40e-6;
+  CycleSettings& cycle = plain.settings.get<CycleSettings>();
+  cycle.steps = 40;
+  cycle.amplitude.value = 40e-6;
   Case lobed = plain;
   lobed.pads[0].lobe = 5e-6;
   const double middle = pi - 0.5 * 7 * plain.bump_foil.pitch.values.front() / plain.bearing.radius;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
@@ -17,8 +18,9 @@ using std::numbers::pi;
 
 Case pushed(double amplitude, int steps) {
   Case input = reference_case();
-  input.cycle.amplitude.value = amplitude;
-  input.cycle.steps = steps;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.amplitude.value = amplitude;
+  cycle.steps = steps;
   return input;
 }
 

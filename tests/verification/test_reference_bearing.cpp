@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/full_increment.hpp"
 /// Known properties of the reference bearing: how much friction stiffens it, where it carries.
 namespace bumpfoil {

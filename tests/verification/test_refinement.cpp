@@ -26,13 +26,13 @@ double largest_difference(const Cycle& coarse, const Cycle& fine) {
 /// 1600 steps.
 TEST(Refinement, ConvergesAtFirstOrderInEveryDirection) {
   Case input = case_with_given_constants();
-  for (const double direction : input.cycle.directions) {
-    input.cycle.steps = 1600;
+  for (const double direction : input.settings.get<CycleSettings>().directions) {
+    input.settings.get<CycleSettings>().steps = 1600;
     const Cycle fine = run_single_cycle(input, direction);
     ASSERT_TRUE(fine.converged());
     double last_loop_error = *fine.loop_energy;
     for (const int steps : {25, 100, 400}) {
-      input.cycle.steps = steps;
+      input.settings.get<CycleSettings>().steps = steps;
       const Cycle cycle = run_single_cycle(input, direction);
       ASSERT_TRUE(cycle.converged());
       // Single forces scatter below this bound, as contacts change in one increment or the next.

@@ -46,7 +46,7 @@ Eigen::Vector2d plain_amplitudes(const TransientResult& result, std::size_t turn
 /// different amount of free whirl, which affects the minimum film thickness of a turn.
 TEST(RotorTransient, CoastsDownAsInThePrototype) {
   Case input = film_rotor_case({6, 8});
-  RotorSettings& rotor = *input.settings.find<RotorSettings>();
+  RotorSettings& rotor = input.settings.get<RotorSettings>();
   rotor.gravity = {100.0, 0.0};
   rotor.unbalances.emplace_back().amount = 2e-6;
   input.settings.set(

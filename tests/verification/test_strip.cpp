@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "support/full_increment.hpp"
 
 namespace bumpfoil {
@@ -79,7 +81,7 @@ Cycle compress(BumpFoilModel model, const Continuum& strip) {
   settings.top_foil = false;
   settings.amplitude = {.control = Control::displacement, .value = 20e-6};
   settings.steps = 20;
-  input.strip = settings;
+  input.settings.set(settings);
   const CycleResult result = run_strip(input);
   EXPECT_TRUE(result.converged()) << strip.name();
   return result.cycles.at(0);
@@ -150,7 +152,7 @@ Case shallow_strip() {
   foil.youngs_modulus = 207e9;
   foil.poisson_ratio = 0.3;
   input.top_foil = {.thickness = 0.254e-3, .youngs_modulus = 207e9, .poisson_ratio = 0.3};
-  input.strip = StripSettings{.bumps = 10, .amplitude = {.value = 20e-6}, .cycles = 2};
+  input.settings.set(StripSettings{.bumps = 10, .amplitude = {.value = 20e-6}, .cycles = 2});
   return input;
 }
 
@@ -167,7 +169,7 @@ TEST(Strip, OfShallowBumpsIsNearTheFrameWhereSpringsAddUpToTheSameSum) {
   for (const Difference& expected : table) {
     Case frame = shallow_strip();
     frame.friction = {.top_bump = expected.friction, .bump_sleeve = expected.friction};
-    frame.strip->weld = expected.weld;
+    frame.settings.get<StripSettings>().weld = expected.weld;
     Case truss = frame;
     truss.bump_foil.model = BumpFoilModel::truss;
     truss.bump_foil.truss.k2 = 0.8e6;

@@ -14,6 +14,7 @@
 #include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/cycle_energies.hpp"
@@ -317,8 +318,9 @@ TEST(Strips, BalanceTheEnergiesOfACycle) {
     input.top_foil.split = split;
     input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
     input.solver.name = SolverName::events;
-    input.cycle.directions = {0.3};
-    input.cycle.steps = 10;
+    CycleSettings& settings = input.settings.get<CycleSettings>();
+    settings.directions = {0.3};
+    settings.steps = 10;
     const CycleResult result = run_cycles(input);
     ASSERT_TRUE(result.converged());
     const Cycle& cycle = result.cycles.front();
@@ -339,8 +341,9 @@ TEST(Strips, AreTouchedFirstWhereACrestIs) {
   input.bump_foil.strip = {FoilStrip{}, FoilStrip{.stagger = 0.5, .height_errors = {}}, FoilStrip{}};
   const double half = 0.5 * input.bump_foil.pitch.values.front() / input.bearing.radius;
   const double clearance = input.bearing.radial_clearance;
-  input.cycle.steps = 2;
-  input.cycle.directions = {std::numbers::pi - 12.0 * 2.0 * half};  // half way between crests 12 and 13
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.steps = 2;
+  cycle.directions = {std::numbers::pi - 12.0 * 2.0 * half};  // half way between crests 12 and 13
   EXPECT_NEAR(*run_cycles(input).cycles.front().first_contact, clearance, 1e-9 * clearance);
   input.bump_foil.strip.clear();
   EXPECT_NEAR(*run_cycles(input).cycles.front().first_contact, clearance / std::cos(half), 1e-9 * clearance);

@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 Case rough_bearing() {
   Case input = reference_cycles().back().input;  // the one with height errors
-  input.cycle.steps = 50;
+  input.settings.get<CycleSettings>().steps = 50;
   return input;
 }
 

@@ -39,7 +39,8 @@ TEST(UzawaDefaultsOfFrame, SolveTheReferenceBearingWithoutFriction) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.height_reference = HeightReference::midsurface;
   input.friction = {};
-  input.cycle = {.directions = {std::numbers::pi}, .amplitude = {.value = 4.586223170418869e-05}, .steps = 50};
+  input.settings.set(
+      CycleSettings{.directions = {std::numbers::pi}, .amplitude = {.value = 4.586223170418869e-05}, .steps = 50});
   const UzawaDeviation deviation = compare_uzawa(input, run_cycles(input), UzawaParameters());
   EXPECT_EQ(deviation.failures, 0);
   EXPECT_EQ(deviation.halvings, 0);
@@ -71,7 +72,7 @@ class UzawaStudy : public testing::TestWithParam<Entry> {};
 TEST_P(UzawaStudy, ShowsThePagesError) {
   const Entry& entry = GetParam();
   Case input = entry.scattered ? scattered_uzawa_study_case() : uzawa_study_case();
-  input.cycle.directions = {input.cycle.directions[entry.direction]};
+  input.settings.get<CycleSettings>().directions = {input.settings.get<CycleSettings>().directions[entry.direction]};
   const UzawaDeviation deviation = compare_uzawa(input, run_cycles(input), entry.parameters);
   EXPECT_EQ(deviation.failures, 0);
   // The page prints per cent with three decimals.

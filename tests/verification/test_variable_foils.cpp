@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "support/bearing_cases.hpp"
 
@@ -20,7 +21,7 @@ using std::numbers::pi;
 
 Case short_cycles() {
   Case input = reference_case();
-  input.cycle.steps = 20;
+  input.settings.get<CycleSettings>().steps = 20;
   return input;
 }
 

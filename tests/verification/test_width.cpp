@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/bump_sheet.hpp"

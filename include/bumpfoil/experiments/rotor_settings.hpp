@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bumpfoil/bearing/film_bearing.hpp"
@@ -32,6 +33,8 @@ struct RotorUnbalance {
 /// Table [rotor] of a case: half of a mass on each of two equal bearings; with places of the bearings and inertias, a
 /// rigid rotor on them; with pieces of a shaft, a flexible one; or any rotor by its matrices.
 struct RotorSettings {
+  static constexpr std::string_view table = "rotor";
+
   std::optional<double> mass{};                ///< of the whole rotor, kg; that of a shaft follows from its pieces
   std::vector<double> gravity{0.0, -9.81};     ///< along X and Y, m/s^2
   std::optional<double> transverse_inertia{};  ///< kg m^2
@@ -91,9 +94,5 @@ std::vector<FilmStepper*> pointers_to(std::deque<FilmStepper>& steppers);
 /// @param command  that is to run it
 /// @throws Error (input) if the case cannot be built or run by the command, or has no rotor
 Machine make_machine(const Case& input, const std::vector<double>& speeds, const std::string& command);
-
-/// The rotor of a case.
-/// @throws Error (input) if there is none
-const RotorSettings& rotor_settings_of(const Case& input);
 
 }  // namespace bumpfoil

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -8,7 +7,6 @@
 #include <vector>
 
 #include "bumpfoil/model/bearing_design.hpp"
-#include "bumpfoil/model/control.hpp"
 #include "bumpfoil/model/gas_and_asperities.hpp"
 #include "bumpfoil/model/scatter.hpp"
 #include "bumpfoil/model/settings_by_type.hpp"
@@ -37,87 +35,6 @@ struct SolverSettings {
 
   /// The solver that runs the case.
   [[nodiscard]] SolverName chosen() const { return name.value_or(SolverName::newton); }
-};
-
-/// A displacement (m) of the journal (or plate) from its initial position, or a load (N) on it.
-struct Target {
-  Control control{Control::displacement};
-  double value{};
-
-  bool operator==(const Target&) const = default;
-};
-
-/// A position (m) of the journal from the centre of the bearing, or a load (N), along X and Y.
-struct PlaneTarget {
-  Control control{Control::displacement};
-  Eigen::Vector2d value{0.0, 0.0};
-
-  bool operator==(const PlaneTarget&) const = default;
-};
-
-/// Cycles of the journal along each direction, each from the unstressed foils. One-sided cycles go from the centre to
-/// full displacement or load and back. About a preload, or with `swing`, they are fully reversed: to the same distance
-/// on the other side, and back.
-struct CycleSettings {
-  std::vector<double> directions;  ///< rad, from the X axis towards Y
-  Target amplitude;
-  std::optional<PlaneTarget> preload{};  ///< that cycles go about
-  bool swing{};
-  int cycles{1};                                    ///< at most, until the loop has settled
-  int steps{100};                                   ///< equal increments from the start to full displacement or load
-  std::vector<double> clearance_forces{5.0, 10.0};  ///< N, see Clearance
-
-  bool operator==(const CycleSettings&) const = default;
-
-  [[nodiscard]] bool is_fully_reversed() const { return swing || preload.has_value(); }
-};
-
-/// Cycles of a flat strip of the foils between a rigid base and a rigid plate. Without a preload each goes from zero to
-/// `amplitude` and back; with one, from the preload up by `amplitude`, down by twice as much, and back.
-struct StripSettings {
-  int bumps{};  ///< the first bumps of the foil
-  StripWeld weld{StripWeld::one_end};
-  bool top_foil{true};  ///< there is one between plate and bumps
-  Target amplitude;     ///< of the plate, from where it touches nominal foils, towards the base
-  std::optional<Target> preload{};
-  int cycles{1};   ///< one after the other, with friction carried over
-  int steps{100};  ///< equal increments from the start of a cycle to its full amplitude
-
-  bool operator==(const StripSettings&) const = default;
-};
-
-/// Points of a prescribed path, in order: positions (m) of the journal centre, or loads (N) on it.
-struct PathPoints {
-  Control control{Control::displacement};
-  std::vector<Eigen::Vector2d> values;
-
-  bool operator==(const PathPoints&) const = default;
-};
-
-/// Sense of an orbit, seen with X to the right and Y up.
-enum class Sense { counterclockwise, clockwise };
-
-/// How a journal vibrates.
-enum class Motion {
-  line,   ///< along a direction alone
-  orbit,  ///< round a circle
-};
-
-/// Vibrations of the journal about static loads: about each load in each direction, or round a circle in either sense,
-/// with each amplitude, until the loop has settled.
-struct VibrationSettings {
-  std::vector<Eigen::Vector2d> loads;  ///< N
-  Motion motion{Motion::line};
-  std::vector<double> directions;   ///< rad, from the X axis towards Y; one, or two at right angles; none for orbits
-  std::vector<double> amplitudes;   ///< from the middle to a turning point, m
-  std::vector<double> frequencies;  ///< at which the damping is evaluated, rad/s
-  int steps{100};                   ///< equal increments up to a load, and from the middle to a turning point
-
-  bool operator==(const VibrationSettings&) const = default;
-
-  [[nodiscard]] bool orbits() const { return motion == Motion::orbit; }
-  /// Vibrations about one load with one amplitude: one for each direction, or sense.
-  [[nodiscard]] std::size_t motions() const { return orbits() ? 2 : directions.size(); }
 };
 
 /// Bearing surface that replaces the foils in the command film.
@@ -163,39 +80,6 @@ struct WidthSettings {
   bool operator==(const WidthSettings&) const = default;
 };
 
-/// Path along which a running bearing reaches its states: there may be several at one speed and load, and the path
-/// decides.
-enum class FilmPath {
-  load_ramp,     ///< one load after the other, restarted at every speed
-  speed_ramp,    ///< one speed after the other, restarted for every load or position
-  position_ray,  ///< one position after the other, restarted at every speed
-  cold_start,    ///< every state by itself, from ambient pressure
-};
-
-/// Number of paths by which the command `equilibrium` reaches its states.
-enum class ComparedPaths {
-  one,  ///< its own alone
-  two,  ///< also a second one, whose states are compared but not kept
-  all,  ///< every path that leads to the states; all states are kept
-};
-
-/// States of a running bearing: all speeds with all loads or with all positions.
-struct EquilibriumSettings {
-  std::vector<double> speeds{};              ///< Omega, rad/s; positive turns X to Y
-  std::vector<Eigen::Vector2d> loads{};      ///< on the journal, N; empty with positions
-  std::vector<Eigen::Vector2d> positions{};  ///< of the journal, m; empty with loads
-  FilmPath path{FilmPath::load_ramp};
-  ComparedPaths paths{ComparedPaths::two};  ///< of one run; sweeps and ensembles take one path
-  bool prefer_stable{};                     ///< look for another state by other paths where one is unstable
-  int steps{10};                            ///< equal increments of the ramp to the first state of a path
-  std::vector<double> frequencies{};  ///< of motions for which coefficients are computed, rad/s; none: that of the
-                                      ///< rotation
-  int ross_version{3};                ///< that coefficients.toml is for, 2 or 3
-  bool limits{};  ///< find lift-off speeds and load capacities, too; ensembles go by MonteCarloSettings::limits
-
-  bool operator==(const EquilibriumSettings&) const = default;
-};
-
 /// Tables of a bearing that carries a rotor which differ from those of the case: whole tables.
 struct RotorBearing {
   std::optional<Bearing> bearing{};
@@ -215,15 +99,11 @@ struct RotorBearing {
 struct Case : BearingDesign {
   std::string title;
   SolverSettings solver;
-  CycleSettings cycle;
-  std::optional<StripSettings> strip{};
-  std::optional<VibrationSettings> vibration{};
   GasSettings gas{};
   FilmSettings film{};
   WidthSettings width{};
   std::optional<AsperitySettings> asperity{};
-  std::optional<EquilibriumSettings> equilibrium{};
-  SettingsByType settings{};                   ///< of other experiments
+  SettingsByType settings{};                   ///< of experiments
   std::vector<RotorBearing> rotor_bearings{};  ///< one for each place of the rotor; none: all are that of the case
   std::optional<MonteCarloSettings> montecarlo{};
   /// Choices of the reader that the case file leaves open, in plain words: warnings of every result.
@@ -245,10 +125,6 @@ struct Case : BearingDesign {
   }
   bool operator==(const Case&) const = default;
 };
-
-/// The first-generation bearing of [Arghir2019, Table 1] with friction coefficient 0.1, pushed to 2.5 clearances along
-/// +X, -X, +Y and -Y.
-Case reference_case();
 
 /// A bearing that carries the rotor, as a case with nothing to be done to it.
 /// @param place  of the rotor's bearings, from 0

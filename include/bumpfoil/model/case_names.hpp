@@ -5,6 +5,7 @@
 
 #include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/control.hpp"
 
 /// Words of the case file for the choices of a Case: name_of(Wrap::clockwise) is "clockwise".
 namespace bumpfoil {
@@ -27,8 +28,6 @@ template <>
 inline constexpr auto enum_names<WeldPosition> = std::to_array<std::string_view>({"mid_flat", "arc_start"});
 template <>
 inline constexpr auto enum_names<SolverName> = std::to_array<std::string_view>({"newton", "uzawa", "events"});
-template <>
-inline constexpr auto enum_names<Motion> = std::to_array<std::string_view>({"line", "orbit"});
 
 template <>
 inline constexpr auto enum_names<Sense> = std::to_array<std::string_view>({"counterclockwise", "clockwise"});
@@ -38,10 +37,5 @@ template <>
 inline constexpr auto enum_names<GasPreset> = std::to_array<std::string_view>({"air", "helium", "nitrogen", "steam"});
 template <>
 inline constexpr auto enum_names<FilmWall> = std::to_array<std::string_view>({"rigid", "springs", "rigid_across"});
-template <>
-inline constexpr auto enum_names<FilmPath> = std::to_array<std::string_view>({"load_ramp", "speed_ramp", "position_ray",
-                                                                              "cold_start"});
-template <>
-inline constexpr auto enum_names<ComparedPaths> = std::to_array<std::string_view>({"one", "two", "all"});
 
 }  // namespace bumpfoil

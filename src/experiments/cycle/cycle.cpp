@@ -54,13 +54,13 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
 CycleRun present_cycle_run(const Case& input) {
   const auto runner = std::make_shared<CycleRunner>(make_bearing_foils(input, {"cycle"}), input.solver);
   return [runner, &input](double direction, const ProgressCallback& progress) {
-    return runner->run(direction, input.cycle, Recording::everything, progress);
+    return runner->run(direction, input.settings.get<CycleSettings>(), Recording::everything, progress);
   };
 }
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   const CycleRun run = make_cycle_run(input);
-  const std::vector<double>& directions = input.cycle.directions;
+  const std::vector<double>& directions = input.settings.get<CycleSettings>().directions;
   return run_each_cycle(
       Experiment::cycle, input, std::ssize(directions), progress,
       [&](std::size_t i, const ProgressCallback& progress_of_cycle) { return run(directions[i], progress_of_cycle); });

@@ -73,8 +73,9 @@ class CycleDataset {
 
   /// Displacements at which thresholds of the force are reached.
   void add_clearances() {
-    const std::vector<double>& forces = input_.cycle.clearance_forces;
-    if (result_.experiment != Experiment::cycle || forces.empty()) return;
+    if (result_.experiment != Experiment::cycle) return;
+    const std::vector<double>& forces = input_.settings.get<CycleSettings>().clearance_forces;
+    if (forces.empty()) return;
     data_.add_dimension({"clearance_force", "N", "force at which a push test would report contact"}, forces);
     data_.add({"clearance", "m", "displacement at which the direct force first reaches the threshold"},
               of_cycles_and({"clearance_force"}), blocks(forces.size(), [](const Cycle& cycle) {
@@ -240,7 +241,8 @@ Table cycle_rows(const Case& input, const CycleResult& result, RunStatus status)
                       .columns = names_of(cycle_quantities(result.experiment, result.over_width), {layout.cycles.name}),
                       .rows = each(layout.places, [](std::size_t place) { return std::vector<std::size_t>{place}; })});
   if (result.experiment != Experiment::cycle) return table;
-  const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+  const std::vector<VariableMeaning> clearances =
+      clearance_quantities(input.settings.get<CycleSettings>().clearance_forces);
   for (std::size_t k = 0; k < clearances.size(); ++k) {
     std::vector<double> values = each(result.cycles, [k](const Cycle& cycle) { return clearance_of(cycle, k); });
     values.resize(layout.places.size(), absent);

@@ -56,7 +56,8 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
     }
   }
   if (result.experiment == Experiment::cycle) {
-    const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+    const std::vector<VariableMeaning> clearances =
+        clearance_quantities(input.settings.get<CycleSettings>().clearance_forces);
     for (std::size_t k = 0; k < clearances.size(); ++k) {
       json[clearances[k].key()] = value_json(clearance_of(cycle, k));
     }

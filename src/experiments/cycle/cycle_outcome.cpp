@@ -35,7 +35,7 @@ SweptResult swept_cycles(const Case& input, const CycleResult& result, RunStatus
   for (std::size_t i = 0; i < layout.places.size(); ++i) {
     swept.parts.push_back({result.experiment == Experiment::strip
                                ? fmt::format("cycle {}", i + 1)
-                               : "direction " + direction_name(input.cycle.directions[i]),
+                               : "direction " + direction_name(input.settings.get<CycleSettings>().directions[i]),
                            layout.places[i]});
   }
   return swept;

@@ -48,7 +48,8 @@ std::vector<CycleColumn> cycle_columns(const Case& input) {
   std::vector<CycleColumn> columns =
       each(sampled_of(cycle_quantities(Experiment::cycle, over_width)),
            [&wording](const CycleQuantity& quantity) { return column_of(quantity, wording); });
-  const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+  const std::vector<VariableMeaning> clearances =
+      clearance_quantities(input.settings.get<CycleSettings>().clearance_forces);
   for (std::size_t i = 0; i < clearances.size(); ++i) columns.push_back(clearance_column(clearances[i], i));
   columns.push_back(largest_load_column());
   return columns;
@@ -57,7 +58,7 @@ std::vector<CycleColumn> cycle_columns(const Case& input) {
 EnsembleLayout cycle_layout(const Case& input) {
   return {.place = {"direction", "degree", "direction of the push, from X towards Y"},
           .plural = "cycles",
-          .places = each(input.cycle.directions,
+          .places = each(input.settings.get<CycleSettings>().directions,
                          [](double direction) {
                            return EnsemblePlace{direction_name(direction), to_degrees(direction)};
                          }),

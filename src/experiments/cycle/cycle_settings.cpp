@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
@@ -45,8 +46,8 @@ void describe(CaseVisitor& keys, CycleSettings& cycle) {
 
 void describe_cycle(CaseVisitor& keys, Case& input) {
   using enum Presence;
-  defaulted_table(keys, {"cycle", optional, "Cycle", "the journal is pushed and pulled back"}, input.cycle,
-                  [](CaseVisitor& inner, CycleSettings& cycle) { describe(inner, cycle); });
+  settings_table<CycleSettings>(keys, {"cycle", optional, "Cycle", "the journal is pushed and pulled back"},
+                                input.settings, describe);
 }
 
 /// Repeated directions, including full turns, would only repeat their results.
@@ -107,8 +108,9 @@ void check_course(Checks& checks, const CycleSettings& cycle, double limit) {
 }
 
 void check_cycle(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
-  const CycleSettings& cycle = input.cycle;
-  if (cycle.directions.empty() && cycle.amplitude.value == 0.0) return;
+  const CycleSettings* const held = input.settings.find<CycleSettings>();
+  if (held == nullptr) return;
+  const CycleSettings& cycle = *held;
   checks.require(!cycle.directions.empty(), "cycle.directions", "", "no direction specified",
                  "give a list such as [\"+X\", \"90 deg\"]");
   for (std::size_t i = 0; i < cycle.directions.size(); ++i) {
@@ -135,15 +137,14 @@ void check_cycle(Checks& checks, const Case& input, const CheckedBumpFoil& foil)
 }  // namespace
 
 CaseTable cycle_settings() {
-  return {
-      .experiment = "cycle",
-      .needs = "cycle",
-      .foils = true,
-      .describe = describe_cycle,
-      .check = check_cycle,
-      .given = [](const Case& input) { return !input.cycle.directions.empty() || input.cycle.amplitude.value != 0.0; },
-      .swept = true,
-      .sampled_by = SolverName::events};
+  return {.experiment = "cycle",
+          .needs = "cycle",
+          .foils = true,
+          .describe = describe_cycle,
+          .check = check_cycle,
+          .given = gives<CycleSettings>,
+          .swept = true,
+          .sampled_by = SolverName::events};
 }
 
 }  // namespace bumpfoil

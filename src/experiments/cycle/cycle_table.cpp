@@ -58,7 +58,8 @@ class CycleTable {
   /// Displacement at which the direct force first reaches each threshold of the case.
   void add_clearances() {
     if (result_.experiment != Experiment::cycle) return;
-    const std::vector<VariableMeaning> clearances = clearance_quantities(input_.cycle.clearance_forces);
+    const std::vector<VariableMeaning> clearances =
+        clearance_quantities(input_.settings.get<CycleSettings>().clearance_forces);
     for (std::size_t i = 0; i < clearances.size(); ++i) {
       add(clearances[i], [i](const Cycle& cycle) { return clearance_of(cycle, i); });
     }

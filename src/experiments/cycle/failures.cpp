@@ -6,14 +6,17 @@
 #include <cmath>
 
 #include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 
 namespace bumpfoil {
 namespace {
 
 /// Whether a cycle includes the way to the preload: the first of a strip, and all of a bearing.
 bool begins_with_preload(const Case& input, const CycleResult& result, std::size_t cycle) {
-  if (result.experiment == Experiment::strip) return cycle == 0 && input.strip->preload.has_value();
-  return result.experiment == Experiment::cycle && input.cycle.preload.has_value() &&
+  if (result.experiment == Experiment::strip) {
+    return cycle == 0 && input.settings.get<StripSettings>().preload.has_value();
+  }
+  return result.experiment == Experiment::cycle && input.settings.get<CycleSettings>().preload.has_value() &&
          result.cycles[cycle].loop_energies.empty();
 }
 

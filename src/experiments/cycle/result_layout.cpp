@@ -10,6 +10,7 @@
 #include "bumpfoil/bearing/bearing_model.hpp"
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 
@@ -168,32 +169,30 @@ ResultLayout layout_of_bearing(const Case& input, const std::vector<PlacedPad>& 
 }
 
 ResultLayout layout_of_cycles(const Case& input) {
-  ResultLayout layout = layout_of_bearing(input, place_pads(input));
-  layout.strips = strips_apart(input);
+  const CycleSettings& cycle = input.settings.get<CycleSettings>();
+  ResultLayout layout = make_bearing_layout(input);
   layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
   std::vector<double>& sorted = layout.cycles.values;
-  for (const double direction : input.cycle.directions) sorted.push_back(to_degrees(direction));
+  for (const double direction : cycle.directions) sorted.push_back(to_degrees(direction));
   // Sorted so that readers can use nearest-value selection.
   std::sort(sorted.begin(), sorted.end());
-  for (const double direction : input.cycle.directions) {
+  for (const double direction : cycle.directions) {
     const auto found = std::find(sorted.begin(), sorted.end(), to_degrees(direction));
     layout.places.push_back(static_cast<std::size_t>(found - sorted.begin()));
   }
-  layout.increments =
-      std::size_t{input.cycle.is_fully_reversed() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
+  layout.increments = std::size_t{cycle.is_fully_reversed() ? 4U : 2U} * static_cast<std::size_t>(cycle.steps) + 1;
   return layout;
 }
 
 ResultLayout layout_of_path(const Case& input) {
-  ResultLayout layout = layout_of_bearing(input, place_pads(input));
-  layout.strips = strips_apart(input);
+  ResultLayout layout = make_bearing_layout(input);
   layout.places = {0};
-  layout.increments = static_cast<std::size_t>(path_increments(*input.settings.find<PathSettings>()));
+  layout.increments = static_cast<std::size_t>(path_increments(input.settings.get<PathSettings>()));
   return layout;
 }
 
 ResultLayout layout_of_strip(const Case& input) {
-  const StripSettings& strip = *input.strip;
+  const StripSettings& strip = input.settings.get<StripSettings>();
   const FoilDesign foils = make_strip_design(input, strip.bumps, strip.weld, strip.top_foil);
   const Vector feet = foot_positions(foils);
   ResultLayout layout = layout_of_foils(input.bearing.axial_length, {cut_to(input, strip.bumps).bump_foil});
@@ -224,6 +223,12 @@ ResultLayout make_result_layout(const Case& input, Experiment experiment) {
       break;
   }
   return layout_of_cycles(input);
+}
+
+ResultLayout make_bearing_layout(const Case& input) {
+  ResultLayout layout = layout_of_bearing(input, place_pads(input));
+  layout.strips = strips_apart(input);
+  return layout;
 }
 
 ResultLayout make_film_layout(const Case& input) {

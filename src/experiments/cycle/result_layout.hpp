@@ -46,6 +46,9 @@ struct ResultLayout {
 
 ResultLayout make_result_layout(const Case& input, Experiment experiment);
 
+/// Layout of a bearing without a film: without cycles.
+ResultLayout make_bearing_layout(const Case& input);
+
 /// Layout of running states, of place_film_pads(): without cycles.
 ResultLayout make_film_layout(const Case& input);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <iterator>
 
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
@@ -86,10 +87,10 @@ double amplitude(const Cycle& cycle, const Case& input) {
   return cycle.turning_point || control(input) == Control::displacement ? cycle.amplitude : absent;
 }
 Control control_of_cycle(const Case& input) {
-  return input.cycle.amplitude.control;
+  return input.settings.get<CycleSettings>().amplitude.control;
 }
 Control control_of_strip(const Case& input) {
-  return input.strip->amplitude.control;
+  return input.settings.get<StripSettings>().amplitude.control;
 }
 
 template <auto FoilFields::*member>
@@ -473,10 +474,13 @@ Wording wording_of(const Case& input, Experiment experiment) {
     return {"journal", "top foil", "sleeve", "away from the centre", "at the centred journal"};
   }
   if (experiment == Experiment::cycle) {
+    // Running bearings without cycles are described as cycles are.
+    const CycleSettings* const cycle = input.settings.find<CycleSettings>();
     return {"journal", "top foil", "sleeve", "along the direction",
-            input.cycle.preload ? "at the preload" : "at the centred journal"};
+            cycle != nullptr && cycle->preload ? "at the preload" : "at the centred journal"};
   }
-  return {"plate", input.strip->top_foil ? "top foil" : "plate", "base", "towards the base", "at the start"};
+  return {"plate", input.settings.get<StripSettings>().top_foil ? "top foil" : "plate", "base", "towards the base",
+          "at the start"};
 }
 
 std::string spelled(std::string_view long_name, const Wording& wording) {

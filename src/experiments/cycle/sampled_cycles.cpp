@@ -16,8 +16,9 @@ CycleResult SampledCycleRunner::run(const Case& sampled, const ProgressCallback&
     runner_.emplace(std::move(foils), settings_);
   }
   CycleResult result{.solver = sampled.solver.chosen(), .experiment = Experiment::cycle, .cycles = {}};
-  for (const double direction : sampled.cycle.directions) {
-    result.cycles.push_back(runner_->run(direction, sampled.cycle, Recording::quantities, progress));
+  const CycleSettings& settings = sampled.settings.get<CycleSettings>();
+  for (const double direction : settings.directions) {
+    result.cycles.push_back(runner_->run(direction, settings, Recording::quantities, progress));
   }
   return result;
 }

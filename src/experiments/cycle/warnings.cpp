@@ -8,6 +8,7 @@
 #include "bumpfoil/experiments/case_warnings.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 
@@ -69,7 +70,7 @@ std::optional<std::string> settling_warning(const CycleResult& result, const Cyc
 std::optional<std::string> truss_warning(const Case& input, const CycleResult& result) {
   int bumps = bump_foil_of(input, 0).bumps;
   for (std::size_t k = 1; k < count_pads(input); ++k) bumps = std::min(bumps, bump_foil_of(input, k).bumps);
-  if (result.experiment == Experiment::strip) bumps = input.strip->bumps;
+  if (result.experiment == Experiment::strip) bumps = input.settings.get<StripSettings>().bumps;
   if (input.bump_foil.model != BumpFoilModel::truss || bumps >= shortest_row) return std::nullopt;
   return fmt::format(
       "the truss is meant for long rows of bumps; for {} it may be up to 26 % too stiff: bump_foil.model = \"frame\" "

@@ -6,7 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/motion/branch.hpp"
@@ -330,26 +329,24 @@ std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
 }
 
 BearingModel require_running_bearing(const Case& input) {
-  if (!input.equilibrium) {
-    throw Error(ErrorKind::input, {{"", 0, "equilibrium", "", "this table is missing", "add [equilibrium]"}});
-  }
+  static_cast<void>(input.settings.get<EquilibriumSettings>());  // reports a missing table
   return make_film_bearing(input);
 }
 
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
                                   const std::function<bool(double)>& progress, StateCheckers* checkers) {
   const auto bearing = std::make_shared<const BearingModel>(require_running_bearing(input));
-  if (paths.empty()) paths.push_back(input.equilibrium->path);
-  EquilibriumResult result =
-      find_states(bearing, *input.equilibrium, thickness_floor(input), paths, progress, checkers);
+  const EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  if (paths.empty()) paths.push_back(equilibrium.path);
+  EquilibriumResult result = find_states(bearing, equilibrium, thickness_floor(input), paths, progress, checkers);
   add_least_torque_speeds(result);
-  if (!input.equilibrium->prefer_stable || paths.size() > 1) return result;
+  if (!equilibrium.prefer_stable || paths.size() > 1) return result;
   for (RunningState& state : result.states) {
     if (!state.found() || state.held.is_stable() != false) continue;
     const auto keep_going = [&](double) { return !progress || progress(1.0); };
-    if (auto better = stable_instead(result, *input.equilibrium, thickness_floor(input), state, keep_going)) {
+    if (auto better = stable_instead(result, equilibrium, thickness_floor(input), state, keep_going)) {
       state = std::move(*better);
-      if (checkers) check_state(result.bearing, *input.equilibrium, true, state);
+      if (checkers) check_state(result.bearing, equilibrium, true, state);
     }
   }
   return result;

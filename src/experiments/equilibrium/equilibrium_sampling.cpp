@@ -17,7 +17,7 @@ namespace {
 std::vector<RunningQuantity> sampled_quantities(const Case& input) {
   std::vector<RunningQuantity> sampled =
       sampled_of(running_quantities(require_running_bearing(input), input.montecarlo->limits));
-  const bool by_load = !input.equilibrium->loads.empty();
+  const bool by_load = !input.settings.get<EquilibriumSettings>().loads.empty();
   std::erase_if(sampled, [by_load](const RunningQuantity& quantity) {
     return by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
   });
@@ -33,7 +33,8 @@ EnsembleLayout equilibrium_layout(const Case& input) {
                       [](const RunningQuantity& quantity) { return EnsembleColumn{.meaning = quantity.meaning()}; }),
       .target = "h_min",
       .load = "load on the crest of the bump"};
-  const std::vector<RunningState> states = planned_states(*input.equilibrium, Status::not_reached);
+  const std::vector<RunningState> states =
+      planned_states(input.settings.get<EquilibriumSettings>(), Status::not_reached);
   for (const RunningState& state : states) {
     layout.places.push_back({name_of_point(state.requested), static_cast<double>(layout.places.size() + 1)});
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
@@ -58,11 +59,11 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
 
 void describe_equilibrium(CaseVisitor& keys, Case& input) {
   using enum Presence;
-  optional_table(keys,
-                 {"equilibrium", optional, "Equilibrium",
-                  "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},
-                 input.equilibrium,
-                 [](CaseVisitor& inner, EquilibriumSettings& equilibrium) { describe(inner, equilibrium); });
+  settings_table<EquilibriumSettings>(
+      keys,
+      {"equilibrium", optional, "Equilibrium",
+       "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},
+      input.settings, describe);
 }
 
 constexpr double most_speed = 1e6;  // rad/s
@@ -94,16 +95,17 @@ void check_vectors(Checks& checks, const std::string& key, const std::vector<Eig
 }
 
 void check_equilibrium(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
+  const EquilibriumSettings* const held = input.settings.find<EquilibriumSettings>();
   checks.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
                      "is missing: the minimum film thickness at lift-off",
                      "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
-  checks.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
-                     "no load specified", "give a list such as [[\"50 N\", \"0 N\"]]");
+  checks.require_for("limits", held != nullptr && !held->loads.empty(), "equilibrium.loads", "", "no load specified",
+                     "give a list such as [[\"50 N\", \"0 N\"]]");
   checks.require_for("montecarlo",
                      !input.montecarlo || !input.montecarlo->limits || input.montecarlo->command == "equilibrium",
                      "montecarlo.limits", "true", "are those of running bearings", "set command = \"equilibrium\"");
-  if (!input.equilibrium) return;
-  const EquilibriumSettings& equilibrium = *input.equilibrium;
+  if (held == nullptr) return;
+  const EquilibriumSettings& equilibrium = *held;
   checks.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "no speed specified",
                  "give a list such as [\"45000 rpm\"]");
   for (std::size_t i = 0; i < equilibrium.speeds.size(); ++i) {
@@ -149,9 +151,10 @@ CaseTable equilibrium_settings() {
           .film = true,
           .describe = describe_equilibrium,
           .check = check_equilibrium,
-          .given = [](const Case& input) { return input.equilibrium.has_value(); },
+          .given = gives<EquilibriumSettings>,
           .requested_part = [](const Case& input) -> std::string_view {
-            return input.equilibrium && input.equilibrium->limits ? "limits" : "";
+            const EquilibriumSettings* const held = input.settings.find<EquilibriumSettings>();
+            return held != nullptr && held->limits ? "limits" : "";
           },
           .swept = true,
           .sampled_by = SolverName::newton};

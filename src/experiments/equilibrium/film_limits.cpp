@@ -189,7 +189,7 @@ class LimitSearch {
 /// One limit, from the end of a load ramp.
 FilmLimit find_limit(const SharedBearing& bearing, const Case& input, FilmLimitKind kind, double speed,
                      const Eigen::Vector2d& load, const std::function<bool()>& keep_going) {
-  EquilibriumSettings at_start = *input.equilibrium;
+  EquilibriumSettings at_start = input.settings.get<EquilibriumSettings>();
   at_start.speeds = {speed};
   at_start.loads = {load};
   const EquilibriumResult begin = find_states(bearing, at_start, thickness_floor(input), {FilmPath::load_ramp},
@@ -209,7 +209,7 @@ std::size_t place_in(const std::vector<Value>& list, const Value& value) {
 
 std::vector<FilmLimit> find_limits(const SharedBearing& bearing, const Case& input,
                                    const std::function<bool(double)>& progress) {
-  const EquilibriumSettings& equilibrium = *input.equilibrium;
+  const EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
   const auto total = static_cast<double>(equilibrium.loads.size() + equilibrium.speeds.size());
   std::vector<FilmLimit> limits;
   const auto keep_going = [&] { return !progress || progress(static_cast<double>(limits.size()) / total); };
@@ -235,11 +235,10 @@ void add_film_limits(const Case& input, EquilibriumResult& result, const std::fu
   require_valid(input, {"limits"});
   result.with_limits = true;
   result.limits = find_limits(result.bearing, input, progress);
-  const std::vector<double>& speeds = input.equilibrium->speeds;
-  const std::vector<Eigen::Vector2d>& loads = input.equilibrium->loads;
+  const EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
   for (RunningState& state : result.states) {
-    state.lift_off_speed = result.limits[place_in(loads, state.requested.journal)];
-    state.load_capacity = result.limits[loads.size() + place_in(speeds, state.requested.speed)];
+    state.lift_off_speed = result.limits[place_in(equilibrium.loads, state.requested.journal)];
+    state.load_capacity = result.limits[equilibrium.loads.size() + place_in(equilibrium.speeds, state.requested.speed)];
   }
 }
 

@@ -109,10 +109,11 @@ std::string elements_toml(const StatesOverSpeed& states, Impedance impedance, in
 }  // namespace
 
 std::string film_ross_toml(const Case& input, const EquilibriumResult& result, std::string_view run_id) {
-  const int ross_version = input.equilibrium->ross_version;
+  const EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  const int ross_version = equilibrium.ross_version;
   std::string out = fmt::format(film_head, ross_version);
   out += ross_version == 2 ? axes_2 : axes_3;
-  if (ross_version != 2 && input.equilibrium->frequencies.empty()) {
+  if (ross_version != 2 && equilibrium.frequencies.empty()) {
     out += "# The case names no frequencies: these reach from 0.2 times the lowest speed to 1.2 times the highest.\n";
   }
   out += fmt::format("\nsource = \"bumpfoil {} ({})\"\nrun_id = \"{}\"\n", version(), commit(), run_id);

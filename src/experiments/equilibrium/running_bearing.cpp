@@ -71,8 +71,7 @@ FilmPath second_path(const EquilibriumSettings& equilibrium) {
 }
 
 EquilibriumResult analyse_running_bearing(const Case& input, const std::function<bool(double)>& progress) {
-  if (!input.equilibrium) static_cast<void>(require_running_bearing(input));  // reports what is missing
-  const EquilibriumSettings& settings = *input.equilibrium;
+  const EquilibriumSettings& settings = input.settings.get<EquilibriumSettings>();
   const bool all = settings.paths == ComparedPaths::all;
   const bool second = settings.paths == ComparedPaths::two;
   const double parts = 1.0 + (second ? 1.0 : 0.0) + (settings.limits ? 1.0 : 0.0);

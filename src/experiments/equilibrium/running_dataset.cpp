@@ -222,7 +222,7 @@ Dataset state_dataset(const Case& input, const EquilibriumResult& result) {
   add_geometry(input, result, layout, states.data());
   states.add_quantities(tag::none);
   add_requested_positions(result, states.data());
-  states.add_motions(*input.equilibrium);
+  states.add_motions(input.settings.get<EquilibriumSettings>());
   states.add_pads();
   add_film(result, states);
   if (result.bearing->has_foils()) add_fields(result, layout, wording_of(input, Experiment::cycle), states);
@@ -264,12 +264,13 @@ Dataset equilibrium_dataset(const EquilibriumSettings& settings, const Equilibri
 }
 
 EquilibriumResult equilibrium_not_begun(const Case& input) {
+  const EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
   EquilibriumResult result;
   Case bearing = input;
-  bearing.equilibrium.reset();  // a layout of all speeds is not a runnable case
+  bearing.settings.remove<EquilibriumSettings>();  // a layout of all speeds is not a runnable case
   result.bearing = std::make_shared<const BearingModel>(make_film_bearing(bearing));
-  result.states = planned_states(*input.equilibrium, Status::interrupted);
-  result.with_limits = input.equilibrium->limits;
+  result.states = planned_states(equilibrium, Status::interrupted);
+  result.with_limits = equilibrium.limits;
   return result;
 }
 

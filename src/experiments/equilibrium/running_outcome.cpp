@@ -70,7 +70,7 @@ ResultContents running_contents(const Case& input, const EquilibriumResult& resu
 }
 
 SweptResult swept_states(const Case& input, const EquilibriumResult& result) {
-  const EquilibriumSettings& settings = *input.equilibrium;
+  const EquilibriumSettings& settings = input.settings.get<EquilibriumSettings>();
   Json lists{{"states", Json::array()}};
   SweptResult swept{.dataset = equilibrium_dataset(settings, result),
                     .parts = {},
@@ -91,7 +91,7 @@ SweptResult swept_states(const Case& input, const EquilibriumResult& result) {
 Outcome run_swept(const Case& input, const ProgressCallback& progress) {
   EquilibriumResult result = run_equilibrium(input, {}, progress);
   estimate_mesh_errors(input, result);
-  if (input.equilibrium->limits) add_film_limits(input, result, progress);
+  if (input.settings.get<EquilibriumSettings>().limits) add_film_limits(input, result, progress);
   return running_outcome(input, std::move(result));
 }
 

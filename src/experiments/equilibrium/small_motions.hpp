@@ -6,6 +6,7 @@
 
 #include "bumpfoil/bearing/critical_mass.hpp"
 #include "bumpfoil/bearing/impedance.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {

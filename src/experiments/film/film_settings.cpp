@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
@@ -303,8 +304,6 @@ void check_strips_in_use(Checks& checks, const Case& input) {
                      "solver.name", std::string(name_of(input.solver.chosen())),
                      "does not support strips that move independently", "set name = \"newton\" or \"events\"");
   if (!input.has_own_strips()) return;
-  checks.require_for("strip", !input.strip, "bump_foil.strip", "",
-                     "differs over the width, but foils between plates are uniform", "remove [[bump_foil.strip]]");
   checks.require_for(experiments_where(&CaseTable::foils), input.width.modes != 1 || input.top_foil.split,
                      "bump_foil.strip", "", "needs a top foil that can follow strips that differ",
                      "set width.modes = 3, or 2 without a parabola");
@@ -341,7 +340,8 @@ void check_wall(Checks& checks, const Case& input) {
   checks.require_for("film", input.pads.empty(), "pad", "",
                      "are parts of the sleeve: a bearing surface without foils has none",
                      "remove them, or run equilibrium, which supports pads");
-  checks.require_for("film", input.equilibrium && !input.equilibrium->positions.empty(), "equilibrium.positions", "",
+  const EquilibriumSettings* const equilibrium = input.settings.find<EquilibriumSettings>();
+  checks.require_for("film", equilibrium != nullptr && !equilibrium->positions.empty(), "equilibrium.positions", "",
                      "no position specified", "give a list such as [[\"15 um\", \"0 um\"]] instead of loads");
   if (!input.film.closed) return;
   checks.require_for("film", input.bearing.taper == 0.0, "bearing.taper", "",

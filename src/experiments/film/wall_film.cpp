@@ -87,12 +87,13 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
   result.bearing = std::make_shared<const BearingModel>(make_wall_bearing(input));
   const BearingModel& bearing = *result.bearing;
   const FilmModel& film = *bearing.film;
-  const std::size_t count = input.equilibrium->speeds.size() * input.equilibrium->positions.size();
+  const EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  const std::size_t count = equilibrium.speeds.size() * equilibrium.positions.size();
   const Foundation foundation = foundation_of(input, film.scales);
   FilmSolver solver(film.pads.front().foil.mesh, foundation,
                     {.thickness_floor = input.film.h_floor / film.scales.thickness});
-  for (const double speed : input.equilibrium->speeds) {
-    for (const Eigen::Vector2d& position : input.equilibrium->positions) {
+  for (const double speed : equilibrium.speeds) {
+    for (const Eigen::Vector2d& position : equilibrium.positions) {
       RunningState& found = result.states.emplace_back();
       found.path = FilmPath::position_ray;
       found.requested = OperatingPoint::held_at({position[0], position[1]}, speed);
@@ -113,7 +114,7 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       if (!found.found()) continue;
       found.outcome = film_bearing_outcome(bearing, state);
       found.last = std::move(state);
-      find_motions(bearing, foundation, *input.equilibrium, found);
+      find_motions(bearing, foundation, equilibrium, found);
     }
   }
   return result;

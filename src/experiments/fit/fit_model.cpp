@@ -23,11 +23,10 @@ std::unique_ptr<const MeasuredData> measured_of(const FitData& data, const Case&
 
 }  // namespace
 
-FitModel::FitModel(const Case& input) : settings_(*input.settings.find<FitSettings>()) {
+FitModel::FitModel(const Case& input) : settings_(input.settings.get<FitSettings>()) {
   Case bare = input;
-  bare.settings.set(FitSettings{});
+  bare.settings.remove<FitSettings>();
   text_ = case_to_toml(bare);
-  bare.settings = {};
   bare.montecarlo.reset();
   for (const FitData& data : settings_.data) {
     data_.push_back(measured_of(data, bare));

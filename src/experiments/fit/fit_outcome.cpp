@@ -35,7 +35,7 @@ ResultContents fit_contents(const FitResult& result) {
 
 /// Running bearings use Newton's method, whatever solves loops and vibrations.
 std::string fit_solvers(const Case& input) {
-  const std::vector<FitData>& data = input.settings.find<FitSettings>()->data;
+  const std::vector<FitData>& data = input.settings.get<FitSettings>().data;
   const auto runs = [](const FitData& one) { return one.experiment == FittedExperiment::equilibrium; };
   if (std::none_of(data.begin(), data.end(), runs)) return std::string(name_of(input.solver.chosen()));
   const std::string_view newton = name_of(SolverName::newton);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bumpfoil/experiments/fit/fit.hpp"
+#include "bumpfoil/experiments/vibration/vibration_settings.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "case/case_keys.hpp"
 #include "case/key_list.hpp"
@@ -176,15 +177,9 @@ void describe(CaseVisitor& keys, FitSettings& fit) {
 }
 
 void describe_fit(CaseVisitor& keys, Case& input) {
-  // An empty fit counts as none: this removes a fit from a case.
-  const FitSettings* const held = input.settings.find<FitSettings>();
-  FitSettings inner = held == nullptr ? FitSettings{} : *held;
-  keys.table(
-      {"fit", Presence::optional, "Fit", "of keys of the case to measured loops and tables, for the command fit"},
-      inner != FitSettings{}, [&](CaseVisitor& visitor) {
-        describe(visitor, inner);
-        input.settings.set(inner);
-      });
+  settings_table<FitSettings>(
+      keys, {"fit", Presence::optional, "Fit", "of keys of the case to measured loops and tables, for the command fit"},
+      input.settings, describe);
 }
 
 /// Checks a list; reports the first value that is not finite.
@@ -267,9 +262,10 @@ void check_table(Checks& checks, const Case& input, const FitData& data, const s
   const bool any_load =
       !data.column(FitColumn::load_x).values.empty() || !data.column(FitColumn::load_y).values.empty();
   if (vibration && !any_load) {
+    const VibrationSettings* const of_case = input.settings.find<VibrationSettings>();
     checks.require_for("fit",
                        (data.preload && data.preload->control == Control::load) ||
-                           (!data.preload && input.vibration && !input.vibration->loads.empty()),
+                           (!data.preload && of_case != nullptr && !of_case->loads.empty()),
                        key + ".preload", "", "is not a load about which the journal can vibrate",
                        "give a load, or readings.load_x and readings.load_y");
   }
@@ -363,7 +359,7 @@ std::size_t numbers_of(const FitSettings& fit) {
 
 void check_fit(Checks& checks, const Case& input, const CheckedBumpFoil& /*foil*/) {
   const FitSettings* const held = input.settings.find<FitSettings>();
-  if (held == nullptr || *held == FitSettings{}) return;
+  if (held == nullptr) return;
   const FitSettings& fit = *held;
   checks.require_history("fit", input.bump_foil.model != BumpFoilModel::former,
                          "has no history, so that its loops have no area");
@@ -398,11 +394,7 @@ CaseTable fit_settings() {
           .needs = "fit",
           .describe = describe_fit,
           .check = check_fit,
-          .given =
-              [](const Case& input) {
-                const FitSettings* const fit = input.settings.find<FitSettings>();
-                return fit != nullptr && *fit != FitSettings{};
-              },
+          .given = gives<FitSettings>,
           .requested_part = [](const Case& input) -> std::string_view {
             const FitSettings* const fit = input.settings.find<FitSettings>();
             const bool strips = fit != nullptr && std::any_of(fit->data.begin(), fit->data.end(), is_of_strip);

@@ -27,7 +27,7 @@ class MeasuredData {
   /// Measured values, without model values: each point is a residual.
   [[nodiscard]] const FittedData& measured() const { return measured_; }
 
-  /// The case under the conditions of these data.
+  /// The case under the conditions of these data, with settings of their experiment alone.
   [[nodiscard]] virtual Case case_for(Case input) const = 0;
 
   /// Absent if a run fails. Thread-safe.

@@ -58,8 +58,8 @@ class MeasuredEquilibriumData final : public MeasuredData {
 
   [[nodiscard]] Case case_for(Case input) const override {
     input.solver.name = SolverName::newton;  // the solver for films; loops may use another
-    if (!input.equilibrium) input.equilibrium.emplace();
-    EquilibriumSettings& settings = *input.equilibrium;
+    input.settings.keep_only<EquilibriumSettings>();
+    auto& settings = input.settings.get_or_create<EquilibriumSettings>();
     settings.speeds = {places_.front().speed};
     settings.loads = {places_.front().load};
     settings.positions.clear();
@@ -70,10 +70,11 @@ class MeasuredEquilibriumData final : public MeasuredData {
 
   [[nodiscard]] std::optional<DataAnswer> answer(const Case& input, const Rig& rig) const override {
     const auto bearing = std::make_shared<const BearingModel>(require_running_bearing(input));
-    const auto groups = groups_on(input.equilibrium->path);
+    const EquilibriumSettings& of_case = input.settings.get<EquilibriumSettings>();
+    const auto groups = groups_on(of_case.path);
     std::vector<std::vector<double>> values(quantities_.size(), std::vector<double>(places_.size(), absent));
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
-      const EquilibriumSettings settings = settings_of(*input.equilibrium, groups[i]);
+      const EquilibriumSettings settings = settings_of(of_case, groups[i]);
       NoCheckers none;
       EquilibriumResult result = find_states(bearing, settings, thickness_floor(input), {settings.path}, {}, &none);
       for (RunningState& state : result.states) add_answers(bearing, settings, state);

@@ -5,6 +5,7 @@
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "experiments/fit/measured_curve.hpp"
 #include "experiments/fit/measured_data.hpp"
@@ -46,8 +47,8 @@ std::vector<LoadingCurve::Point> points_of(const Cycle& cycle) {
 }
 
 bool is_swing(const Case& input, const FitData& data) {
-  return data.experiment == FittedExperiment::strip ? input.strip->preload.has_value()
-                                                    : input.cycle.is_fully_reversed();
+  return data.experiment == FittedExperiment::strip ? input.settings.get<StripSettings>().preload.has_value()
+                                                    : input.settings.get<CycleSettings>().is_fully_reversed();
 }
 
 Case case_of_loop(Case input, const FitData& data) {
@@ -55,14 +56,18 @@ Case case_of_loop(Case input, const FitData& data) {
   const Target amplitude{Control::displacement,
                          *std::max_element(data.displacements.begin(), data.displacements.end())};
   if (data.experiment == FittedExperiment::strip) {
-    if (whole_legs) input.strip->steps = 1;
-    input.strip->amplitude = amplitude;
+    input.settings.keep_only<StripSettings>();
+    StripSettings& strip = input.settings.get<StripSettings>();
+    if (whole_legs) strip.steps = 1;
+    strip.amplitude = amplitude;
     return input;
   }
-  if (whole_legs) input.cycle.steps = 1;
-  input.cycle.directions = {data.direction};
-  input.cycle.amplitude = amplitude;
-  if (data.preload) input.cycle.preload = data.preload;
+  input.settings.keep_only<CycleSettings>();
+  auto& cycle = input.settings.get_or_create<CycleSettings>();
+  if (whole_legs) cycle.steps = 1;
+  cycle.directions = {data.direction};
+  cycle.amplitude = amplitude;
+  if (data.preload) cycle.preload = data.preload;
   return input;
 }
 
@@ -77,11 +82,12 @@ class LoopRunner {
   std::optional<std::vector<LoadingCurve::Point>> run(double amplitude) {
     const Target target{Control::displacement, amplitude};
     if (experiment_ == FittedExperiment::cycle) {
-      input_.cycle.amplitude = target;
-      const Cycle cycle = runner_->run(input_.cycle.directions.front(), input_.cycle, Recording::curve);
+      CycleSettings& settings = input_.settings.get<CycleSettings>();
+      settings.amplitude = target;
+      const Cycle cycle = runner_->run(settings.directions.front(), settings, Recording::curve);
       return cycle.converged() ? std::optional(points_of(cycle)) : std::nullopt;
     }
-    input_.strip->amplitude = target;
+    input_.settings.get<StripSettings>().amplitude = target;
     const CycleResult result = run_strip(input_, {}, Recording::curve);
     return result.converged() ? std::optional(points_of(result.cycles.back())) : std::nullopt;
   }

@@ -54,7 +54,7 @@ class MeasuredVibrationData final : public MeasuredData {
           !data.column(FitColumn::load_x).values.empty() || !data.column(FitColumn::load_y).values.empty();
       const Eigen::Vector2d load = in_columns     ? load_in_row(data, row)
                                    : data.preload ? data.preload->value
-                                                  : input.vibration->loads.front();
+                                                  : input.settings.get<VibrationSettings>().loads.front();
       const auto known = std::find_if(groups_.begin(), groups_.end(), [&](const VibrationGroup& group) {
         return group.load == load && group.direction == direction;
       });
@@ -72,14 +72,15 @@ class MeasuredVibrationData final : public MeasuredData {
   }
 
   [[nodiscard]] Case case_for(Case input) const override {
-    if (!input.vibration) input.vibration.emplace();
-    input.vibration->motion = Motion::line;
-    input.vibration->loads = {groups_.front().load};
-    input.vibration->directions = {groups_.front().direction};
-    input.vibration->amplitudes = {amplitudes_.front()};
-    input.vibration->frequencies = {1.0};  // loops are independent of it
+    input.settings.keep_only<VibrationSettings>();
+    auto& vibration = input.settings.get_or_create<VibrationSettings>();
+    vibration.motion = Motion::line;
+    vibration.loads = {groups_.front().load};
+    vibration.directions = {groups_.front().direction};
+    vibration.amplitudes = {amplitudes_.front()};
+    vibration.frequencies = {1.0};  // loops are independent of it
     // Exact increments are also independent of their number.
-    if (input.solver.name == SolverName::events) input.vibration->steps = fewest_steps;
+    if (input.solver.name == SolverName::events) vibration.steps = fewest_steps;
     return input;
   }
 

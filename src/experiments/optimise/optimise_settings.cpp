@@ -65,14 +65,9 @@ void describe(CaseVisitor& keys, OptimiseSettings& optimise) {
 }
 
 void describe_optimise(CaseVisitor& keys, Case& input) {
-  // Empty settings count as none: this removes them from a case.
-  const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
-  OptimiseSettings inner = held == nullptr ? OptimiseSettings{} : *held;
-  keys.table({"optimise", Presence::optional, "Optimisation", "of keys of the case, for the command optimise"},
-             inner != OptimiseSettings{}, [&](CaseVisitor& visitor) {
-               describe(visitor, inner);
-               input.settings.set(inner);
-             });
+  settings_table<OptimiseSettings>(
+      keys, {"optimise", Presence::optional, "Optimisation", "of keys of the case, for the command optimise"},
+      input.settings, describe);
 }
 
 void check_key(Checks& checks, const OptimisedKey& one, const std::string& key) {
@@ -99,7 +94,7 @@ void check_key(Checks& checks, const OptimisedKey& one, const std::string& key) 
 
 void check_optimise(Checks& checks, const Case& input, const CheckedBumpFoil& /*foil*/) {
   const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
-  if (held == nullptr || *held == OptimiseSettings{}) return;
+  if (held == nullptr) return;
   const OptimiseSettings& optimise = *held;
   const CaseTable* const run = case_table_of(optimise.command);
   checks.require(optimise.runs_ensembles() || (run != nullptr && run->swept), "optimise.command", optimise.command,
@@ -139,11 +134,7 @@ CaseTable optimise_settings() {
           .needs = "optimise",
           .describe = describe_optimise,
           .check = check_optimise,
-          .given =
-              [](const Case& input) {
-                const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
-                return held != nullptr && *held != OptimiseSettings{};
-              },
+          .given = gives<OptimiseSettings>,
           .requested_part = [](const Case& input) -> std::string_view {
             const OptimiseSettings* const held = input.settings.find<OptimiseSettings>();
             return held == nullptr ? std::string_view() : held->command;

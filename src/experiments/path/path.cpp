@@ -186,9 +186,8 @@ int path_increments(const PathSettings& path) {
 
 CycleResult run_path(const Case& input, const ProgressCallback& progress, const RecordSink& sink) {
   const SharedBearing foils = make_bearing_foils(input, {"path"});
-  const PathSettings* const path = input.settings.find<PathSettings>();
-  if (path == nullptr) throw Error(ErrorKind::input, {{"", 0, "path", "", "this table is missing", "add [path]"}});
-  if (!sink) require_memory(*path, foils->bumps());
+  const PathSettings& path = input.settings.get<PathSettings>();
+  if (!sink) require_memory(path, foils->bumps());
   const auto begin = std::chrono::steady_clock::now();
   FoilStepper stepper = make_stepper(foils, input.solver);
   CycleResult result{.solver = input.solver.chosen(),
@@ -196,7 +195,7 @@ CycleResult run_path(const Case& input, const ProgressCallback& progress, const 
                      .due = 1,
                      .over_width = input.varies_over_the_width(),
                      .cycles = {}};
-  follow(stepper, *path, progress, sink, result);
+  follow(stepper, path, progress, sink, result);
   result.cycles.back().wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

@@ -105,7 +105,7 @@ CaseTable path_settings() {
           .foils = true,
           .describe = describe_path,
           .check = check_path,
-          .given = [](const Case& input) { return input.settings.find<PathSettings>() != nullptr; }};
+          .given = gives<PathSettings>};
 }
 
 }  // namespace bumpfoil

@@ -39,7 +39,7 @@ CaseTable stability_settings() {
           .rotor = true,
           .describe = describe_stability,
           .check = check_stability,
-          .given = [](const Case& input) { return input.settings.find<StabilitySettings>() != nullptr; },
+          .given = gives<StabilitySettings>,
           .swept = true,
           .sampled_by = SolverName::newton};
 }

@@ -1,7 +1,7 @@
 #include "bumpfoil/experiments/strip/strip.hpp"
 
 #include "bumpfoil/experiments/build.hpp"
-
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "experiments/cycle/cycle_series.hpp"
 #include "experiments/cycle/run_each_cycle.hpp"
 
@@ -9,7 +9,7 @@ namespace bumpfoil {
 
 CycleResult run_strip(const Case& input, const ProgressCallback& progress, Recording recording) {
   const SharedBearing foils = make_strip_foils(input);
-  const StripSettings& strip = *input.strip;
+  const StripSettings& strip = input.settings.get<StripSettings>();
   CycleCourse course{.direction = 0.0,
                      .amplitude = strip.amplitude,
                      .preload = {},

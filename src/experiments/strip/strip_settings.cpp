@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "case/case_keys.hpp"
@@ -29,9 +30,9 @@ void describe(CaseVisitor& keys, StripSettings& strip) {
 
 void describe_strip(CaseVisitor& keys, Case& input) {
   using enum Presence;
-  optional_table(keys,
-                 {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
-                 input.strip, [](CaseVisitor& inner, StripSettings& strip) { describe(inner, strip); });
+  settings_table<StripSettings>(
+      keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
+      input.settings, describe);
 }
 
 /// Checks a target of the plate, named by its key.
@@ -45,8 +46,13 @@ void check_target(Checks& checks, const std::string& key, const Target& target, 
 }
 
 void check_strip(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
-  if (!input.strip) return;
-  const StripSettings& strip = *input.strip;
+  const StripSettings* const held = input.settings.find<StripSettings>();
+  if (held == nullptr) return;
+  const StripSettings& strip = *held;
+  checks.require_for("strip", input.pads.empty(), "strip", "", "lies flat, cut from one foil, and the bearing has pads",
+                     "remove [[pad]], and give the foils of one in [bump_foil] and [top_foil]");
+  checks.require_for("strip", !input.has_own_strips(), "bump_foil.strip", "",
+                     "differs over the width, but foils between plates are uniform", "remove [[bump_foil.strip]]");
   const double rise = foil.rise;
   checks.require_history("strip", input.bump_foil.model != BumpFoilModel::former,
                          "does not support strips: without gaps and history its loops would have no area");
@@ -87,7 +93,7 @@ CaseTable strip_settings() {
           .flat = true,
           .describe = describe_strip,
           .check = check_strip,
-          .given = [](const Case& input) { return input.strip.has_value(); },
+          .given = gives<StripSettings>,
           .swept = true};
 }
 

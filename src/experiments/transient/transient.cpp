@@ -15,6 +15,7 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/motion/rotor_equilibria.hpp"
@@ -28,14 +29,6 @@ namespace {
 constexpr std::size_t rows_at_once = 500;
 /// Fraction of the highest speed below which steps have their maximum length.
 constexpr double slow_part = 0.1;
-
-const TransientSettings& transient_settings_of(const Case& input) {
-  const TransientSettings* const settings = input.settings.find<TransientSettings>();
-  if (settings == nullptr || settings->speed.empty()) {
-    throw Error(ErrorKind::input, {{"", 0, "transient", "", "this table is missing", "add [transient] with a speed"}});
-  }
-  return *settings;
-}
 
 class MemoryTable : public StepTable {
  public:
@@ -142,7 +135,8 @@ std::unique_ptr<StepTable> make_step_table(std::size_t width) {
 }
 
 TransientResult transient_not_begun(const Case& input) {
-  const TransientSettings& settings = transient_settings_of(input);
+  const TransientSettings& settings = input.settings.get<TransientSettings>();
+  require_valid(input, {"transient"});
   const SpeedProgram program = speed_program(settings);
   TransientResult result{.machine = make_machine(input, {program.highest()}, "transient"),
                          .settings = settings,
@@ -159,7 +153,7 @@ TransientResult run_transient(const Case& input, TransientResult begun, const st
                               const TransientRun& run) {
   TransientResult result = std::move(begun);
   result.steps = table;
-  const RotorSettings& rotor_settings = rotor_settings_of(input);
+  const RotorSettings& rotor_settings = input.settings.get<RotorSettings>();
   const TransientSettings& settings = result.settings;
   const Rotor& rotor = result.machine.rotor;
   const SpeedProgram program = speed_program(settings);

@@ -147,7 +147,7 @@ CaseTable transient_settings() {
           .rotor = true,
           .describe = describe_transient,
           .check = check_transient,
-          .given = [](const Case& input) { return input.settings.find<TransientSettings>() != nullptr; },
+          .given = gives<TransientSettings>,
           .swept = true,
           .sampled_by = SolverName::newton};
 }

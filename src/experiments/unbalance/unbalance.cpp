@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/motion/orbit.hpp"
 #include "bumpfoil/motion/response.hpp"
@@ -19,14 +18,6 @@ namespace {
 /// Change of an orbit in a turn, over c, that counts as zero: friction lets journals creep for long, and time steps are
 /// solved to 1e-6.
 constexpr double orbit_tolerance = 1e-5;
-
-const UnbalanceSettings& unbalance_settings_of(const Case& input) {
-  const UnbalanceSettings* const settings = input.settings.find<UnbalanceSettings>();
-  if (settings == nullptr) {
-    throw Error(ErrorKind::input, {{"", 0, "unbalance", "", "this table is missing", "add [unbalance] with speeds"}});
-  }
-  return *settings;
-}
 
 /// Finds the orbits of a machine speed by speed, each from the previous one.
 class OrbitFollower {
@@ -63,7 +54,7 @@ class OrbitFollower {
 }  // namespace
 
 UnbalanceResult unbalance_not_begun(const Case& input) {
-  const UnbalanceSettings& settings = unbalance_settings_of(input);
+  const UnbalanceSettings& settings = input.settings.get<UnbalanceSettings>();
   UnbalanceResult result{
       .machine = make_machine(input, settings.speeds, "unbalance"), .points = {}, .with_orbits = settings.orbits};
   for (const double speed : settings.speeds) {
@@ -76,7 +67,7 @@ UnbalanceResult unbalance_not_begun(const Case& input) {
 
 UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double)>& progress) {
   UnbalanceResult result = unbalance_not_begun(input);
-  const RotorSettings& settings = rotor_settings_of(input);
+  const RotorSettings& settings = input.settings.get<RotorSettings>();
   const Rotor& rotor = result.machine.rotor;
   std::size_t done = 0;
   const auto goes_on = [&] {
@@ -87,7 +78,7 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   MachineStepper machine(rotor, pointers);
   const RotorForces forces = forces_on(settings, rotor);
   const Eigen::VectorXd weight = forces(RotorInstant{});  // no unbalance force at rest
-  const UnbalanceSettings& run = unbalance_settings_of(input);
+  const UnbalanceSettings& run = input.settings.get<UnbalanceSettings>();
   const RotorEquilibria equilibria(rotor, pointers, settings.gravity_vector());
   OrbitFollower follower(machine, forces);
   std::vector<BearingState> states;

@@ -49,7 +49,7 @@ CaseTable unbalance_settings() {
           .rotor = true,
           .describe = describe_unbalance,
           .check = check_unbalance,
-          .given = [](const Case& input) { return input.settings.find<UnbalanceSettings>() != nullptr; },
+          .given = gives<UnbalanceSettings>,
           .swept = true,
           .sampled_by = SolverName::newton};
 }

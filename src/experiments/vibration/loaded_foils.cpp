@@ -6,7 +6,7 @@
 namespace bumpfoil {
 
 LoadedFoils::LoadedFoils(const Case& input)
-    : steps_(input.vibration->steps),
+    : steps_(input.settings.get<VibrationSettings>().steps),
       stepper_(make_stepper(make_bearing_foils(input, {"vibration"}), input.solver)),
       reach_(stepper_.foils().clearance + stepper_.foils().rise) {}
 

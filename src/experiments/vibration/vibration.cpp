@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bearing/settling.hpp"
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/orbit_energy.hpp"
@@ -38,7 +37,7 @@ Program circle(const Eigen::Vector2d& centre, double radius, Sense sense, int st
 class VibrationRunner {
  public:
   VibrationRunner(const Case& input, const ProgressCallback& progress)
-      : vibration_(*input.vibration),
+      : vibration_(input.settings.get<VibrationSettings>()),
         progress_(progress),
         foils_(input),
         all_(vibration_.loads.size() * vibration_.motions() * vibration_.amplitudes.size()) {}
@@ -222,9 +221,6 @@ bool VibrationResult::converged() const {
 }
 
 VibrationResult run_vibration(const Case& input, const ProgressCallback& progress) {
-  if (!input.vibration) {
-    throw Error(ErrorKind::input, {{"", 0, "vibration", "", "this table is missing", "add [vibration]"}});
-  }
   return VibrationRunner(input, progress).run();
 }
 

@@ -20,7 +20,7 @@ namespace {
 class VibrationDataset {
  public:
   VibrationDataset(const Case& input, const VibrationResult& result)
-      : settings_(*input.vibration),
+      : settings_(input.settings.get<VibrationSettings>()),
         pads_(count_pads(input) > 1 ? count_pads(input) : 0),
         result_(result),
         motion_(motion_dimension(settings_)) {

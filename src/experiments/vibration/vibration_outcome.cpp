@@ -17,7 +17,8 @@ namespace bumpfoil {
 namespace {
 
 /// A result in which nothing has been started.
-VibrationResult not_begun(const VibrationSettings& settings) {
+VibrationResult not_begun(const Case& input) {
+  const VibrationSettings& settings = input.settings.get<VibrationSettings>();
   VibrationResult result;
   for (const Eigen::Vector2d& load : settings.loads) {
     result.loads.push_back({.load = load, .status = Status::interrupted, .position = {0.0, 0.0}, .tangents = {}});
@@ -28,7 +29,7 @@ VibrationResult not_begun(const VibrationSettings& settings) {
 }
 
 SweptResult swept_vibrations(const Case& input, const VibrationResult& result, bool with_loops) {
-  const VibrationSettings& settings = *input.vibration;
+  const VibrationSettings& settings = input.settings.get<VibrationSettings>();
   const std::vector<LinearFoils> all = linear_foils(settings, result);
   const Dataset totals = vibration_dataset(input, result, all, false);
   SweptResult swept{.dataset = vibration_dataset(input, result, all, with_loops),
@@ -42,7 +43,7 @@ SweptResult swept_vibrations(const Case& input, const VibrationResult& result, b
 }
 
 ResultContents vibration_contents(const Case& input, const VibrationResult& result, const std::string& run_id) {
-  const VibrationSettings& settings = *input.vibration;
+  const VibrationSettings& settings = input.settings.get<VibrationSettings>();
   const std::vector<LinearFoils> all = linear_foils(settings, result);
   const Dataset totals = vibration_dataset(input, result, all, false);
   return {.tables = {{"vibration.csv", loop_table(totals, settings)}, {"coefficients.csv", coefficient_table(totals)}},
@@ -58,7 +59,11 @@ Outcome vibration_outcome(const Case& input, VibrationResult result) {
           .warnings = warning_lines(input, *vibrations),
           .failures = failure_lines(input, *vibrations),
           .table = [=] { return vibration_table(input, *vibrations); },
-          .dataset = [=] { return vibration_dataset(input, *vibrations, linear_foils(*input.vibration, *vibrations)); },
+          .dataset =
+              [=] {
+                return vibration_dataset(input, *vibrations,
+                                         linear_foils(input.settings.get<VibrationSettings>(), *vibrations));
+              },
           .contents = [=](const std::string& run_id) { return vibration_contents(input, *vibrations, run_id); },
           .swept = [=](bool with_loops) { return swept_vibrations(input, *vibrations, with_loops); }};
 }
@@ -74,28 +79,28 @@ ExperimentInfo vibration_experiment() {
   const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
     return vibration_outcome(input, run_vibration(input, progress));
   };
-  return {.name = "vibration",
-          .summary = "Vibrate the journal about static loads: stiffness, damping and loss factor",
-          .examples =
-              "  bumpfoil vibration examples/vibration.toml -o vibration\n"
-              "  bumpfoil vibration examples/vibration.toml -o heavy --set "
-              "'vibration.loads=[[\"0 N\", \"-200 N\"]]'\n"
-              "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
-          .files = {"summary.json", "vibration.csv", "coefficients.csv", "coefficients.toml", "result.nc"},
-          .advice = "use fewer steps, loads or amplitudes",
-          .run = run,
-          .sweeping = Sweeping{
-              .run = run,
-              .not_begun = [](const Case& input) { return vibration_outcome(input, not_begun(*input.vibration)); },
-              .loop_values =
-                  [](const Case& input) {
-                    const VibrationSettings& settings = *input.vibration;
-                    // The event-following solver has additional points.
-                    return settings.loads.size() * settings.motions() * settings.amplitudes.size() * 4 *
-                           static_cast<std::size_t>(settings.steps);
-                  }},
-          .quantities = meanings_of(vibration_quantities()),
-          .small_runs = {lines, orbits, of_pads}};
+  return {
+      .name = "vibration",
+      .summary = "Vibrate the journal about static loads: stiffness, damping and loss factor",
+      .examples =
+          "  bumpfoil vibration examples/vibration.toml -o vibration\n"
+          "  bumpfoil vibration examples/vibration.toml -o heavy --set "
+          "'vibration.loads=[[\"0 N\", \"-200 N\"]]'\n"
+          "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
+      .files = {"summary.json", "vibration.csv", "coefficients.csv", "coefficients.toml", "result.nc"},
+      .advice = "use fewer steps, loads or amplitudes",
+      .run = run,
+      .sweeping = Sweeping{.run = run,
+                           .not_begun = [](const Case& input) { return vibration_outcome(input, not_begun(input)); },
+                           .loop_values =
+                               [](const Case& input) {
+                                 const VibrationSettings& settings = input.settings.get<VibrationSettings>();
+                                 // The event-following solver has additional points.
+                                 return settings.loads.size() * settings.motions() * settings.amplitudes.size() * 4 *
+                                        static_cast<std::size_t>(settings.steps);
+                               }},
+      .quantities = meanings_of(vibration_quantities()),
+      .small_runs = {lines, orbits, of_pads}};
 }
 
 }  // namespace bumpfoil

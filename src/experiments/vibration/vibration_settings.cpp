@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 
+#include "bumpfoil/experiments/vibration/vibration_settings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "case/case_keys.hpp"
@@ -37,12 +38,12 @@ void describe(CaseVisitor& keys, VibrationSettings& vibration) {
 
 void describe_vibration(CaseVisitor& keys, Case& input) {
   using enum Presence;
-  optional_table(
+  settings_table<VibrationSettings>(
       keys,
       {"vibration", optional, "Vibration",
        "the journal vibrates about static loads, for the command vibration: each load in each direction with each "
        "amplitude"},
-      input.vibration, [](CaseVisitor& inner, VibrationSettings& vibration) { describe(inner, vibration); });
+      input.settings, describe);
 }
 
 /// Maximum number of loop points, kept until the end, and of coefficient rows.
@@ -87,8 +88,9 @@ void check_size(Checks& checks, const VibrationSettings& vibration) {
 }
 
 void check_vibration(Checks& checks, const Case& input, const CheckedBumpFoil& foil) {
-  if (!input.vibration) return;
-  const VibrationSettings& vibration = *input.vibration;
+  const VibrationSettings* const held = input.settings.find<VibrationSettings>();
+  if (held == nullptr) return;
+  const VibrationSettings& vibration = *held;
   const double limit = flattening(input.bearing, foil.rise);
   checks.require_history("vibration", input.bump_foil.model != BumpFoilModel::former,
                          "has no history: its loops have no area, and it cannot vibrate about a load");
@@ -124,7 +126,7 @@ CaseTable vibration_settings() {
           .foils = true,
           .describe = describe_vibration,
           .check = check_vibration,
-          .given = [](const Case& input) { return input.vibration.has_value(); },
+          .given = gives<VibrationSettings>,
           .swept = true};
 }
 

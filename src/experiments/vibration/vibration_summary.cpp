@@ -43,7 +43,7 @@ Json vibration_lists(const Case& input, const VibrationResult& result, const Dat
     loads[i].update(
         {{"pad_forces_x_N", pads_json(load.pad_forces.row(0))}, {"pad_forces_y_N", pads_json(load.pad_forces.row(1))}});
   }
-  std::vector<Json> vibrations = rows_json(loop_table(data, *input.vibration));
+  std::vector<Json> vibrations = rows_json(loop_table(data, input.settings.get<VibrationSettings>()));
   for (std::size_t i = 0; i < vibrations.size(); ++i) {
     vibrations[i]["loop_energies_J"] = result.vibrations[i].cycle.loop_energies;
     if (several) vibrations[i]["max_pad_forces_N"] = pads_json(largest_pad_forces(result.vibrations[i]));

@@ -22,18 +22,18 @@ RunStatus status_of(const VibrationResult& result) {
 }
 
 std::vector<std::string> failure_lines(const Case& input, const VibrationResult& result) {
-  return failure_lines(*input.vibration, result);
+  return failure_lines(input.settings.get<VibrationSettings>(), result);
 }
 
 std::vector<std::string> warning_lines(const Case& input, const VibrationResult& result) {
   std::vector<std::string> lines = case_warnings(input);
-  const std::vector<std::string> more = warning_lines(*input.vibration, result);
+  const std::vector<std::string> more = warning_lines(input.settings.get<VibrationSettings>(), result);
   lines.insert(lines.end(), more.begin(), more.end());
   return lines;
 }
 
 std::string vibration_table(const Case& input, const VibrationResult& result) {
-  const VibrationSettings& settings = *input.vibration;
+  const VibrationSettings& settings = input.settings.get<VibrationSettings>();
   Table table = loop_table(vibration_dataset(input, result, linear_foils(settings, result), false), settings);
   std::erase_if(table.columns, [](const TableColumn& column) { return column.meaning.shown.size == 0.0; });
   const std::size_t pads = count_pads(input) > 1 ? count_pads(input) : 0;

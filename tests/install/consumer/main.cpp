@@ -1,12 +1,14 @@
 // A user's project that only uses the installed library.
 #include <bumpfoil/core/version.hpp>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
+#include <bumpfoil/experiments/reference_case.hpp>
 #include <iostream>
 
 int main() {
   bumpfoil::Case bearing = bumpfoil::reference_case();
-  bearing.cycle.directions = {0.0};
-  bearing.cycle.steps = 10;
+  auto& settings = bearing.settings.get<bumpfoil::CycleSettings>();
+  settings.directions = {0.0};
+  settings.steps = 10;
   const bumpfoil::CycleResult result = bumpfoil::run_cycles(bearing);
   if (!result.converged()) return 1;
   const double force = result.cycles.front().turning_point->max_force;

@@ -9,7 +9,11 @@
 
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/experiments/rotor_settings.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
+#include "bumpfoil/experiments/vibration/vibration_settings.hpp"
 #include "support/case_texts.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/wrong_cases.hpp"
@@ -96,20 +100,23 @@ TEST(CheckCase, SaysWhatEachCommandWouldSay) {
 
 TEST(ParseCase, ReadsRangesWhereListsAreDue) {
   const auto forces = [](const std::string& range) {
-    return with({"cycle.clearance_forces=" + range}).cycle.clearance_forces;
+    return with({"cycle.clearance_forces=" + range}).settings.get<CycleSettings>().clearance_forces;
   };
   EXPECT_EQ(forces("{from=\"5 N\", to=\"20 N\", points=4}"), (std::vector{5.0, 10.0, 15.0, 20.0}));
   EXPECT_EQ(forces("{from=\"0.02 kN\", to=5, step=\"-5 N\"}"), (std::vector{20.0, 15.0, 10.0, 5.0}));
   EXPECT_EQ(forces("{from=1, to=2, step=0.333333333333}"), (std::vector{1.0, 1.0 + 1.0 / 3.0, 1.0 + 2.0 / 3.0, 2.0}));
   EXPECT_EQ(forces("{from=5, to=5, points=1}"), std::vector{5.0});
-  EXPECT_EQ(with({"cycle.directions={from=0.0, to=\"270 deg\", points=4}"}).cycle.directions.back(), 1.5 * pi);
+  EXPECT_EQ(
+      with({"cycle.directions={from=0.0, to=\"270 deg\", points=4}"}).settings.get<CycleSettings>().directions.back(),
+      1.5 * pi);
   const Case running = with({"equilibrium.loads=[[\"50 N\", 0]]",
                              "equilibrium.speeds={from=\"10000 rpm\", to=\"60000 rpm\", step=\"5000 rpm\"}"});
-  ASSERT_EQ(running.equilibrium->speeds.size(), 11U);
-  EXPECT_NEAR(running.equilibrium->speeds[1], 15000.0 * pi / 30.0, 1e-9);
+  ASSERT_EQ(running.settings.get<EquilibriumSettings>().speeds.size(), 11U);
+  EXPECT_NEAR(running.settings.get<EquilibriumSettings>().speeds[1], 15000.0 * pi / 30.0, 1e-9);
   EXPECT_EQ(with({"equilibrium.loads=[[1, 0]]", "equilibrium.speeds.from=1", "equilibrium.speeds.to=3",
                   "equilibrium.speeds.points=3"})
-                .equilibrium->speeds,
+                .settings.get<EquilibriumSettings>()
+                .speeds,
             (std::vector{1.0, 2.0, 3.0}));
   EXPECT_EQ(parse_case(case_to_toml(running), "again.toml"), running);
 
@@ -172,11 +179,11 @@ TEST(ParseCase, ReadsEveryKey) {
   EXPECT_DOUBLE_EQ(input.bump_foil.truss.theta_d.value(), 15.83 * pi / 180.0);
   EXPECT_EQ(input.friction, (Friction{.top_bump = 0.1, .bump_sleeve = 0.1}));
   EXPECT_EQ(input.solver.uzawa.eps_alm, 100e6);
-  ASSERT_EQ(input.cycle.directions.size(), 2U);
-  EXPECT_EQ(input.cycle.directions[0], 0.0);
-  EXPECT_DOUBLE_EQ(input.cycle.directions[1], 37.5 * pi / 180.0);
-  EXPECT_EQ(input.cycle.amplitude.value, 79.5e-6);
-  EXPECT_EQ(input.cycle.steps, 100);
+  ASSERT_EQ(input.settings.get<CycleSettings>().directions.size(), 2U);
+  EXPECT_EQ(input.settings.get<CycleSettings>().directions[0], 0.0);
+  EXPECT_DOUBLE_EQ(input.settings.get<CycleSettings>().directions[1], 37.5 * pi / 180.0);
+  EXPECT_EQ(input.settings.get<CycleSettings>().amplitude.value, 79.5e-6);
+  EXPECT_EQ(input.settings.get<CycleSettings>().steps, 100);
 }
 
 TEST(ParseCase, TopFoilTakesTheMaterialOfTheBumpFoil) {
@@ -203,12 +210,12 @@ TEST(ParseCase, TopFoilTakesTheYieldStressOfTheBumpFoil) {
 }
 
 TEST(ParseCase, ReadsStrips) {
-  EXPECT_FALSE(with({}).strip);
-  const StripSettings by_displacement = with({"strip.displacement=20 um"}).strip.value();
+  EXPECT_EQ(with({}).settings.find<StripSettings>(), nullptr);
+  const StripSettings by_displacement = with({"strip.displacement=20 um"}).settings.get<StripSettings>();
   EXPECT_EQ(by_displacement, (StripSettings{.bumps = 26, .amplitude = {Control::displacement, 20e-6}}));
   const StripSettings by_load = with({"strip.load=100 N", "strip.bumps=10", "strip.weld=none", "strip.top_foil=false",
                                       "strip.preload=120", "strip.cycles=3", "strip.steps=20"})
-                                    .strip.value();
+                                    .settings.get<StripSettings>();
   EXPECT_EQ(by_load, (StripSettings{.bumps = 10,
                                     .weld = StripWeld::none,
                                     .top_foil = false,
@@ -217,7 +224,7 @@ TEST(ParseCase, ReadsStrips) {
                                     .cycles = 3,
                                     .steps = 20}));
   const auto preload = [](const std::string& text) {
-    return with({"strip.displacement=20 um", "strip.preload=" + text}).strip->preload.value();
+    return with({"strip.displacement=20 um", "strip.preload=" + text}).settings.get<StripSettings>().preload.value();
   };
   EXPECT_EQ(preload("50 N"), (Target{Control::load, 50.0}));
   EXPECT_EQ(preload("30 um"), (Target{Control::displacement, 30e-6}));
@@ -260,11 +267,11 @@ TEST(ParseCase, TakesADiameterForTheRadius) {
 }
 
 TEST(ParseCase, ReadsVibrations) {
-  EXPECT_FALSE(with({}).vibration);
+  EXPECT_EQ(with({}).settings.find<VibrationSettings>(), nullptr);
   const std::vector<std::string> given{
       "vibration.loads=[[\"0 N\", \"-50 N\"], [10, 0]]", "vibration.directions=[\"+X\", \"90 deg\"]",
       "vibration.amplitudes=[\"1 um\", 2e-6]", "vibration.frequencies=[\"6000 rpm\", 500]"};
-  const VibrationSettings vibration = with(given).vibration.value();
+  const VibrationSettings vibration = with(given).settings.get<VibrationSettings>();
   EXPECT_EQ(vibration, (VibrationSettings{.loads = {{0.0, -50.0}, {10.0, 0.0}},
                                           .directions = {0.0, 0.5 * pi},
                                           .amplitudes = {1e-6, 2e-6},
@@ -287,13 +294,16 @@ TEST(ParseCase, ReadsVibrations) {
 }
 
 TEST(ParseCase, ReadsWhatCyclesGoAbout) {
-  const auto preload = [](const std::string& text) { return with({"cycle.preload=" + text}).cycle.preload.value(); };
-  EXPECT_EQ(with({}).cycle.preload, std::nullopt);
+  const auto preload = [](const std::string& text) {
+    return with({"cycle.preload=" + text}).settings.get<CycleSettings>().preload.value();
+  };
+  EXPECT_EQ(with({}).settings.get<CycleSettings>().preload, std::nullopt);
   EXPECT_EQ(preload("[\"0 N\", \"-50 N\"]"), (PlaneTarget{Control::load, {0.0, -50.0}}));
   EXPECT_EQ(preload("[\"5 um\", 0]"), (PlaneTarget{Control::displacement, {5e-6, 0.0}}));
   EXPECT_EQ(preload("[0, 5e-6]"), (PlaneTarget{Control::displacement, {0.0, 5e-6}}));
   const CycleSettings by_load =
-      with({"cycle.load=80 N", "cycle.preload=[0, -50]", "cycle.swing=true", "cycle.cycles=7"}).cycle;
+      with({"cycle.load=80 N", "cycle.preload=[0, -50]", "cycle.swing=true", "cycle.cycles=7"})
+          .settings.get<CycleSettings>();
   EXPECT_EQ(by_load.amplitude, (Target{Control::load, 80.0}));  // in place of the amplitude of the file
   EXPECT_EQ(by_load.preload, (PlaneTarget{Control::load, {0.0, -50.0}}));
   EXPECT_TRUE(by_load.swing);
@@ -306,7 +316,7 @@ TEST(ParseCase, ReadsWhatCyclesGoAbout) {
 }
 
 TEST(ReadCase, KnowsTheRunningBearing) {
-  EXPECT_FALSE(with({}).equilibrium);
+  EXPECT_EQ(with({}).settings.find<EquilibriumSettings>(), nullptr);
   EXPECT_EQ(with({}).gas.preset, GasPreset::air);
   const Case input =
       with({"gas.preset=helium", "gas.temperature=350 K", "gas.ambient_pressure=2 bar", "gas.mean_free_path=120 nm",
@@ -318,7 +328,7 @@ TEST(ReadCase, KnowsTheRunningBearing) {
   EXPECT_EQ(input.gas.mean_free_path, 120e-9);
   EXPECT_EQ(input.film.rows, 8);
   EXPECT_EQ(input.film.h_lift_off, 2e-6);
-  const EquilibriumSettings& equilibrium = input.equilibrium.value();
+  const EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
   ASSERT_EQ(equilibrium.speeds.size(), 2U);
   EXPECT_DOUBLE_EQ(equilibrium.speeds[0], 1000.0 * pi);
   EXPECT_EQ(equilibrium.loads, (std::vector<Eigen::Vector2d>{{50.0, -5.0}, {1.0, 2.0}}));
@@ -332,7 +342,7 @@ TEST(ReadCase, TakesARayToPositions) {
   const auto to = [](const std::string& path) {
     std::vector<std::string> overrides{"equilibrium.speeds=[1000]", "equilibrium.positions=[[\"25 um\", 0]]"};
     if (!path.empty()) overrides.push_back("equilibrium.path=" + path);
-    return with(overrides).equilibrium.value();
+    return with(overrides).settings.get<EquilibriumSettings>();
   };
   EXPECT_EQ(to("").path, FilmPath::position_ray);
   EXPECT_EQ(to("cold_start").path, FilmPath::cold_start);
@@ -417,7 +427,7 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
   const std::string text =
       cut(whole_case(), "[cycle]\ndirections = [\"+X\", \"37.5 deg\"]\namplitude = \"79.5 um\"\nsteps = 100\n");
   const Case input = parse_case(cut(text, "[solver]\nname = \"newton\"\neps_alm = \"100 MN/m\"\n"), "case.toml");
-  EXPECT_TRUE(input.cycle.directions.empty());
+  EXPECT_EQ(input.settings.find<CycleSettings>(), nullptr);
   EXPECT_EQ(input.solver, SolverSettings{});
   try {
     parse_case(text, "case.toml", {.overrides = {}, .commands = {"cycle"}});
@@ -446,16 +456,18 @@ TEST(ParseCase, TablesThatPadsCannotHaveAreNotAskedFor) {
 
 TEST(ParseCase, CyclesGoInFourDirectionsUnlessToldOtherwise) {
   const std::string line = "directions = [\"+X\", \"37.5 deg\"]\n";
-  EXPECT_EQ(parse_case(cut(whole_case(), line), "case.toml").cycle.directions,
+  EXPECT_EQ(parse_case(cut(whole_case(), line), "case.toml").settings.get<CycleSettings>().directions,
             (std::vector<double>{0.0, pi, 0.5 * pi, 1.5 * pi}));
   EXPECT_NE(refusal({"cycle.directions=[]"}).find("no direction specified"), std::string::npos);
   // Without an amplitude, too, it would pass for a case without the table.
-  EXPECT_NE(refusal({"cycle.directions=[]", "cycle.amplitude=0"}).find("cycle: requests nothing"), std::string::npos);
+  EXPECT_NE(refusal({"cycle.directions=[]", "cycle.amplitude=0"}).find("cycle.directions: no direction"),
+            std::string::npos);
 }
 
 TEST(ParseCase, AxesAreExact) {
   const Case input = with({"cycle.directions=[\"+X\", \"+Y\", \"-X\", \"-Y\", \"45 deg\", 1.5]"});
-  EXPECT_EQ(input.cycle.directions, (std::vector<double>{0.0, 0.5 * pi, pi, 1.5 * pi, 0.25 * pi, 1.5}));
+  EXPECT_EQ(input.settings.get<CycleSettings>().directions,
+            (std::vector<double>{0.0, 0.5 * pi, pi, 1.5 * pi, 0.25 * pi, 1.5}));
 }
 
 TEST(ParseCase, FrictionMayDifferPerInterface) {

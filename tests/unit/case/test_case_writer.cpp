@@ -13,6 +13,9 @@
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "case/key_list.hpp"
 #include "case/presets.hpp"
@@ -120,22 +123,23 @@ Case arbitrary_case() {
   input.solver.uzawa = {
       .eps_alm = maybe(1e6, 1e10), .eps_f = maybe(1e8, 1e12), .eps_r = maybe(1e10, 1e14), .tau_f = maybe(1e-12, 1e-6)};
   if (*rc::gen::arbitrary<bool>()) {
-    input.cycle = {};
+    input.settings.remove<CycleSettings>();
   } else {
-    input.cycle.directions = lengths(*rc::gen::inRange(1, 5), 6.0);
-    input.cycle.amplitude.value = between(1e-9, 100e-6);
-    input.cycle.steps = *rc::gen::inRange(1, 1000);
-    input.cycle.cycles = *rc::gen::inRange(1, 9);
-    input.cycle.clearance_forces = {between(1.0, 20.0)};
+    CycleSettings& cycle = input.settings.get<CycleSettings>();
+    cycle.directions = lengths(*rc::gen::inRange(1, 5), 6.0);
+    cycle.amplitude.value = between(1e-9, 100e-6);
+    cycle.steps = *rc::gen::inRange(1, 1000);
+    cycle.cycles = *rc::gen::inRange(1, 9);
+    cycle.clearance_forces = {between(1.0, 20.0)};
     if (*rc::gen::arbitrary<bool>()) {
-      input.cycle.preload = PlaneTarget{.control = Control::displacement, .value = {between(0.0, 50e-6), -20e-6}};
+      cycle.preload = PlaneTarget{.control = Control::displacement, .value = {between(0.0, 50e-6), -20e-6}};
     } else {
-      input.cycle.swing = *rc::gen::arbitrary<bool>();
-      input.cycle.preload = PlaneTarget{.control = Control::load, .value = {-30.0, between(1.0, 100.0)}};
-      if (*rc::gen::arbitrary<bool>()) input.cycle.amplitude = {Control::load, between(1.0, 100.0)};
+      cycle.swing = *rc::gen::arbitrary<bool>();
+      cycle.preload = PlaneTarget{.control = Control::load, .value = {-30.0, between(1.0, 100.0)}};
+      if (*rc::gen::arbitrary<bool>()) cycle.amplitude = {Control::load, between(1.0, 100.0)};
     }
   }
-  if (*rc::gen::arbitrary<bool>()) input.strip = arbitrary_strip(foil.bumps);
+  if (*rc::gen::arbitrary<bool>()) input.settings.set(arbitrary_strip(foil.bumps));
   return input;
 }
 
@@ -254,9 +258,9 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   // The penalties that are shown are those that follow from the stiffness of this bearing, to a round number.
   const UzawaParameters shown{.eps_alm = 1e8, .eps_f = 1e10, .eps_r = 1e12, .tau_f = 1e-10};
   EXPECT_EQ(input.solver, (SolverSettings{.name = SolverName::newton, .uzawa = shown}));
-  ASSERT_TRUE(input.strip);
-  EXPECT_EQ(input.strip->amplitude, (Target{Control::displacement, 20e-6}));
-  EXPECT_EQ(input.strip->preload, (Target{Control::load, 50.0}));
+  ASSERT_NE(input.settings.find<StripSettings>(), nullptr);
+  EXPECT_EQ(input.settings.get<StripSettings>().amplitude, (Target{Control::displacement, 20e-6}));
+  EXPECT_EQ(input.settings.get<StripSettings>().preload, (Target{Control::load, 50.0}));
 }
 
 TEST(CaseTemplate, KeepsWhatContradictsItsTableOutOfIt) {

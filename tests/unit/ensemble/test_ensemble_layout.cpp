@@ -24,7 +24,7 @@ std::vector<double> row_of_sample(const Case& input, const EnsembleLayout& layou
 
 TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
   Case input = test_support::ensemble_case(1);
-  input.cycle.clearance_forces = {5.0, 1e6};
+  input.settings.get<CycleSettings>().clearance_forces = {5.0, 1e6};
   const EnsembleLayout layout = make_ensemble_layout(input);
   EXPECT_EQ(layout.columns.front().meaning.name, "status");
   std::set<std::string> names;
@@ -156,7 +156,7 @@ TEST(EnsembleLayout, RowsHoldTheLargestAmplitudeOfARotor) {
   EXPECT_GE(row[2], 700.0);
   EXPECT_LT(row[3], 1.0);
   // With orbits their quantities are added.
-  input.settings.find<UnbalanceSettings>()->orbits = true;
+  input.settings.get<UnbalanceSettings>().orbits = true;
   EXPECT_EQ(make_ensemble_layout(input).columns.back().meaning.name, "orbits_last");
 }
 
@@ -172,7 +172,7 @@ TEST(EnsembleLayout, RowsHoldWhatARotorDoesInTime) {
                                       "rub_count", "friction_loss_of_run", "energy_defect_of_run"}));
   EXPECT_EQ(std::count(names.begin(), names.end(), layout.target), 1);
   const std::vector<double> row = row_of_sample(input, layout);
-  EXPECT_EQ(row[1], input.settings.find<TransientSettings>()->speed.front().time);
+  EXPECT_EQ(row[1], input.settings.get<TransientSettings>().speed.front().time);
 }
 
 /// Errors of the case throw; they are not failures of samples.

@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "support/ensemble_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -64,8 +65,9 @@ TEST_F(EnsembleRuns, MoreSamplesAreTheSameEnsemble) {
 
 TEST_F(EnsembleRuns, AreEnoughAfterWholeRoundsOnly) {
   Case input = input_;
-  input.cycle.directions = {0.0};
-  input.cycle.steps = 1;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0};
+  cycle.steps = 1;
   input.montecarlo->samples = 2500;
   const EnsembleLayout layout = make_ensemble_layout(input);
   RowLog log(folder_.path() / "rounds", "", layout.width());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "support/ensemble_cases.hpp"
 #include "support/temporary_folder.hpp"

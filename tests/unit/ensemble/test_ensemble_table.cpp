@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "support/ensemble_cases.hpp"
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -18,7 +20,7 @@ TEST(Build, ChecksTheCaseFirst) {
 TEST(Build, NeedsAStripToMakeOne) {
   Case input = reference_case();
   EXPECT_THROW(static_cast<void>(make_strip_foils(input)), Error);
-  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 1e-6}};
+  input.settings.set(StripSettings{.bumps = 3, .amplitude = {Control::displacement, 1e-6}});
   EXPECT_EQ(make_strip_foils(input)->bumps(), 3);
 }
 

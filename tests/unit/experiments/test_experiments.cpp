@@ -10,6 +10,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "support/bearing_cases.hpp"
 
@@ -42,8 +43,9 @@ TEST(Experiments, NameTheFilesThatIdentifyResults) {
 
 TEST(Experiments, RunACaseToTheFilesThatTheyName) {
   Case input = reference_case();
-  input.cycle.directions = {0.0};
-  input.cycle.steps = 5;
+  CycleSettings& settings = input.settings.get<CycleSettings>();
+  settings.directions = {0.0};
+  settings.steps = 5;
   const ExperimentInfo& cycle = experiment_named("cycle");
   const Outcome outcome = cycle.run(input, {});
   EXPECT_EQ(outcome.status, RunStatus::complete);
@@ -80,7 +82,7 @@ TEST(Experiments, AllWriteTheFilesThatTheyNameWithWhatFailedAndWarnings) {
 
 TEST(Experiments, EndWhenTheirProgressSaysSo) {
   Case input = reference_case();
-  input.cycle.steps = 5;
+  input.settings.get<CycleSettings>().steps = 5;
   const Outcome outcome = experiment_named("cycle").run(input, [](double) { return false; });
   EXPECT_EQ(outcome.status, RunStatus::interrupted);
 }

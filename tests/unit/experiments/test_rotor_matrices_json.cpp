@@ -132,7 +132,7 @@ TEST(RotorMatrices, GoThroughACaseFile) {
   };
   const Case input =
       read({"rotor.unbalance=[{amount=1e-6, at=0.05}]", "rotor.bearing=[{}, {friction={coefficient=0}}]"});
-  const RotorSettings& rotor = *input.settings.find<RotorSettings>();
+  const RotorSettings& rotor = input.settings.get<RotorSettings>();
   ASSERT_TRUE(rotor.matrices.has_value());
   // Without the file, the written case contains everything.
   EXPECT_EQ(parse_case(case_to_toml(input), "written.toml"), input);
@@ -160,7 +160,7 @@ TEST(RotorMatrices, GoThroughACaseFile) {
   EXPECT_EQ(refusal({"rotor.matrices=none.json"}).find("rotor.m"), std::string::npos);
   // Matrices within the case are checked in the same way.
   Case inner = input;
-  inner.settings.find<RotorSettings>()->matrices->mass[2] = 7.0;
+  inner.settings.get<RotorSettings>().matrices->mass[2] = 7.0;
   try {
     static_cast<void>(parse_case(case_to_toml(inner), "inner.toml"));
     FAIL();

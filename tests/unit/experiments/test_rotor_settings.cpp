@@ -8,6 +8,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/wrong_keys.hpp"
@@ -86,7 +87,7 @@ TEST(RotorSettings, GoThroughACaseFile) {
     input.settings.set(rotor);
     const Case read = parse_case(case_to_toml(input), "", {});
     ASSERT_NE(read.settings.find<RotorSettings>(), nullptr);
-    EXPECT_EQ(*read.settings.find<RotorSettings>(), rotor);
+    EXPECT_EQ(read.settings.get<RotorSettings>(), rotor);
   }
 }
 
@@ -116,7 +117,7 @@ TEST(MakeMachine, HasABearingForEachPlace) {
 }
 
 TEST(RotorSettingsOf, WantsATable) {
-  EXPECT_THROW(static_cast<void>(rotor_settings_of(reference_case())), Error);
+  EXPECT_THROW(static_cast<void>(reference_case().settings.get<RotorSettings>()), Error);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/motion/response.hpp"
 #include "model/case_table.hpp"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -26,7 +28,7 @@ TEST(BearingDesign, IsRoundWithoutWavesProfilesAndTaper) {
 TEST(BearingDesign, IsThePartOfACaseThatIsTheBearing) {
   const Case input = reference_case();
   Case other = input;
-  other.cycle.steps += 1;
+  other.settings.get<CycleSettings>().steps += 1;
   EXPECT_NE(other, input);
   EXPECT_EQ(static_cast<const BearingDesign&>(other), static_cast<const BearingDesign&>(input));
   other.top_foil.thickness *= 2.0;

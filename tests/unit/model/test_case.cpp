@@ -2,39 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-#include <vector>
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 
-#include "bumpfoil/model/geometry.hpp"
-
+namespace bumpfoil {
 namespace {
 
-using bumpfoil::Case;
-using bumpfoil::reference_case;
-
-TEST(ReferenceCase, BumpsFillTheCircumference) {
-  const Case reference = reference_case();
-  // [Arghir2019, Table 1]: 26 pitches of 4.572 mm on a radius of 19.05 mm are 357.5 degrees.
-  const double degrees = reference.bump_foil.bumps * reference.bump_foil.pitch.values.front() /
-                         reference.bearing.radius * 180.0 / std::numbers::pi;
-  EXPECT_NEAR(degrees, 357.5, 0.1);
-}
-
-TEST(ReferenceCase, IsPushedToTwoAndAHalfClearancesAlongBothAxes) {
-  const Case reference = reference_case();
-  // Both numbers have three digits.
-  EXPECT_NEAR(reference.cycle.amplitude.value / reference.bearing.radial_clearance, 2.5, 1e-12);
-  ASSERT_EQ(reference.cycle.directions.size(), 4U);
-  EXPECT_EQ(bumpfoil::unit_vector(reference.cycle.directions[0]), Eigen::Vector2d(1.0, 0.0));
-  EXPECT_EQ(bumpfoil::unit_vector(reference.cycle.directions[1]), Eigen::Vector2d(-1.0, 0.0));
-  EXPECT_EQ(bumpfoil::unit_vector(reference.cycle.directions[2]), Eigen::Vector2d(0.0, 1.0));
-  EXPECT_EQ(bumpfoil::unit_vector(reference.cycle.directions[3]), Eigen::Vector2d(0.0, -1.0));
-}
-
-TEST(ReferenceCase, IsFreeOfManufacturingErrors) {
-  const Case reference = reference_case();
-  EXPECT_TRUE(reference.bump_foil.height_errors.empty());
-  EXPECT_TRUE(reference.bump_foil.sleeve_gaps.empty());
+TEST(BearingOfARotor, IsThatOfTheCaseButForItsOwnTables) {
+  Case input = reference_case();
+  input.rotor_bearings.resize(2);
+  input.rotor_bearings[1].friction = Friction{.top_bump = 0.3, .bump_sleeve = 0.3};
+  const Case first = bearing_at(input, 0);
+  const Case second = bearing_at(input, 1);
+  EXPECT_EQ(first.friction, input.friction);
+  EXPECT_EQ(second.friction.top_bump, 0.3);
+  EXPECT_EQ(second.bearing, input.bearing);
+  EXPECT_EQ(second.settings.find<CycleSettings>(), nullptr);  // nothing is to be done to it
 }
 
 }  // namespace
+}  // namespace bumpfoil

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
+
 namespace bumpfoil {
 namespace {
 

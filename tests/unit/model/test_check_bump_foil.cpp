@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
@@ -101,7 +103,7 @@ TEST(FindErrors, WantsAStripWithinWhatIsGradedOrListed) {
   const auto strip_of = [](int bumps, const PerBump& height) {
     return wrong_keys([&](Case& input) {
       input.bump_foil.height = height;
-      input.strip = {.bumps = bumps, .amplitude = {.value = 20e-6}};
+      input.settings.set(StripSettings{.bumps = bumps, .amplitude = {.value = 20e-6}});
     });
   };
   const PerBump list(std::vector<double>(26, 0.5e-3));
@@ -120,7 +122,7 @@ TEST(FindErrors, CountsBumps) {
     return [bumps](Case& input) {
       input.bump_foil.bumps = bumps;
       input.bearing.radius *= bumps / 26.0;
-      input.cycle.steps = 10;
+      input.settings.get<CycleSettings>().steps = 10;
     };
   };
   EXPECT_EQ(wrong_keys(scaled(10'000)), Keys{});

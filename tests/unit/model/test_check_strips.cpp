@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "support/wrong_keys.hpp"
 

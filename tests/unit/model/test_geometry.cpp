@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 

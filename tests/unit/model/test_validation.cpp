@@ -9,15 +9,18 @@
 #include <vector>
 
 #include "bumpfoil/experiments/path/path.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
+#include "bumpfoil/experiments/vibration/vibration_settings.hpp"
 #include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using test_support::Keys;
+using test_support::nan;
 using test_support::wrong_keys;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(FindErrors, FindsNoneInTheReferenceCase) {
@@ -139,9 +142,9 @@ TEST(FindErrors, ChecksPads) {
   EXPECT_EQ(pads([](Case& input) { input.pads[2].weld_angle = input.bearing.weld_angle - 2.2; }), Keys{"pad[3]"});
   EXPECT_EQ(pads([](Case& input) { input.pads[1].arc = 2.2; }), Keys{"pad[3]"});
   // The limit, clearance plus rise, is lower towards a pad that is closer.
-  EXPECT_EQ(pads([](Case& input) { input.cycle.amplitude.value = 435e-6; }), Keys{});
+  EXPECT_EQ(pads([](Case& input) { input.settings.get<CycleSettings>().amplitude.value = 435e-6; }), Keys{});
   EXPECT_EQ(pads([](Case& input) {
-              input.cycle.amplitude.value = 435e-6;
+              input.settings.get<CycleSettings>().amplitude.value = 435e-6;
               input.pads[0].lobe = 10e-6;
             }),
             Keys{"cycle.amplitude"});
@@ -156,7 +159,7 @@ TEST(FindErrors, KnowsPadsInFewCommands) {
     });
   };
   EXPECT_EQ(pads([](Case& input) { input.bump_foil.model = BumpFoilModel::former; }), Keys{"bump_foil.model"});
-  EXPECT_EQ(pads([](Case& input) { input.strip = StripSettings{.bumps = 7, .amplitude = {.value = 1e-6}}; }),
+  EXPECT_EQ(pads([](Case& input) { input.settings.set(StripSettings{.bumps = 7, .amplitude = {.value = 1e-6}}); }),
             Keys{"strip"});
   EXPECT_EQ(pads([](Case& input) {
               input.montecarlo = MonteCarloSettings{.bump_height = HeightScatter{Distribution{.sigma = 10e-6}}};
@@ -199,9 +202,9 @@ TEST(FindErrors, SeatsPreloadedPads) {
 TEST(FindErrors, ChecksStrips) {
   const auto strip = [](const std::function<void(StripSettings&)>& change) {
     return wrong_keys([&](Case& input) {
-      input.strip = StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}};
+      input.settings.set(StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}});
       input.bump_foil.height_errors.assign(26, 0.0);
-      change(*input.strip);
+      change(input.settings.get<StripSettings>());
     });
   };
   const Target load{Control::load, 60.0};
@@ -250,7 +253,7 @@ TEST(FindErrors, WantsFinitePositiveSizes) {
       {"solver.eps_f", [](Case& c) -> double& { return c.solver.uzawa.eps_f.emplace(); }},
       {"solver.eps_r", [](Case& c) -> double& { return c.solver.uzawa.eps_r.emplace(); }},
       {"solver.tau_f", [](Case& c) -> double& { return c.solver.uzawa.tau_f.emplace(); }},
-      {"cycle.amplitude", [](Case& c) -> double& { return c.cycle.amplitude.value; }},
+      {"cycle.amplitude", [](Case& c) -> double& { return c.settings.get<CycleSettings>().amplitude.value; }},
   };
   for (const auto& [key, size] : sizes) {
     for (const double value : {0.0, -1e-3, nan, infinity, -infinity, 1e300, 1e-300}) {
@@ -274,7 +277,7 @@ TEST(FindErrors, TakesClearanceOfAnySign) {
 TEST(FindErrors, TakesDegreesForDegrees) {
   EXPECT_EQ(wrong_keys([](Case& input) { input.bearing.weld_angle = 180.0; }), Keys{"bearing.weld_angle"});
   EXPECT_EQ(wrong_keys([](Case& input) {
-              input.cycle.directions = {0.0, 90.0, nan};
+              input.settings.get<CycleSettings>().directions = {0.0, 90.0, nan};
             }),
             (Keys{"cycle.directions[2]", "cycle.directions[3]"}));
 }
@@ -284,160 +287,6 @@ TEST(FindErrors, WantsFrictionBetweenNoneAndOne) {
   EXPECT_EQ(wrong_keys([](Case& input) { input.friction = {.top_bump = -0.1, .bump_sleeve = 1.1}; }),
             (Keys{"friction.top_bump", "friction.bump_sleeve"}));
   EXPECT_EQ(wrong_keys([](Case& input) { input.friction.top_bump = nan; }), Keys{"friction.top_bump"});
-}
-
-TEST(FindErrors, ChecksTheCycleThatThereIs) {
-  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle = {}; }), Keys{});
-  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.directions.clear(); }), Keys{"cycle.directions"});
-  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.steps = 0; }), Keys{"cycle.steps"});
-  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.steps = 1'000'001; }), Keys{"cycle.steps"});
-  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.steps = 1'000'000; }), Keys{"cycle.steps"}) << "memory";
-  EXPECT_EQ(wrong_keys([](Case& input) {
-              input.cycle.steps = 1'000'000;
-              input.cycle.directions = {0.0};
-              input.bump_foil.bumps = 10;
-            }),
-            Keys{});
-  // Clearance and rise together are 0.4378 mm.
-  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.amplitude.value = 0.437e-3; }), Keys{});
-  EXPECT_EQ(wrong_keys([](Case& input) { input.cycle.amplitude.value = 0.438e-3; }), Keys{"cycle.amplitude"});
-}
-
-TEST(FindErrors, ChecksVibrations) {
-  const auto vibration = [](const auto& change) {
-    return wrong_keys([&](Case& input) {
-      input.vibration = VibrationSettings{.loads = {{0.0, -50.0}},
-                                          .directions = {0.0, 0.5 * std::numbers::pi},
-                                          .amplitudes = {1e-6},
-                                          .frequencies = {1000.0}};
-      change(*input.vibration);
-    });
-  };
-  using Settings = VibrationSettings;
-  EXPECT_EQ(vibration([](Settings&) {}), Keys{});
-  EXPECT_EQ(vibration([](Settings& v) { v = {}; }),
-            (Keys{"vibration.loads", "vibration.directions", "vibration.amplitudes", "vibration.frequencies"}));
-  EXPECT_EQ(vibration([](Settings& v) { v.loads.emplace_back(0.0, 0.0); }), Keys{"vibration.loads[2]"});
-  EXPECT_EQ(vibration([](Settings& v) { v.loads[0].x() = nan; }), Keys{"vibration.loads[1]"});
-  EXPECT_EQ(vibration([](Settings& v) { v.directions = {1.0}; }), Keys{});
-  EXPECT_EQ(vibration([](Settings& v) { v.directions = {1.0, 1.0 - 0.5 * std::numbers::pi}; }), Keys{});
-  EXPECT_EQ(vibration([](Settings& v) { v.directions = {0.0, 1.5}; }), Keys{"vibration.directions"});
-  EXPECT_EQ(vibration([](Settings& v) { v.directions.push_back(std::numbers::pi); }), Keys{"vibration.directions"});
-  EXPECT_EQ(vibration([](Settings& v) { v.directions[1] = nan; }), Keys{"vibration.directions[2]"});
-  EXPECT_EQ(vibration([](Settings& v) {
-              v.amplitudes = {-1e-6, 0.44e-3};
-            }),
-            (Keys{"vibration.amplitudes[1]", "vibration.amplitudes[2]"}));
-  EXPECT_EQ(vibration([](Settings& v) { v.frequencies = {0.0, 1.0}; }), Keys{"vibration.frequencies[1]"});
-  EXPECT_EQ(vibration([](Settings& v) { v.steps = 0; }), Keys{"vibration.steps"});
-  EXPECT_EQ(vibration([](Settings& v) { v.motion = Motion::orbit; }), Keys{"vibration.directions"});
-  EXPECT_EQ(vibration([](Settings& v) {
-              v.motion = Motion::orbit;
-              v.directions.clear();
-            }),
-            Keys{});
-  EXPECT_EQ(vibration([](Settings& v) {
-              v.steps = 1'000'000;
-              v.amplitudes.resize(3, 1e-6);
-            }),
-            Keys{"vibration.steps"});
-  EXPECT_EQ(vibration([](Settings& v) { v.frequencies.resize(1'000'001, 1.0); }), Keys{"vibration.frequencies"});
-  EXPECT_EQ(wrong_keys([](Case& input) {
-              input.bump_foil.model = BumpFoilModel::former;
-              input.vibration = VibrationSettings{
-                  .loads = {{0.0, -50.0}}, .directions = {0.0}, .amplitudes = {1e-6}, .frequencies = {1000.0}};
-            }),
-            Keys{"bump_foil.model"});
-}
-
-TEST(FindErrors, ChecksWhatCyclesGoAbout) {
-  const auto course = [](const auto& change) { return wrong_keys([&](Case& input) { change(input.cycle); }); };
-  EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::load, {0.0, -50.0}}; }), Keys{});
-  EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::displacement, {0.0, 0.0}}; }), Keys{});
-  EXPECT_EQ(course([](CycleSettings& c) {
-              c.preload = PlaneTarget{Control::load, {0.0, 0.0}};
-            }),
-            Keys{"cycle.preload"});
-  EXPECT_EQ(course([](CycleSettings& c) {
-              c.preload = PlaneTarget{Control::load, {nan, 1.0}};
-            }),
-            Keys{"cycle.preload"});
-  EXPECT_EQ(course([](CycleSettings& c) {
-              c.preload = PlaneTarget{Control::displacement, {0.0, 0.44e-3}};
-            }),
-            Keys{"cycle.preload"});
-  // Together they would flatten the bumps.
-  EXPECT_EQ(course([](CycleSettings& c) {
-              c.preload = PlaneTarget{Control::displacement, {0.0, 0.37e-3}};
-            }),
-            Keys{"cycle.amplitude"});
-  EXPECT_EQ(course([](CycleSettings& c) { c.amplitude = {Control::load, 100.0}; }), Keys{});
-  EXPECT_EQ(course([](CycleSettings& c) { c.amplitude = {Control::load, -1.0}; }), Keys{"cycle.load"});
-  EXPECT_EQ(course([](CycleSettings& c) {
-              c.amplitude = {Control::load, 100.0};
-              c.preload = PlaneTarget{Control::displacement, {1e-5, 0.0}};
-            }),
-            Keys{"cycle.preload"});
-  EXPECT_EQ(course([](CycleSettings& c) { c.cycles = 0; }), Keys{"cycle.cycles"});
-  EXPECT_EQ(course([](CycleSettings& c) { c.clearance_forces = {5.0, -1.0}; }), Keys{"cycle.clearance_forces[2]"});
-}
-
-TEST(FindErrors, KnowsPathsThroughPointsOrRoundAnEllipse) {
-  const auto path = [](const PathSettings& settings) {
-    return wrong_keys([&](Case& input) { input.settings.set(settings); });
-  };
-  PathSettings orbit;
-  orbit.centre.value = {0.0, -40e-6};
-  orbit.semi_axes.value = {10e-6, 0.0};
-  EXPECT_EQ(path(orbit), Keys{});
-  PathSettings points;
-  points.points.values = {{0.0, -40e-6}};
-  EXPECT_EQ(path(points), Keys{});
-  points.semi_axes = orbit.semi_axes;
-  EXPECT_EQ(path(points), Keys{"path.semi_axes"});
-  points.centre = orbit.centre;
-  EXPECT_EQ(path(points), Keys{"path.centre"});
-  orbit.centre.control = Control::load;
-  EXPECT_EQ(path(orbit), Keys{"path.semi_axes"});
-}
-
-TEST(FindErrors, PushesTheFormerModelFromTheCentreAlone) {
-  const auto former = [](const auto& change) {
-    return wrong_keys([&](Case& input) {
-      input.bump_foil.model = BumpFoilModel::former;
-      change(input.cycle);
-    });
-  };
-  EXPECT_EQ(former([](CycleSettings&) {}), Keys{});
-  EXPECT_EQ(former([](CycleSettings& c) { c.cycles = 2; }), Keys{"bump_foil.model"});
-  EXPECT_EQ(former([](CycleSettings& c) { c.swing = true; }), Keys{"bump_foil.model"});
-  EXPECT_EQ(former([](CycleSettings& c) { c.amplitude = {Control::load, 10.0}; }), Keys{"bump_foil.model"});
-}
-
-TEST(FindErrors, WantsEveryDirectionOnce) {
-  const auto directions = [](std::vector<double> list) {
-    return wrong_keys([&](Case& input) { input.cycle.directions = list; });
-  };
-  using std::numbers::pi;
-  const double degree = pi / 180.0;
-  EXPECT_EQ(directions({0.0, pi, 0.5 * pi, -0.25 * pi}), Keys{});
-  EXPECT_EQ(directions({0.0, 1e-6}), Keys{});  // close, but different
-  EXPECT_EQ(directions({1.0, 2.0, 1.0}), Keys{"cycle.directions[3]"});
-  EXPECT_EQ(directions({0.0, 2.0 * pi}), Keys{"cycle.directions[2]"});
-  EXPECT_EQ(directions({-90.0 * degree, 1.0, 270.0 * degree}), Keys{"cycle.directions[3]"});
-  EXPECT_EQ(directions({-1e-17, 0.0}), Keys{"cycle.directions[2]"});
-  // In the order of the case, not of the angles.
-  EXPECT_EQ(directions({3.0, 1.0, 3.0, 1.0}), (Keys{"cycle.directions[3]", "cycle.directions[4]"}));
-  EXPECT_EQ(directions({1.0, 1.0, 1.0}), (Keys{"cycle.directions[2]", "cycle.directions[3]"}));
-  EXPECT_EQ(directions({nan, nan}), (Keys{"cycle.directions[1]", "cycle.directions[2]"}));  // already reported
-}
-
-TEST(FindErrors, KnowsNoStripOfTheFormerModel) {
-  const auto former = [](Case& input) {
-    input.bump_foil.model = BumpFoilModel::former;
-    input.strip = StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}};
-  };
-  EXPECT_EQ(wrong_keys(former), Keys{"bump_foil.model"});
 }
 
 TEST(FindErrors, FollowsLargeDisplacementsOfTheFrameWithNewtonAlone) {
@@ -462,7 +311,7 @@ TEST(FindErrors, ListsEverything) {
         input.bump_foil.poisson_ratio = 0.7;
         input.top_foil.thickness = nan;
         input.friction.bump_sleeve = -1.0;
-        input.cycle.steps = 0;
+        input.settings.get<CycleSettings>().steps = 0;
       }),
       (Keys{"bearing.radius", "bump_foil.poisson_ratio", "top_foil.thickness", "friction.bump_sleeve", "cycle.steps"}));
 }

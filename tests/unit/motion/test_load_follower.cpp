@@ -6,6 +6,7 @@
 
 #include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/motion/load_search.hpp"
 #include "support/reference_cycles.hpp"

@@ -22,7 +22,7 @@ const OptimisedKey any_clearance{.key = "bearing.radial_clearance", .lower = 20e
 
 Case optimised(OptimiseSettings settings, double friction = 0.1) {
   Case input = few_bumps(friction, 30e-6);
-  input.cycle.steps = 20;
+  input.settings.get<CycleSettings>().steps = 20;
   settings.command = settings.bearing_limits.empty() ? "cycle" : "montecarlo";
   input.settings.set(std::move(settings));
   return input;
@@ -30,7 +30,7 @@ Case optimised(OptimiseSettings settings, double friction = 0.1) {
 
 double force_at(double clearance) {
   Case input = few_bumps(0.1, clearance);
-  input.cycle.steps = 20;
+  input.settings.get<CycleSettings>().steps = 20;
   return run_cycles(input).cycles.front().turning_point->max_force;
 }
 
@@ -90,7 +90,7 @@ TEST(Optimise, FindsAnOptimumInsideTheBounds) {
   double most = 0.0;
   for (double mu = friction.lower; mu < friction.upper; mu *= 1.02) {
     Case input = few_bumps(mu, 30e-6);
-    input.cycle.steps = 20;
+    input.settings.get<CycleSettings>().steps = 20;
     most = std::max(most, *run_cycles(input).cycles.front().loss_factor);
   }
   // Points are distributed evenly about the middle of the logarithm.
@@ -201,7 +201,7 @@ TEST(Optimise, KnowsNoStatisticsWhereSamplesFailButTheirYield) {
   EXPECT_EQ(by_mean.status, OptimiseStatus::no_result);
   EXPECT_EQ(by_mean.points.front().status, PointStatus::failed);
   EXPECT_NE(by_mean.points.front().message.find("of 6 samples failed"), std::string::npos);
-  OptimiseSettings by_yield = *input.settings.find<OptimiseSettings>();
+  OptimiseSettings by_yield = input.settings.get<OptimiseSettings>();
   by_yield.minimise.clear();
   by_yield.maximise = {"yield"};
   input.settings.set(by_yield);
@@ -220,7 +220,8 @@ TEST(Optimise, TakesTheWorstOfAllDirections) {
                           .evaluations = 3,
                           .starts = 1,
                           .keys = {clearance}});
-  input.cycle.directions.push_back(input.cycle.directions.front() + 0.1);
+  input.settings.get<CycleSettings>().directions.push_back(input.settings.get<CycleSettings>().directions.front() +
+                                                           0.1);
   const OptimisePoint first = run_optimise(input).points.front();
   EXPECT_EQ(first.values[0], 33e-6);
   input.bearing.radial_clearance = 33e-6;

@@ -12,7 +12,7 @@ namespace {
 Case former_case() {
   Case input = case_with_given_constants();
   input.bump_foil.model = BumpFoilModel::former;
-  input.cycle.steps = 20;
+  input.settings.get<CycleSettings>().steps = 20;
   return input;
 }
 
@@ -38,7 +38,7 @@ TEST(FormerCycle, UnloadsOnTheCurveOfLoading) {
 
 TEST(FormerCycle, RecordsWhatTheSolverFinds) {
   Case input = former_case();
-  input.cycle.directions = {0.7};
+  input.settings.get<CycleSettings>().directions = {0.7};
   const Cycle cycle = run_cycles(input).cycles.front();
   const FullIncrement turning = turning_increment(cycle);
   const FormerModel model = make_former_model(input);
@@ -69,7 +69,7 @@ TEST(FormerCycle, RecordsWhatTheSolverFinds) {
 
 TEST(FormerCycle, TouchesWhereTheFirstCrestIsReached) {
   Case input = former_case();
-  input.cycle.directions = {0.0};
+  input.settings.get<CycleSettings>().directions = {0.0};
   const Cycle cycle = run_cycles(input).cycles.front();
   ASSERT_TRUE(cycle.first_contact);
   const FormerModel model = make_former_model(input);

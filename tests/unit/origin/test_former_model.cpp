@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <random>
 
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/identification.hpp"
@@ -188,8 +190,9 @@ Case random_former_case(std::uint64_t number) {
   }
   input.friction.top_bump = uniform(0.0, 1.0);
   input.friction.bump_sleeve = number % 2 == 0 ? input.friction.top_bump : uniform(0.0, 1.0);
-  input.cycle.directions = {uniform(0.0, 6.28)};
-  input.cycle.amplitude.value = input.bearing.radial_clearance + uniform(0.0, 0.5) * height;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {uniform(0.0, 6.28)};
+  cycle.amplitude.value = input.bearing.radial_clearance + uniform(0.0, 0.5) * height;
   return input;
 }
 
@@ -202,8 +205,8 @@ TEST(FormerModel, SolvesRandomBearingsOfAnyStiffnessAndStrongFriction) {
     ++bearings;
     FormerSolver solver(make_former_model(input));
     for (int k = 0; k <= 10; ++k) {
-      const FormerSolution solution =
-          solver.solve(input.cycle.amplitude.value * k / 10.0 * unit_vector(input.cycle.directions[0]));
+      const FormerSolution solution = solver.solve(input.settings.get<CycleSettings>().amplitude.value * k / 10.0 *
+                                                   unit_vector(input.settings.get<CycleSettings>().directions[0]));
       EXPECT_TRUE(solution.report.converged()) << number << ", position " << k;
       EXPECT_TRUE(solution.residuals.within()) << number << ", position " << k;
     }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/result_set.hpp"
@@ -412,8 +413,9 @@ TEST(DamagedResult, OtherSchemasAndSummariesWithoutChecksumsAreRefused) {
 
 TEST(DamagedResult, HundredsOfDamagedFilesAreTold) {
   Case input = reference_case();
-  input.cycle.directions = {0.0};
-  input.cycle.steps = 3;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0};
+  cycle.steps = 3;
   const TemporaryFolder folder;
   std::map<std::string, std::string> files;
   for (const ResultFile& file : test_support::files_of("cycle", input)) {

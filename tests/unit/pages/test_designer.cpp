@@ -20,6 +20,7 @@
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/pages/report.hpp"
@@ -44,7 +45,7 @@ json ask(const json& request) {
 
 std::string case_text(int steps = 10) {
   Case input = reference_case();
-  input.cycle.steps = steps;
+  input.settings.get<CycleSettings>().steps = steps;
   return case_to_toml(input);
 }
 
@@ -171,9 +172,9 @@ TEST(DesignerAnswer, VibratesAboutALoad) {
                            {"load", {0.0, -50.0}},
                            {"amplitudes", amplitudes},
                            {"steps", 10}});
-  input.vibration = VibrationSettings{
-      .loads = {{0.0, -50.0}}, .directions = {0.0}, .amplitudes = amplitudes, .frequencies = {1.0}, .steps = 10};
-  const std::vector<LinearFoils> foils = linear_foils(*input.vibration, run_vibration(input));
+  input.settings.set(VibrationSettings{
+      .loads = {{0.0, -50.0}}, .directions = {0.0}, .amplitudes = amplitudes, .frequencies = {1.0}, .steps = 10});
+  const std::vector<LinearFoils> foils = linear_foils(input.settings.get<VibrationSettings>(), run_vibration(input));
   ASSERT_EQ(answer["directions"].size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(answer["directions"][0]["stiffness"][k], foils[k].stiffness(0, 0));
@@ -189,13 +190,13 @@ std::string running_text() {
   Case input = reference_case();
   input.film.columns_per_pitch = 4;
   input.film.rows = 4;
-  input.equilibrium = EquilibriumSettings{.speeds = {3000.0, 4000.0}, .loads = {{20.0, 0.0}}, .steps = 4};
+  input.settings.set(EquilibriumSettings{.speeds = {3000.0, 4000.0}, .loads = {{20.0, 0.0}}, .steps = 4});
   return case_to_toml(input);
 }
 
 TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
   Case input = parse_case(running_text(), "case");
-  input.equilibrium->loads = {{20.0, 0.0}, {5000.0, 0.0}};  // the second one is too large
+  input.settings.get<EquilibriumSettings>().loads = {{20.0, 0.0}, {5000.0, 0.0}};  // the second one is too large
   const EquilibriumResult result = run_equilibrium(input);
   ASSERT_EQ(status_of(result), RunStatus::failed);
   const test_support::TemporaryFolder folder;
@@ -236,8 +237,9 @@ TEST(DesignerAnswer, RunsTheBearingAtPoints) {
                {"text", running_text()},
                {"speeds", {2500.0, 3500.0}},
                {"loads", {{30.0, -10.0}, {40.0, -10.0}}}};
-  input.equilibrium->speeds = {2500.0, 3500.0};
-  input.equilibrium->loads = {{30.0, -10.0}, {40.0, -10.0}};
+  EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  equilibrium.speeds = {2500.0, 3500.0};
+  equilibrium.loads = {{30.0, -10.0}, {40.0, -10.0}};
   const json loaded = states_of(request);
   EXPECT_EQ(loaded, states_of(input));
   ASSERT_EQ(loaded.size(), 4U);
@@ -245,13 +247,13 @@ TEST(DesignerAnswer, RunsTheBearingAtPoints) {
   // The mesh of the case has 4 columns and 4 rows, and a quick answer follows one path.
   request["mesh"] = {4, 3};
   input.film.rows = 3;
-  input.equilibrium->paths = ComparedPaths::one;
+  equilibrium.paths = ComparedPaths::one;
   EXPECT_EQ(states_of(request), states_of(input));
   EXPECT_NE(states_of(request)[0], loaded[0]);
   // The only path of a case that does not lead to positions is a load ramp.
-  input.equilibrium->loads.clear();
-  input.equilibrium->positions = {{10e-6, 5e-6}};
-  input.equilibrium->path = FilmPath::position_ray;
+  equilibrium.loads.clear();
+  equilibrium.positions = {{10e-6, 5e-6}};
+  equilibrium.path = FilmPath::position_ray;
   request.erase("loads");
   request["positions"] = {{10e-6, 5e-6}};
   EXPECT_EQ(states_of(request), states_of(input));
@@ -269,7 +271,7 @@ TEST(DesignerAnswer, RunsBearingsOfAnEnsemble) {
       {"what", "equilibrium"}, {"text", text}, {"speeds", {3000.0}}, {"loads", {{20.0, 0.0}}}, {"sample", 2}};
   const Case input = parse_case(text, "case", {.overrides = {}, .commands = {"montecarlo"}});
   Case second = sampled_case(input, draw_sample(input, 2));
-  second.equilibrium->speeds = {3000.0};
+  second.settings.get<EquilibriumSettings>().speeds = {3000.0};
   second.solver = parse_case(text, "case").solver;
   EXPECT_EQ(states_of(request), states_of(second));
   json without = request;
@@ -286,7 +288,7 @@ TEST(DesignerAnswer, KnowsPads) {
   const json keys = ask({{"what", "keys"}});
   Case input = reference_case();
   input.bump_foil.bumps = 8;
-  input.cycle.steps = 10;
+  input.settings.get<CycleSettings>().steps = 10;
   const std::string text = case_to_toml(input) + "\n[[pad]]\n\n[[pad]]\n\n[[pad]]\n";
   EXPECT_NE(std::find_if(keys["keys"].begin(), keys["keys"].end(),
                          [](const json& one) { return one["path"] == "pad[1].lobe"; }),
@@ -309,7 +311,7 @@ TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
 const std::vector<double> rotor_speeds{1250.0, 1450.0};
 std::string rotor_text() {
   Case input = parse_case(running_text(), "case");
-  input.equilibrium.reset();
+  input.settings.remove<EquilibriumSettings>();
   input.bearing.weld_angle = 0.5 * std::numbers::pi;
   input.bearing.wrap = Wrap::counterclockwise;
   input.top_foil.formed_radius = FormedRadius{.to = FormedTo::seated};
@@ -362,7 +364,7 @@ TEST(DesignerAnswer, FollowsTheRotorOverSpeedsOnAMeshThatIsCoarseEnough) {
 
 TEST(DesignerAnswer, CoarsensBearingsOfTheirOwn) {
   Case input = parse_case(rotor_text(), "case");
-  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  RotorSettings rotor = input.settings.get<RotorSettings>();
   rotor.bearings = {-0.06, 0.06};
   rotor.transverse_inertia = 4e-3;
   rotor.polar_inertia = 5e-4;

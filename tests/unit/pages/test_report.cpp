@@ -16,6 +16,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
@@ -32,8 +33,9 @@ using test_support::TemporaryFolder;
 
 Case short_case() {
   Case input = reference_case();
-  input.cycle.directions = {0.0, 0.5 * std::numbers::pi};
-  input.cycle.steps = 5;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0, 0.5 * std::numbers::pi};
+  cycle.steps = 5;
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[2] = 10e-6;
   return input;
@@ -189,7 +191,7 @@ TEST(Report, ComparesSeveralFolders) {
 
 TEST(Report, HasAQuantityForEachClearance) {
   Case input = short_case();
-  input.cycle.clearance_forces = {2.5, 20000.0};
+  input.settings.get<CycleSettings>().clearance_forces = {2.5, 20000.0};
   const Results results(run_cycles(input), input);
   const json run = json::parse(report_json({results.path()})).at("runs").at(0);
   std::vector<std::string> labels;
@@ -237,7 +239,7 @@ TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
                 .find("add a column direction, or name it after the file, FILE:+X: the results have +X, +Y"),
             std::string::npos);
   Case turned = short_case();
-  std::swap(turned.cycle.directions[0], turned.cycle.directions[1]);
+  std::swap(turned.settings.get<CycleSettings>().directions[0], turned.settings.get<CycleSettings>().directions[1]);
   const Results other(run_cycles(turned), turned);
   try {
     report_json({other.path(), results.path()},
@@ -338,9 +340,10 @@ double at_angle(const std::vector<float>& numbers, double phi) {
 
 TEST(Report, TellsHowSleeveAndJournalDifferFromCircles) {
   Case input = reference_case();
-  input.cycle.directions = {0.0};
-  input.cycle.amplitude.value = 5e-6;  // the journal does not touch the foils
-  input.cycle.steps = 1;
+  CycleSettings& settings = input.settings.get<CycleSettings>();
+  settings.directions = {0.0};
+  settings.amplitude.value = 5e-6;  // the journal does not touch the foils
+  settings.steps = 1;
   input.bearing.sleeve.waves = {{.harmonic = 3, .amplitude = 2e-6, .phase = 0.4}};
   input.bearing.sleeve.deviations = {1e-6, -2e-6, 3e-6, 0.0};
   input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 4e-6, .phase = 1.0}};

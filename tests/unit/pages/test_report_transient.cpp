@@ -22,7 +22,7 @@ class ReportOfRunsInTime : public test_support::ReportedRun {
  protected:
   static void SetUpTestSuite() {
     Case input = film_rotor_case({4, 4});
-    input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
+    input.settings.get<RotorSettings>().unbalances.emplace_back().amount = 2e-6;
     input.settings.set(TransientSettings{.speed = {{.to = speed_of_rpm(-9000.0), .time = 12.5 * 60.0 / 9000.0}},
                                          .steps_per_revolution = 20,
                                          .revolutions_per_spectrum = 2});

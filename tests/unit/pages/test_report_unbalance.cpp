@@ -19,7 +19,7 @@ class ReportOfUnbalance : public test_support::ReportedRun {
  protected:
   void SetUp() override {
     Case input = film_rotor_case({4, 4});
-    input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
+    input.settings.get<RotorSettings>().unbalances.emplace_back().amount = 2e-6;
     input.settings.set(UnbalanceSettings{
         .speeds = speeds_of_rpm({-4000.0, -7000.0, -10000.0, -13000.0}), .orbits = true, .steps_per_revolution = 30});
     write(test_support::files_of("unbalance", input));

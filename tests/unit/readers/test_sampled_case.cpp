@@ -28,9 +28,9 @@ class SampledCase : public test_support::EnsembleFiles {
 TEST_F(SampledCase, AStoredSampleIsTheOneThatWasDrawn) {
   EXPECT_EQ(read_sampled_case(netcdf_, 2, input_, "cycle"), sampled_case(input_, draw_sample(input_, 2)));
   Case finer = input_;
-  finer.cycle.steps = 400;
+  finer.settings.get<CycleSettings>().steps = 400;
   finer.montecarlo.reset();
-  EXPECT_EQ(read_sampled_case(netcdf_, 2, finer, "cycle").cycle.steps, 400);
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, finer, "cycle").settings.get<CycleSettings>().steps, 400);
 }
 
 TEST_F(SampledCase, AStoredSampleIsRunByTheSolverOfItsEnsemble) {

@@ -10,6 +10,8 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "readers/foil_shapes.hpp"
 #include "support/bearing_cases.hpp"
@@ -29,8 +31,9 @@ std::string stored(const std::string& command, const Case& input) {
 
 Case pushed() {
   Case input = reference_case();
-  input.cycle.directions = {0.0};
-  input.cycle.steps = 2;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0};
+  cycle.steps = 2;
   return input;
 }
 
@@ -118,7 +121,7 @@ TEST(VtkExport, WritesAllStatesAndReplacesNoneUnasked) {
 TEST(VtkExport, RefusesWhatHasNoShapes) {
   const test_support::TemporaryFolder folder;
   Case strip = reference_case();
-  strip.strip = StripSettings{.bumps = 4, .amplitude = {Control::displacement, 5e-6}, .steps = 2};
+  strip.settings.set(StripSettings{.bumps = 4, .amplitude = {Control::displacement, 5e-6}, .steps = 2});
   try {
     write_vtk(stored("strip", strip), "result.nc", folder.path(), Existing::refuse);
     FAIL();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "core/linear_algebra.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "core/linear_algebra.hpp"

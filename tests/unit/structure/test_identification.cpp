@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/frame.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 
 namespace bumpfoil {
 namespace {

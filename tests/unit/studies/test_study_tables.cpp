@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -23,8 +25,9 @@ class StudyTables : public ::testing::Test {
           {.name = error > 0.0 ? "tall" : "even", .label = "", .overrides = {}, .parameter = 1e6 * error});
       StudyRunResult& run = results_.emplace_back();
       run.input = reference_case();
-      run.input.cycle.directions = {0.0};
-      run.input.cycle.steps = 3;
+      CycleSettings& cycle = run.input.settings.get<CycleSettings>();
+      cycle.directions = {0.0};
+      cycle.steps = 3;
       run.input.bump_foil.height_errors.assign(26, 0.0);
       run.input.bump_foil.height_errors[13] = error;
       run.result = run_cycles(run.input);

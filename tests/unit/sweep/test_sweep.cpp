@@ -9,6 +9,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "experiments/cycle/cycle_outcome.hpp"
 #include "sweep/sweep_layout.hpp"
 
@@ -116,7 +117,7 @@ TEST(Sweep, GoesOverKeysOfPadsAndOfBearingsOfARotor) {
 }
 
 TEST(Sweep, WholeNumbersAndAnglesAreSwept) {
-  EXPECT_EQ(sweep_over({"cycle.steps=[5, 10]"}).cases[1].cycle.steps, 10);
+  EXPECT_EQ(sweep_over({"cycle.steps=[5, 10]"}).cases[1].settings.get<CycleSettings>().steps, 10);
   const Sweep turned = sweep_over({"bearing.weld_angle=0 deg:180 deg:90 deg"});
   EXPECT_EQ(turned.axes[0].unit, "rad");
   EXPECT_EQ(turned.axes[0].values[2], reference_case().bearing.weld_angle);

@@ -7,6 +7,7 @@
 #include "bumpfoil/bearing/fields.hpp"
 #include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/bearing/increment.hpp"
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {

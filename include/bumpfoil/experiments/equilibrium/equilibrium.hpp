@@ -10,6 +10,7 @@
 #include "bumpfoil/bearing/critical_mass.hpp"
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/core/enum_names.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -66,7 +67,7 @@ struct FilmLimit {
   /// |Omega|, rad/s, or the load, N: where film.h_lift_off is crossed, linear between the neighbours, or of `thick`
   /// where something else bounds it. Not a number where no state counts.
   double value{};
-  int jumps{};                            ///< to other branches on the way from the load ramp to the neighbours
+  int jumps{};                            ///< to other branches between the load ramp and the neighbours
   std::optional<bool> stable{};           ///< of `thick`, HeldMotions::is_stable()
   std::vector<UnstableRange> unstable{};  ///< among the states of the path that are thick enough, rising
   int unknown{};                          ///< states of the path that are thick enough, and may be stable or not

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/control.hpp"
 
 namespace bumpfoil {
 
@@ -122,6 +124,8 @@ struct FitParameter {
 };
 
 struct FitSettings {
+  static constexpr std::string_view table = "fit";
+
   std::vector<FitData> data{};
   std::vector<FitParameter> parameters{};
   std::optional<double> machine_stiffness{};  ///< of all data without its own, N/m

@@ -19,6 +19,8 @@ struct OptimisedKey {
 
 /// Which values of some keys are best.
 struct OptimiseSettings {
+  static constexpr std::string_view table = "optimise";
+
   std::string command{"equilibrium"};         ///< run at every point: an experiment that can be swept, or "montecarlo"
   std::vector<std::string> maximise{};        ///< quantities; with those to be minimised one or two
   std::vector<std::string> minimise{};        ///< the same

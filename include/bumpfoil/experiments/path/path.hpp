@@ -1,13 +1,18 @@
 #pragma once
 
+#include <string_view>
+
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/control.hpp"
 #include "bumpfoil/motion/march.hpp"
 
 namespace bumpfoil {
 
 /// A prescribed path of the journal from the centre of the bearing: through given points, or around an ellipse.
 struct PathSettings {
+  static constexpr std::string_view table = "path";
+
   PathPoints points;  ///< where there are any, there is no orbit
 
   PlaneTarget centre;     ///< of the ellipse
@@ -23,9 +28,9 @@ struct PathSettings {
   [[nodiscard]] Control control() const { return is_orbit() ? centre.control : points.control; }
 };
 
-/// The legs of the path, an increment each. An orbit begins with a straight way of as many increments as an
+/// The legs of the path, an increment each. An orbit begins with a straight approach of as many increments as an
 /// orbit has to its first point, centre + R(tilt) (a, 0), and goes on along centre + R(tilt) (a cos(t), b sin(t));
-/// where it begins at the origin there is no way to it. A first point at the origin is the assembly.
+/// where it begins at the origin there is no approach. A first point at the origin is the assembly.
 /// Legs are made when they are due: a path may have a million.
 /// @param path  outlives the schedule
 Schedule path_schedule(const PathSettings& path);

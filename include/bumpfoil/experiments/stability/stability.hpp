@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "bumpfoil/experiments/rotor_settings.hpp"
@@ -11,6 +12,8 @@ namespace bumpfoil {
 
 /// Table [stability] of a case.
 struct StabilitySettings {
+  static constexpr std::string_view table = "stability";
+
   std::vector<double> speeds{};  ///< rad/s
 
   bool operator==(const StabilitySettings&) const = default;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bumpfoil/experiments/rotor_settings.hpp"
@@ -50,6 +51,8 @@ struct BaseMotion {
 
 /// Table [transient] of a case.
 struct TransientSettings {
+  static constexpr std::string_view table = "transient";
+
   std::vector<SpeedPhase> speed{};
   int steps_per_revolution{100};
   std::optional<double> longest_step{};  ///< s; absent: a step at a tenth of the highest speed

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "bumpfoil/experiments/rotor_settings.hpp"
@@ -13,6 +14,8 @@ namespace bumpfoil {
 
 /// Table [unbalance] of a case.
 struct UnbalanceSettings {
+  static constexpr std::string_view table = "unbalance";
+
   std::vector<double> speeds{};   ///< rad/s
   bool orbits{};                  ///< periodic orbits as well
   int steps_per_revolution{100};  ///< of theirs

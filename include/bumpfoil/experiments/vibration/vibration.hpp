@@ -6,7 +6,9 @@
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/first_harmonic.hpp"
+#include "bumpfoil/experiments/vibration/vibration_settings.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/control.hpp"
 
 namespace bumpfoil {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
@@ -21,7 +22,7 @@ using std::numbers::pi;
 
 Case short_case(int steps = 10) {
   Case input = case_with_given_constants();
-  input.cycle.steps = steps;
+  input.settings.get<CycleSettings>().steps = steps;
   return input;
 }
 
@@ -128,7 +129,7 @@ TEST(Cycle, QuantitiesFollowFromTheIncrements) {
 
 TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {
   Case input = short_case();
-  input.cycle.amplitude.value = 20e-6;
+  input.settings.get<CycleSettings>().amplitude.value = 20e-6;
   const Cycle cycle = run_single_cycle(input, 0.0);
   EXPECT_TRUE(cycle.converged());
   EXPECT_EQ(cycle.turning_point->max_force, 0.0);
@@ -145,9 +146,9 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
   for (const auto& [solver, tolerance] : solvers) {
     const Case input = short_case(20);
     CycleRunner runner(make_bearing_foils(input), {.name = solver, .uzawa = {}});
-    for (const double direction : input.cycle.directions) {
-      const Cycle all = runner.run(direction, input.cycle);
-      const Cycle few = runner.run(direction, input.cycle, Recording::quantities);
+    for (const double direction : input.settings.get<CycleSettings>().directions) {
+      const Cycle all = runner.run(direction, input.settings.get<CycleSettings>());
+      const Cycle few = runner.run(direction, input.settings.get<CycleSettings>(), Recording::quantities);
       EXPECT_TRUE(few.converged());
       const auto expect_same = [tolerance = tolerance](std::optional<double> found, std::optional<double> expected) {
         ASSERT_EQ(found.has_value(), expected.has_value());
@@ -183,8 +184,9 @@ TEST(CycleRunner, RemembersNothing) {
   const SolverSettings events{.name = SolverName::events, .uzawa = {}};
   CycleRunner used(foils, events);
   for (const double direction : {0.3, 2.0, 0.3}) {
-    const Cycle again = used.run(direction, input.cycle, Recording::quantities);
-    const Cycle fresh = CycleRunner(foils, events).run(direction, input.cycle, Recording::quantities);
+    const Cycle again = used.run(direction, input.settings.get<CycleSettings>(), Recording::quantities);
+    const Cycle fresh =
+        CycleRunner(foils, events).run(direction, input.settings.get<CycleSettings>(), Recording::quantities);
     ASSERT_TRUE(fresh.converged());
     EXPECT_EQ(again.turning_point->max_force, fresh.turning_point->max_force);
     EXPECT_EQ(again.loop_energy, fresh.loop_energy);
@@ -208,8 +210,9 @@ TEST(CycleRunner, TakesOtherFoils) {
     for (const Case& input : inputs) {
       const SharedBearing foils = make_bearing_foils(input);
       used.set_foils(foils);
-      const Cycle again = used.run(0.3, input.cycle, Recording::quantities);
-      const Cycle fresh = CycleRunner(foils, settings).run(0.3, input.cycle, Recording::quantities);
+      const Cycle again = used.run(0.3, input.settings.get<CycleSettings>(), Recording::quantities);
+      const Cycle fresh =
+          CycleRunner(foils, settings).run(0.3, input.settings.get<CycleSettings>(), Recording::quantities);
       ASSERT_TRUE(fresh.converged());
       EXPECT_EQ(again.turning_point->max_force, fresh.turning_point->max_force);
       EXPECT_EQ(again.turning_point->bump_loads, fresh.turning_point->bump_loads);
@@ -251,13 +254,14 @@ TEST(CycleRunner, FindsClearancesInsideIncrements) {
     const SharedBearing foils = make_bearing_foils(input);
     std::vector<Cycle> by_events;
     for (const int steps : {1, 2, 7}) {
-      input.cycle.steps = steps;
-      const Cycle coarse = CycleRunner(foils, {}).run(0.9, input.cycle);
+      input.settings.get<CycleSettings>().steps = steps;
+      const Cycle coarse = CycleRunner(foils, {}).run(0.9, input.settings.get<CycleSettings>());
       ASSERT_TRUE(coarse.converged());
       for (const Clearance& clearance : coarse.clearances) {
         EXPECT_GE(clearance.displacement.value_or(1.0), *coarse.first_contact) << seed;
       }
-      by_events.push_back(CycleRunner(foils, {.name = SolverName::events, .uzawa = {}}).run(0.9, input.cycle));
+      by_events.push_back(
+          CycleRunner(foils, {.name = SolverName::events, .uzawa = {}}).run(0.9, input.settings.get<CycleSettings>()));
     }
     for (const Cycle& cycle : by_events) {
       ASSERT_TRUE(cycle.converged());
@@ -272,9 +276,10 @@ TEST(CycleRunner, IsFullyReversedAboutALoadThatTheJournalCarries) {
   for (const SolverName solver : {SolverName::newton, SolverName::events}) {
     Case input = short_case(20);
     input.solver.name = solver;
-    input.cycle.preload = PlaneTarget{.control = Control::load, .value = {10.0, -50.0}};
-    input.cycle.amplitude.value = 3e-6;
-    const Cycle cycle = CycleRunner(make_bearing_foils(input), input.solver).run(0.5, input.cycle);
+    CycleSettings& settings = input.settings.get<CycleSettings>();
+    settings.preload = PlaneTarget{.control = Control::load, .value = {10.0, -50.0}};
+    settings.amplitude.value = 3e-6;
+    const Cycle cycle = CycleRunner(make_bearing_foils(input), input.solver).run(0.5, settings);
     ASSERT_TRUE(cycle.converged());
     ASSERT_EQ(cycle.increments.size(), 81U);
     const Increment& start = cycle.increments[0];
@@ -297,11 +302,12 @@ TEST(CycleRunner, IsFullyReversedAboutALoadThatTheJournalCarries) {
 
 TEST(CycleRunner, RepeatsUntilTheLoopHasSettled) {
   Case input = short_case(10);
-  input.cycle.preload = PlaneTarget{.control = Control::displacement, .value = {0.0, -60e-6}};
-  input.cycle.amplitude.value = 10e-6;
-  input.cycle.cycles = 50;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.preload = PlaneTarget{.control = Control::displacement, .value = {0.0, -60e-6}};
+  cycle.amplitude.value = 10e-6;
+  cycle.cycles = 50;
   CycleRunner runner(make_bearing_foils(input), {});
-  const Cycle last = runner.run(1.5 * pi, input.cycle);
+  const Cycle last = runner.run(1.5 * pi, cycle);
   ASSERT_TRUE(last.converged());
   EXPECT_TRUE(last.settled);
   ASSERT_GT(last.loop_energies.size(), 2U);
@@ -311,8 +317,8 @@ TEST(CycleRunner, RepeatsUntilTheLoopHasSettled) {
   EXPECT_GT(std::abs(last.loop_energies[1] - last.loop_energies[0]), 1e-6 * *last.loop_energy);
   EXPECT_EQ(last.increments.size(), 41U);  // of the last alone
   // Three cycles are the first three.
-  input.cycle.cycles = 3;
-  const Cycle third = runner.run(1.5 * pi, input.cycle);
+  cycle.cycles = 3;
+  const Cycle third = runner.run(1.5 * pi, cycle);
   EXPECT_FALSE(third.settled);
   EXPECT_EQ(third.loop_energies, std::vector<double>(last.loop_energies.begin(), last.loop_energies.begin() + 3));
   EXPECT_LT(third.cost.iterations, last.cost.iterations);
@@ -321,10 +327,10 @@ TEST(CycleRunner, RepeatsUntilTheLoopHasSettled) {
 /// Under load control the force points along the direction, and the journal goes wherever that takes it.
 TEST(CycleRunner, FollowsALoad) {
   Case input = short_case(10);
-  input.cycle.amplitude = {.control = Control::load, .value = 80.0};
+  input.settings.get<CycleSettings>().amplitude = {.control = Control::load, .value = 80.0};
   CycleRunner runner(make_bearing_foils(input), {});
   for (const double direction : {0.3, 4.0}) {
-    const Cycle cycle = runner.run(direction, input.cycle);
+    const Cycle cycle = runner.run(direction, input.settings.get<CycleSettings>());
     ASSERT_TRUE(cycle.converged());
     for (std::size_t k = 1; k < cycle.increments.size(); ++k) {
       const Increment& increment = cycle.increments[k];
@@ -343,16 +349,16 @@ TEST(CycleRunner, FollowsALoad) {
 /// The load turns round, and the journal crosses its clearance.
 TEST(CycleRunner, IsFullyReversedThroughTheCentre) {
   Case input = short_case(6);
-  input.cycle.swing = true;
+  input.settings.get<CycleSettings>().swing = true;
   const SharedBearing foils = make_bearing_foils(input);
   CycleRunner runner(foils, {});
-  const Cycle by_displacement = runner.run(0.0, input.cycle);
+  const Cycle by_displacement = runner.run(0.0, input.settings.get<CycleSettings>());
   ASSERT_TRUE(by_displacement.converged());
   EXPECT_EQ(by_displacement.increments.size(), 25U);
   const double range = by_displacement.increments[6].force_direct - by_displacement.increments[18].force_direct;
   EXPECT_DOUBLE_EQ(*by_displacement.loaded_stiffness, range / (2.0 * 79.5e-6));
-  input.cycle.amplitude = {.control = Control::load, .value = 60.0};
-  const Cycle by_load = runner.run(0.0, input.cycle);
+  input.settings.get<CycleSettings>().amplitude = {.control = Control::load, .value = 60.0};
+  const Cycle by_load = runner.run(0.0, input.settings.get<CycleSettings>());
   ASSERT_TRUE(by_load.converged());
   EXPECT_NEAR(by_load.increments[6].force_direct, 60.0, 1e-7);
   EXPECT_NEAR(by_load.increments[18].force_direct, -60.0, 1e-7);
@@ -361,8 +367,8 @@ TEST(CycleRunner, IsFullyReversedThroughTheCentre) {
 
 TEST(CycleRunner, SaysThatThePreloadIsOutOfReach) {
   Case input = short_case(5);
-  input.cycle.preload = PlaneTarget{.control = Control::load, .value = {0.0, -1e7}};
-  const Cycle cycle = CycleRunner(make_bearing_foils(input), {}).run(0.0, input.cycle);
+  input.settings.get<CycleSettings>().preload = PlaneTarget{.control = Control::load, .value = {0.0, -1e7}};
+  const Cycle cycle = CycleRunner(make_bearing_foils(input), {}).run(0.0, input.settings.get<CycleSettings>());
   EXPECT_EQ(cycle.status, Status::load_out_of_reach);
   EXPECT_EQ(cycle.increments.size(), 1U);
   EXPECT_EQ(cycle.loop_energy, std::nullopt);
@@ -376,7 +382,8 @@ TEST(CycleRunner, TakesErrorsThatItsFoilsDoNotHave) {
   const SharedBearing foils = make_bearing_foils(nominal);
   Excitation centre;
   centre.gap_offset = make_bearing_foils(scattered)->assembled_gap - foils->assembled_gap;
-  const Cycle offset = CycleRunner(foils, {}).run(1.0, nominal.cycle, Recording::quantities, {}, centre);
+  const Cycle offset =
+      CycleRunner(foils, {}).run(1.0, nominal.settings.get<CycleSettings>(), Recording::quantities, {}, centre);
   const Cycle built = run_single_cycle(scattered, 1.0);
   ASSERT_TRUE(offset.converged() && built.converged());
   EXPECT_NEAR(offset.turning_point->max_force, built.turning_point->max_force, 1e-9 * built.turning_point->max_force);
@@ -391,7 +398,7 @@ TEST(RunCycles, StartsEveryDirectionAnew) {
   EXPECT_EQ(all.solver, SolverName::newton);
   EXPECT_TRUE(all.converged());
   for (std::size_t i = 0; i < 4; ++i) {
-    const Cycle alone = run_single_cycle(input, input.cycle.directions[i]);
+    const Cycle alone = run_single_cycle(input, input.settings.get<CycleSettings>().directions[i]);
     EXPECT_EQ(alone.turning_point->max_force, all.cycles[i].turning_point->max_force);
     EXPECT_EQ(*alone.loop_energy, *all.cycles[i].loop_energy);
   }

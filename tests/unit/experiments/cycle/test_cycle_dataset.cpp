@@ -19,6 +19,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "experiments/cycle/cycle_outcome.hpp"
 #include "experiments/cycle/result_layout.hpp"
@@ -36,8 +37,9 @@ using test_support::TemporaryFolder;
 
 Case described_case() {
   Case input = reference_case();
-  input.cycle.directions = {0.3, 0.5 * std::numbers::pi};
-  input.cycle.steps = 5;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.3, 0.5 * std::numbers::pi};
+  cycle.steps = 5;
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[2] = 10e-6;
   return input;
@@ -382,7 +384,7 @@ TEST(CycleDataset, HoldsEventsWhereTheyWereFollowed) {
   ASSERT_EQ(file.file().getDim("event").getSize(), first + result.cycles[1].events.size());
   for (std::size_t d = 0, at = 0; d < 2; ++d) {
     for (const CycleEvent& event : result.cycles[d].events) {
-      EXPECT_EQ(file.at("event_direction", {at}), to_degrees(input.cycle.directions[d]));
+      EXPECT_EQ(file.at("event_direction", {at}), to_degrees(input.settings.get<CycleSettings>().directions[d]));
       EXPECT_EQ(file.at("event_displacement", {at}), event.displacement);
       EXPECT_EQ(file.at("event_branch", {at}), static_cast<int>(event.branch));
       EXPECT_EQ(file.at("event_interface", {at}), static_cast<int>(event.interface));

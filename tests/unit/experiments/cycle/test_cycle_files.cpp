@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bumpfoil/experiments/cycle/increment_rows.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/csv_text.hpp"
 #include "support/run_files.hpp"
@@ -20,8 +22,9 @@ using nlohmann::json;
 const CycleResult& filed_run() {
   static const CycleResult result = [] {
     Case input = reference_case();
-    input.cycle.directions = {0.0};
-    input.cycle.steps = 2;
+    CycleSettings& cycle = input.settings.get<CycleSettings>();
+    cycle.directions = {0.0};
+    cycle.steps = 2;
     return run_cycles(input);
   }();
   return result;
@@ -62,7 +65,7 @@ TEST(CycleFiles, CarryTheSameRunIdAndEveryRunItsOwn) {
 
 TEST(CycleFiles, OfAStripAreNamedSo) {
   Case input = reference_case();
-  input.strip = StripSettings{.bumps = 2, .amplitude = {Control::displacement, 1e-6}, .steps = 1};
+  input.settings.set(StripSettings{.bumps = 2, .amplitude = {Control::displacement, 1e-6}, .steps = 1});
   EXPECT_EQ(test_support::files_of("strip", input)[0].name, "strip.csv");
 }
 

@@ -13,6 +13,7 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/result_names.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/run_files.hpp"
 
@@ -23,8 +24,9 @@ using nlohmann::json;
 
 Case summarised_case() {
   Case input = reference_case();
-  input.cycle.directions = {0.5 * std::numbers::pi, 0.3};
-  input.cycle.steps = 5;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.5 * std::numbers::pi, 0.3};
+  cycle.steps = 5;
   return input;
 }
 
@@ -121,7 +123,8 @@ TEST(CycleJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(cycle.at("cross_force_at_max_N"), expected.turning_point->cross_force);
   EXPECT_EQ(cycle.at("tangent_stiffness_loading_N_per_m"), expected.turning_point->tangent.loading.value());
   EXPECT_EQ(cycle.at("tangent_stiffness_unloading_N_per_m"), expected.turning_point->tangent.unloading.value());
-  EXPECT_EQ(cycle.at("secant_stiffness_N_per_m"), expected.turning_point->max_force / input.cycle.amplitude.value);
+  EXPECT_EQ(cycle.at("secant_stiffness_N_per_m"),
+            expected.turning_point->max_force / input.settings.get<CycleSettings>().amplitude.value);
   EXPECT_EQ(cycle.at("elastic_energy_at_max_J"), expected.turning_point->elastic_energy);
   EXPECT_EQ(cycle.at("loop_energy_J"), *expected.loop_energy);
   EXPECT_EQ(cycle.at("loss_factor"), *expected.loss_factor);
@@ -156,7 +159,7 @@ TEST(CycleJson, SaysWhereAFoilIsBentMost) {
   EXPECT_EQ(at.at("place"), "crest");
   EXPECT_EQ(at.at("bump"), peak.bump + 1);
   EXPECT_EQ(at.at("increment"), 5);
-  EXPECT_EQ(at.at("displacement_m"), input.cycle.amplitude.value);
+  EXPECT_EQ(at.at("displacement_m"), input.settings.get<CycleSettings>().amplitude.value);
   EXPECT_EQ(cycle.at("above_yield_bump_foil"), true);
   EXPECT_EQ(cycle.at("max_stress_top_foil_at").at("place"), "weld");
   EXPECT_TRUE(cycle.at("max_stress_top_foil_at").at("bump").is_null());

@@ -13,7 +13,9 @@
 
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "core/number_text.hpp"
 
 namespace bumpfoil {
@@ -28,9 +30,10 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 CycleResult short_run(int directions) {
   Case input = reference_case();
-  input.cycle.steps = 2;
-  input.cycle.directions.clear();
-  for (int i = 0; i < directions; ++i) input.cycle.directions.push_back(i * std::numbers::pi / 8.0);
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.steps = 2;
+  cycle.directions.clear();
+  for (int i = 0; i < directions; ++i) cycle.directions.push_back(i * std::numbers::pi / 8.0);
   return run_cycles(input);
 }
 
@@ -132,9 +135,10 @@ TEST(CycleTable, TellsPadsApart) {
   Case input = reference_case();
   input.bump_foil.bumps = 7;
   input.bearing.radial_clearance = -2e-6;
-  input.cycle.steps = 2;
-  input.cycle.amplitude.value = 30e-6;
-  input.cycle.directions = {0.0};
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.steps = 2;
+  cycle.amplitude.value = 30e-6;
+  cycle.directions = {0.0};
   input.bearing.weld_angle = -0.5 * std::numbers::pi;
   input.pads.resize(2);  // about -X and about X
   const CycleResult result = run_cycles(input);
@@ -170,7 +174,7 @@ TEST(CycleTable, NamesThePlaceOfTheHighestStress) {
 
 TEST(CycleTable, OfAStripShowsTheFirstAndTheLastCycles) {
   Case input = reference_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 20e-6}, .cycles = 9, .steps = 2};
+  input.settings.set(StripSettings{.bumps = 3, .amplitude = {Control::displacement, 20e-6}, .cycles = 9, .steps = 2});
   const CycleResult result = run_strip(input);
   const std::string text = cycle_table(input, result);
   std::istringstream heads(lines_of(text).at(0));

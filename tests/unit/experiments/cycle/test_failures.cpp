@@ -4,7 +4,9 @@
 
 #include <numbers>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -12,8 +14,9 @@ namespace {
 
 Case pushed(double direction) {
   Case input = reference_case();
-  input.cycle.directions = {direction};
-  input.cycle.steps = 5;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {direction};
+  cycle.steps = 5;
   return input;
 }
 
@@ -40,8 +43,8 @@ TEST(Failures, AreNoneOfWhatConvergedAndNoLineOfWhatWasInterrupted) {
 
 TEST(Failures, SayThatAPreloadWasNotReached) {
   Case input = reference_case();
-  input.strip = StripSettings{
-      .bumps = 3, .amplitude = {Control::displacement, 1e-6}, .preload = Target{Control::load, 1e6}, .steps = 4};
+  input.settings.set(StripSettings{
+      .bumps = 3, .amplitude = {Control::displacement, 1e-6}, .preload = Target{Control::load, 1e6}, .steps = 4});
   const CycleResult result = run_strip(input);
   const Failure failure = failure_of(input, result, 0).value();
   EXPECT_EQ(failure.increment, 0);

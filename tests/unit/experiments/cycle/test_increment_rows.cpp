@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/results/csv_text.hpp"
 #include "support/bearing_cases.hpp"
 
@@ -15,8 +16,9 @@ namespace {
 
 CycleResult tabulated_run() {
   Case input = reference_case();
-  input.cycle.directions = {0.0, 1.0};
-  input.cycle.steps = 3;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0, 1.0};
+  cycle.steps = 3;
   return run_cycles(input);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -60,8 +61,9 @@ TEST(MeasuredLoop, ToBothSidesIsFullyReversed) {
 
 TEST(MeasuredLoop, OfComputedPointsHasTheirQuantities) {
   Case input = reference_case();
-  input.cycle.directions = {0.0};
-  input.cycle.steps = 40;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0};
+  cycle.steps = 40;
   const Cycle computed = run_cycles(input).cycles.front();
   Points points;
   for (const Increment& increment : computed.increments) {

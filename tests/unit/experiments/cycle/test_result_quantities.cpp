@@ -7,7 +7,9 @@
 #include <set>
 #include <string>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -15,8 +17,9 @@ namespace {
 
 Case measured_case() {
   Case input = reference_case();
-  input.cycle.directions = {0.0};
-  input.cycle.steps = 3;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0};
+  cycle.steps = 3;
   return input;
 }
 
@@ -40,7 +43,7 @@ void expect_described(const Quantities& quantities, const Wording& wording, std:
 
 TEST(ResultQuantities, AreDescribedOnce) {
   Case input = measured_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 20e-6}};
+  input.settings.set(StripSettings{.bumps = 3, .amplitude = {Control::displacement, 20e-6}});
   for (const Experiment experiment : {Experiment::cycle, Experiment::strip}) {
     const Wording wording = wording_of(input, experiment);
     std::set<std::string_view> names;
@@ -92,11 +95,11 @@ TEST(ResultQuantities, NothingIsKnownOfACycleThatFailedAtOnce) {
 
 TEST(ResultQuantities, TheAmplitudeOfAStripUnderLoadIsWhatItFindsOut) {
   Case input = measured_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::load, 1e6}, .steps = 4};
+  input.settings.set(StripSettings{.bumps = 3, .amplitude = {Control::load, 1e6}, .steps = 4});
   const std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::strip);
   const CycleQuantity& amplitude = called(quantities, "amplitude");
   EXPECT_TRUE(std::isnan(amplitude.value(run_strip(input).cycles.at(0), input)));  // flat before
-  input.strip->amplitude.value = 10.0;
+  input.settings.get<StripSettings>().amplitude.value = 10.0;
   const Cycle cycle = run_strip(input).cycles.at(0);
   EXPECT_EQ(amplitude.value(cycle, input), cycle.turns.at(0).displacement - cycle.start->displacement);
 }

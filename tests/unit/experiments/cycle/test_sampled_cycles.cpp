@@ -15,8 +15,9 @@ const Distribution ten_micrometres{.kind = DistributionKind::normal, .sigma = 10
 
 TEST(SampledCycles, StiffnessIsIdentifiedAgain) {
   Case input = ensemble_case({.bump_foil_thickness = Distribution{.kind = DistributionKind::table, .values = {5e-6}}});
-  input.cycle.directions = {0.0};
-  input.cycle.steps = 10;
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.directions = {0.0};
+  cycle.steps = 10;
   Case thicker = input;
   thicker.montecarlo.reset();
   thicker.bump_foil.thickness.values.front() += 5e-6;
@@ -27,7 +28,7 @@ TEST(SampledCycles, StiffnessIsIdentifiedAgain) {
 
 TEST(SampledCycles, QuantitiesAreThoseOfTheFullRecord) {
   Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
-  input.cycle.steps = 20;
+  input.settings.get<CycleSettings>().steps = 20;
   for (std::uint64_t i = 0; i < 5; ++i) {
     const Case sampled = sampled_case(input, draw_sample(input, i));
     const CycleResult lean = run_sampled_cycles(sampled).value();
@@ -45,8 +46,9 @@ TEST(SampledCycles, QuantitiesAreThoseOfTheFullRecord) {
 /// Independent of samples run before.
 TEST(SampledCycles, IsTheSameToTheLastBitAfterOthers) {
   Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
-  input.cycle.steps = 20;
-  input.cycle.directions.resize(2);
+  CycleSettings& cycle = input.settings.get<CycleSettings>();
+  cycle.steps = 20;
+  cycle.directions.resize(2);
   input.solver.name = SolverName::events;
   SampledCycleRunner runner;
   for (const std::uint64_t number : {4U, 1U, 4U, 2U}) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/experiments/reference_case.hpp"
+
 namespace bumpfoil {
 namespace {
 

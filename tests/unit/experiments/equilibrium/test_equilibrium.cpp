@@ -17,7 +17,7 @@ const double speed = speed_of_rpm(45000.0);
 
 Case running_case(const EquilibriumSettings& equilibrium, double friction_coefficient = 0.0) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, friction_coefficient);
-  input.equilibrium = equilibrium;
+  input.settings.set(equilibrium);
   return input;
 }
 
@@ -44,7 +44,8 @@ TEST(Equilibrium, PlansTheStatesThatItWouldFind) {
   const Case input = running_case(
       {.speeds = {speed, 0.8 * speed}, .loads = {{30.0, 0.0}, {40.0, 10.0}}, .path = FilmPath::cold_start});
   const std::vector<RunningState> found = run_equilibrium(input).states;
-  const std::vector<RunningState> planned = planned_states(*input.equilibrium, Status::interrupted);
+  const std::vector<RunningState> planned =
+      planned_states(input.settings.get<EquilibriumSettings>(), Status::interrupted);
   ASSERT_EQ(planned.size(), found.size());
   for (std::size_t i = 0; i < planned.size(); ++i) {
     EXPECT_EQ(planned[i].path, found[i].path);
@@ -150,7 +151,7 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
   ASSERT_TRUE(Z && state.tabulated[2].impedance);
   EXPECT_LT(((*Z)[0] - *state.tabulated[2].impedance).norm(), 1e-8 * (*Z)[0].norm());
 
-  input.equilibrium->frequencies = {2.0 * speed, 0.5 * speed};
+  input.settings.get<EquilibriumSettings>().frequencies = {2.0 * speed, 0.5 * speed};
   const EquilibriumResult given = run_equilibrium(input, {}, {}, &checkers);
   ASSERT_EQ(given.states[1].tabulated.size(), 2U);
   EXPECT_EQ(given.states[1].tabulated[0].frequency, 0.5 * speed);
@@ -161,7 +162,7 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
 /// Every path leads to states that carry the load, if not to the same ones.
 TEST(Equilibrium, PathsLeadToStatesThatCarryTheLoad) {
   const Case input = running_case({.speeds = {speed, 0.9 * speed}, .loads = {{50.0, 0.0}}, .steps = 4});
-  const std::vector<FilmPath> paths = possible_paths(*input.equilibrium);
+  const std::vector<FilmPath> paths = possible_paths(input.settings.get<EquilibriumSettings>());
   ASSERT_EQ(paths.size(), 4U);
   const EquilibriumResult result = run_equilibrium(input, paths);
   ASSERT_EQ(result.states.size(), 8U);
@@ -291,7 +292,7 @@ TEST(Equilibrium, BeginsAtTheCentreWhereTheColdStartTouches) {
                                    6.2, -1.6, -5.2, -1.3, -4.9, -0.6, -3.0, 4.6,  -3.9, -0.8, -6.8, -2.1, -2.1};
   for (double& error : input.bump_foil.height_errors) error *= 1e-6;
   const auto state_on = [&](FilmPath path) {
-    input.equilibrium->path = path;
+    input.settings.get<EquilibriumSettings>().path = path;
     return run_equilibrium(input).states.at(0);
   };
   EXPECT_EQ(state_on(FilmPath::cold_start).report.status, Status::touchdown);
@@ -303,8 +304,9 @@ TEST(Equilibrium, BeginsAtTheCentreWhereTheColdStartTouches) {
   EXPECT_EQ(ramped.last->position, ray.last->position);
   EXPECT_EQ(state_on(FilmPath::speed_ramp).report.status, Status::converged);
   // The same for a request of that position.
-  input.equilibrium->loads.clear();
-  input.equilibrium->positions = {{0.6 * input.bearing.radial_clearance, 0.0}};
+  EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  equilibrium.loads.clear();
+  equilibrium.positions = {{0.6 * input.bearing.radial_clearance, 0.0}};
   EXPECT_EQ(state_on(FilmPath::cold_start).report.status, Status::touchdown);
   EXPECT_EQ(state_on(FilmPath::position_ray).report.status, Status::converged);
 }
@@ -346,7 +348,7 @@ TEST(Equilibrium, NeedsItsTable) {
 TEST(Equilibrium, KeepsNoMoreStatesThanTheMemoryHolds) {
   Case input = film_reference_case({.columns_per_pitch = 6, .rows = 16});
   const auto errors_of = [&](std::size_t states) {
-    input.equilibrium = EquilibriumSettings{.speeds = std::vector<double>(states, 1.0), .loads = {{1.0, 0.0}}};
+    input.settings.set(EquilibriumSettings{.speeds = std::vector<double>(states, 1.0), .loads = {{1.0, 0.0}}});
     return find_errors(input, {"equilibrium"});
   };
   EXPECT_TRUE(errors_of(10'000).empty());
@@ -357,7 +359,7 @@ TEST(Equilibrium, KeepsNoMoreStatesThanTheMemoryHolds) {
 
 TEST(Equilibrium, KnowsNoWavesOfTheJournal) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
-  input.equilibrium = EquilibriumSettings{.speeds = {4000.0}, .loads = {{50.0, 0.0}}};
+  input.settings.set(EquilibriumSettings{.speeds = {4000.0}, .loads = {{50.0, 0.0}}});
   input.bearing.journal.waves = {{3, 5e-6, 0.0}};
   EXPECT_THROW(run_equilibrium(input), Error);
 }

@@ -29,8 +29,8 @@ using nlohmann::json;
 
 Case small_case() {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
-  input.equilibrium =
-      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}, {60.0, 0.0}}, .steps = 3};
+  input.settings.set(
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}, {60.0, 0.0}}, .steps = 3});
   input.top_foil.yield_stress = 1e6;
   return input;
 }
@@ -131,7 +131,7 @@ Vector values_of(const netCDF::NcFile& file, const std::string& name) {
 TEST(EquilibriumFiles, TellOfTiltedJournals) {
   Case input = small_case();
   input.width = {.modes = 3, .tilt = {1e-4, 0.0}};
-  input.equilibrium->loads = {{40.0, 0.0}};
+  input.settings.get<EquilibriumSettings>().loads = {{40.0, 0.0}};
   StateCheckers checkers;
   const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const std::vector<ResultFile> files = running_files(input, result, RunStatus::complete);
@@ -168,7 +168,7 @@ TEST(EquilibriumFiles, TellOfTiltedJournals) {
 
 TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   Case input = small_case();
-  input.equilibrium->frequencies = {4000.0, 2000.0, 1000.0};
+  input.settings.get<EquilibriumSettings>().frequencies = {4000.0, 2000.0, 1000.0};
   StateCheckers checkers;
   const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const std::vector<FilmWhirl>& whirls = result.states[1].whirls;
@@ -179,7 +179,7 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   file.getVar("frequency").getVar(frequencies.data());
   file.getVar("kxy_at_frequency").getVar(stiffness.data());
   file.getVar("cyx_at_frequency_stuck").getVar(damping.data());
-  EXPECT_EQ(frequencies, input.equilibrium->frequencies);
+  EXPECT_EQ(frequencies, input.settings.get<EquilibriumSettings>().frequencies);
   const json motions = json::parse(files[4].contents).at("states").at(1).at("motions");
   ASSERT_EQ(motions.size(), 3U);
   const std::string table = equilibrium_table(result);

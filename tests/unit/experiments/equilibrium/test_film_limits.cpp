@@ -12,7 +12,7 @@ namespace {
 
 Case limited_case(double speed, double load) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
-  input.equilibrium = EquilibriumSettings{.speeds = {speed}, .loads = {{load, 0.0}}, .steps = 3};
+  input.settings.set(EquilibriumSettings{.speeds = {speed}, .loads = {{load, 0.0}}, .steps = 3});
   input.film.h_lift_off = 8e-6;
   return input;
 }
@@ -42,7 +42,7 @@ TEST(FilmLimits, LieWhereTheFilmIsAsThinAsItMayBe) {
 
 TEST(FilmLimits, AreTheOnesOfTheLoadAndTheSpeedOfAState) {
   Case input = limited_case(speed_of_rpm(45000.0), 50.0);
-  input.equilibrium->loads.emplace_back(60.0, 0.0);
+  input.settings.get<EquilibriumSettings>().loads.emplace_back(60.0, 0.0);
   EquilibriumResult result = run_equilibrium(input);
   add_film_limits(input, result);
   ASSERT_EQ(result.limits.size(), 3U);
@@ -111,7 +111,7 @@ TEST(FilmLimits, EndWhereStatesBecomeUnstable) {
   EXPECT_GT(limit.unstable[0].to, 20.0);
   for (const auto& [part, stable] : {std::pair(0.98, true), std::pair(1.02, false)}) {
     Case list = input;
-    list.equilibrium->loads = {{20.0, 0.0}, {part * limit.value, 0.0}};
+    list.settings.get<EquilibriumSettings>().loads = {{20.0, 0.0}, {part * limit.value, 0.0}};
     const EquilibriumResult result = run_equilibrium(list);
     ASSERT_TRUE(result.converged());
     EXPECT_EQ(result.states[1].held.is_stable(), stable) << part;
@@ -121,8 +121,9 @@ TEST(FilmLimits, EndWhereStatesBecomeUnstable) {
 TEST(FilmLimits, NeedAThresholdAndALoad) {
   Case input = limited_case(1000.0, 50.0);
   input.film.h_lift_off.reset();
-  input.equilibrium->loads.clear();
-  input.equilibrium->positions = {{1e-5, 0.0}};
+  EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  equilibrium.loads.clear();
+  equilibrium.positions = {{1e-5, 0.0}};
   try {
     run_film_limits(input);
     ADD_FAILURE();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "core/linear_algebra.hpp"
 #include "support/film_bearing_cases.hpp"
 
@@ -30,13 +31,13 @@ RunningState state_of(double speed, const Eigen::Vector2d& load, std::vector<Fil
 
 Case case_with(std::vector<double> frequencies) {
   Case input = reference_case();
-  input.equilibrium = EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}};
-  input.equilibrium->frequencies = std::move(frequencies);
+  input.settings.set(EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}});
+  input.settings.get<EquilibriumSettings>().frequencies = std::move(frequencies);
   return input;
 }
 
 std::string written(Case input, std::vector<RunningState> states, int ross_version) {
-  input.equilibrium->ross_version = ross_version;
+  input.settings.get<EquilibriumSettings>().ross_version = ross_version;
   EquilibriumResult result;
   result.states = std::move(states);
   return film_ross_toml(input, result, "run");
@@ -192,8 +193,8 @@ TEST(FilmRossToml, TellsAnUnstableRotorByItsTableAloneNotBySynchronousWhirl) {
   const double mass = 1.0;
   const double speed = speed_of_rpm(15000.0);
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, 0.0);
-  input.equilibrium = EquilibriumSettings{
-      .speeds = {-speed, -0.9 * speed}, .loads = {{9.81 * mass, 0.0}}, .path = FilmPath::cold_start, .steps = 3};
+  input.settings.set(EquilibriumSettings{
+      .speeds = {-speed, -0.9 * speed}, .loads = {{9.81 * mass, 0.0}}, .path = FilmPath::cold_start, .steps = 3});
   StateCheckers checkers;
   const EquilibriumResult result = run_equilibrium(input, {}, {}, &checkers);
   const toml::table document = toml::parse(film_ross_toml(input, result, "run"));

@@ -16,7 +16,7 @@ struct Estimate {
 
 Estimate estimate_on(const FilmResolution& resolution, const EquilibriumSettings& equilibrium) {
   Case input = film_reference_case(resolution);
-  input.equilibrium = equilibrium;
+  input.settings.set(equilibrium);
   EquilibriumResult result = run_equilibrium(input);
   estimate_mesh_errors(input, result);
   const RunningState& state = result.states.at(0);
@@ -61,7 +61,7 @@ TEST(MeshError, IsKnownWithFrictionAndPads) {
   input.bump_foil.bumps = 8;
   input.pads.resize(3);
   for (std::size_t k = 0; k < 3; ++k) input.pads[k].weld_angle = 0.1 + 2.0943951 * static_cast<double>(k);
-  input.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}}, .steps = 3};
+  input.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}}, .steps = 3});
   EquilibriumResult result = run_equilibrium(input);
   estimate_mesh_errors(input, result);
   ASSERT_TRUE(result.states.at(0).mesh_error.has_value());

@@ -14,7 +14,7 @@ namespace {
 
 Case coarse_case(const EquilibriumSettings& equilibrium) {
   Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8}, 0.1);
-  input.equilibrium = equilibrium;
+  input.settings.set(equilibrium);
   return input;
 }
 
@@ -25,7 +25,7 @@ Case rough_case(const std::vector<double>& speeds) {
   input.film.rows = 4;
   input.top_foil.formed_radius = {FormedTo::seated};
   input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
-  input.equilibrium->paths = ComparedPaths::one;
+  input.settings.get<EquilibriumSettings>().paths = ComparedPaths::one;
   return input;
 }
 
@@ -86,7 +86,7 @@ TEST(RunningBearing, TellsProgressOfAllParts) {
   input.film.columns_per_pitch = 4;
   input.film.rows = 4;
   input.film.h_lift_off = 5e-6;
-  input.equilibrium->limits = true;
+  input.settings.get<EquilibriumSettings>().limits = true;
   const EquilibriumResult result = analyse_running_bearing(input, [&](double fraction) {
     fractions.push_back(fraction);
     return true;

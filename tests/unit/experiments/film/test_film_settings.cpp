@@ -6,19 +6,19 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using test_support::Keys;
+using test_support::nan;
 using test_support::wrong_keys;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(FindErrors, ChecksTheFeed) {
   const auto feed = [](double pressure) {
@@ -48,7 +48,7 @@ TEST(FindErrors, ChecksRoughSurfaces) {
   const auto resting = [&](const std::optional<AsperitySettings>& settings) {
     return wrong_keys([&](Case& input) {
       input.asperity = settings;
-      input.equilibrium = EquilibriumSettings{.speeds = {0.0}, .loads = {{50.0, 0.0}}};
+      input.settings.set(EquilibriumSettings{.speeds = {0.0}, .loads = {{50.0, 0.0}}});
     });
   };
   EXPECT_EQ(resting(std::nullopt), Keys{"equilibrium.speeds[1]"});
@@ -61,7 +61,7 @@ TEST(FindErrors, ChecksTheModesOverTheWidth) {
                               int modes, const std::function<void(Case&)>& change = [](Case&) {}) {
     return wrong_keys([&](Case& input) {
       input.width.modes = modes;
-      input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
+      input.settings.set(EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}});
       change(input);
     });
   };
@@ -106,8 +106,8 @@ TEST(FindErrors, ChecksTheModesOverTheWidth) {
 TEST(FindErrors, ChecksTheTilt) {
   const auto width = [](const std::function<void(WidthSettings&)>& change, const std::string& command) {
     Case input = reference_case();
-    input.equilibrium =
-        EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray};
+    input.settings.set(
+        EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray});
     change(input.width);
     Keys keys;
     for (const InputError& error : find_errors(input, {command})) keys.push_back(error.key);
@@ -151,8 +151,8 @@ TEST(FindErrors, ChecksTheTilt) {
   }
   const auto between = [](const std::vector<double>& pressures, const std::string& command) {
     Case input = reference_case();
-    input.equilibrium =
-        EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray};
+    input.settings.set(
+        EquilibriumSettings{.speeds = {1000.0}, .positions = {{10e-6, 0.0}}, .path = FilmPath::position_ray});
     input.film.side_pressure = pressures;
     Keys keys;
     for (const InputError& error : find_errors(input, {command})) keys.push_back(error.key);
@@ -208,14 +208,14 @@ TEST(FindErrors, ChecksTheMeshOfTheFilm) {
   EXPECT_EQ(wrong_keys(finest), Keys{});  // no command to run
   EXPECT_EQ(wrong_keys([&](Case& input) {
               finest(input);
-              input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
+              input.settings.set(EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}});
             }),
             Keys{"film.columns_per_pitch"});
   // Near the memory limit: 26 bumps on 46 x 200 need 2 GB.
   for (const int columns : {42, 46}) {
     const Keys keys = wrong_keys([&](Case& input) {
       input.film = {.columns_per_pitch = columns, .rows = 200};
-      input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
+      input.settings.set(EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}});
     });
     EXPECT_EQ(keys.empty(), columns == 42) << columns;
   }
@@ -258,8 +258,8 @@ TEST(FindErrors, ChecksTheBearingForEveryCommandWithAFilm) {
 TEST(FindErrors, ChecksStatesOfARunningBearing) {
   const auto equilibrium = [](const std::function<void(Case&, EquilibriumSettings&)>& change) {
     return wrong_keys([&](Case& input) {
-      input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
-      change(input, *input.equilibrium);
+      input.settings.set(EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}});
+      change(input, input.settings.get<EquilibriumSettings>());
     });
   };
   using E = EquilibriumSettings;

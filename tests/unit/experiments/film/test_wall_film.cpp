@@ -15,8 +15,8 @@ namespace {
 
 Case wall_case() {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 6});
-  input.equilibrium = EquilibriumSettings{
-      .speeds = {speed_of_rpm(45000.0)}, .positions = {{12e-6, 0.0}, {15e-6, 5e-6}}, .path = FilmPath::position_ray};
+  input.settings.set(EquilibriumSettings{
+      .speeds = {speed_of_rpm(45000.0)}, .positions = {{12e-6, 0.0}, {15e-6, 5e-6}}, .path = FilmPath::position_ray});
   return input;
 }
 
@@ -60,7 +60,7 @@ TEST(WallFilm, IsFedAtItsFreeEnd) {
 TEST(WallFilm, LetsGasFlowFromSideToSide) {
   Case input = wall_case();
   input.film.closed = true;
-  input.equilibrium->positions = {{0.0, 0.0}};
+  input.settings.get<EquilibriumSettings>().positions = {{0.0, 0.0}};
   const double ambient = input.gas.ambient_pressure;
   input.film.side_pressure = {1.3 * ambient, 1.1 * ambient};
   const EquilibriumResult result = run_wall_films(input);
@@ -89,7 +89,7 @@ TEST(WallFilm, LetsGasFlowFromSideToSide) {
 TEST(WallFilm, LetsGasFlowThroughAConicalGap) {
   Case input = wall_case();
   input.film.closed = true;
-  input.equilibrium->positions = {{0.0, 0.0}};
+  input.settings.get<EquilibriumSettings>().positions = {{0.0, 0.0}};
   const double ambient = input.gas.ambient_pressure;
   input.film.side_pressure = {1.3 * ambient, 1.1 * ambient};
   const double h = input.bearing.radial_clearance;
@@ -114,7 +114,7 @@ TEST(WallFilm, LetsGasFlowThroughAConicalGap) {
 /// Forces and moments under a small additional tilt agree with the stiffness.
 TEST(WallFilm, IsTiltedByMoments) {
   Case input = wall_case();
-  input.equilibrium->positions = {{12e-6, 3e-6}};
+  input.settings.get<EquilibriumSettings>().positions = {{12e-6, 3e-6}};
   constexpr double slope = 3e-4;
   constexpr double h = 1e-8;
   const auto outcome = [&](double a, double b) {
@@ -155,7 +155,7 @@ TEST(WallFilm, HasNeitherPadsNorEdgesThatAreNotThere) {
   };
   EXPECT_EQ(errors([](Case&) {}), 0U);
   EXPECT_EQ(errors([](Case& input) { input.pads.resize(1); }), 1U);
-  EXPECT_EQ(errors([](Case& input) { input.equilibrium->positions.clear(); }), 1U);
+  EXPECT_EQ(errors([](Case& input) { input.settings.get<EquilibriumSettings>().positions.clear(); }), 1U);
   EXPECT_EQ(errors([](Case& input) {
               input.film.closed = true;
               input.bearing.taper = 1e-6;
@@ -176,7 +176,7 @@ TEST(WallFilm, IsAsLongAsTheFoils) {
 TEST(WallFilm, ClosedWallTurnsWithItsLoad) {
   Case input = wall_case();
   input.film.closed = true;
-  input.equilibrium->positions = {{15e-6, 0.0}, {0.0, 15e-6}};
+  input.settings.get<EquilibriumSettings>().positions = {{15e-6, 0.0}, {0.0, 15e-6}};
   const EquilibriumResult result = run_wall_films(input);
   ASSERT_TRUE(result.converged());
   const Eigen::Vector2d along_x = result.states[0].outcome->force;
@@ -229,9 +229,10 @@ TEST(WallFilm, HasNoPads) {
 
 TEST(WallFilm, WantsPositions) {
   Case input = wall_case();
-  input.equilibrium->positions.clear();
-  input.equilibrium->loads = {{10.0, 0.0}};
-  input.equilibrium->path = FilmPath::load_ramp;
+  EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  equilibrium.positions.clear();
+  equilibrium.loads = {{10.0, 0.0}};
+  equilibrium.path = FilmPath::load_ramp;
   EXPECT_THROW(run_wall_films(input), Error);
 }
 

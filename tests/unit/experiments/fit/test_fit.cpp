@@ -10,7 +10,10 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
+#include "bumpfoil/model/validation.hpp"
 #include "experiments/fit/fit_output.hpp"
 #include "support/rig_loops.hpp"
 #include "support/temporary_folder.hpp"
@@ -76,7 +79,7 @@ TEST(Fit, ProfilesRiseAsTheStandardErrorsSay) {
   const FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), {}, 0.5, 13);
   Case input = fit_of(few_bumps(0.1, 30e-6), data, {any_friction, any_clearance});
   EXPECT_TRUE(run_fit(input).parameters[0].profile.empty());
-  input.settings.find<FitSettings>()->profile = true;
+  input.settings.get<FitSettings>().profile = true;
   const FitResult result = run_fit(input);
   for (const FittedValue& found : result.parameters) {
     const double error = *found.standard_error;
@@ -97,7 +100,7 @@ TEST(Fit, ProfilesRiseAsTheStandardErrorsSay) {
 TEST(Fit, ProfilesStayOpenAtBounds) {
   const FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), {}, 50.0, 13);
   Case input = fit_of(few_bumps(0.15, 28e-6), data, {fitted("friction.coefficient", 0.15, 0.145, 0.155)});
-  input.settings.find<FitSettings>()->profile = true;
+  input.settings.get<FitSettings>().profile = true;
   const FittedValue found = run_fit(input).parameters[0];
   EXPECT_GT(found.profile.size(), 6U);
   EXPECT_FALSE(found.profile_lower_95);
@@ -110,7 +113,7 @@ TEST(Fit, ProfilesAreWideWhereHardlyMoreThanASumIsSeen) {
   // Infinite if open on a side.
   const auto width = [&](const std::vector<FitParameter>& parameters) {
     Case input = fit_of(few_bumps(0.1, 28e-6), data, parameters);
-    input.settings.find<FitSettings>()->profile = true;
+    input.settings.get<FitSettings>().profile = true;
     const FittedValue found = run_fit(input).parameters[0];
     return found.profile_upper_95.value_or(1.0) - found.profile_lower_95.value_or(-1.0);
   };
@@ -231,14 +234,15 @@ TEST(Fit, TakesWhatIsGivenOfARig) {
   FitData data = rig_loop(run_cycles(few_bumps(0.15, 28e-6)), rig, 0.2, 16);
   data.rig.force_origin = 5.0;
   Case input = fit_of(few_bumps(0.1, 28e-6), data, {any_friction, any_clearance});
-  input.settings.find<FitSettings>()->machine_stiffness = 20e6;
+  input.settings.get<FitSettings>().machine_stiffness = 20e6;
   const FitResult of_all = run_fit(input);
   expect_found(of_all.parameters[0], 0.15);
   expect_found(of_all.parameters[1], 28e-6);
   EXPECT_FALSE(warns(of_all, "does not explain"));
   // That of the data comes before that of all.
-  input.settings.find<FitSettings>()->machine_stiffness = 5e6;
-  input.settings.find<FitSettings>()->data[0].rig.machine_stiffness = 20e6;
+  FitSettings& fit = input.settings.get<FitSettings>();
+  fit.machine_stiffness = 5e6;
+  fit.data[0].rig.machine_stiffness = 20e6;
   EXPECT_EQ(run_fit(input).parameters[0].value, of_all.parameters[0].value);
 }
 
@@ -269,7 +273,7 @@ TEST(Fit, IsNotMisledByOutliersWithHubersLoss) {
   for (std::size_t i = 160; i < 190; ++i) data.forces[i] += 20.0;
   Case input = fit_of(few_bumps(0.1, 28e-6), data, {any_friction});
   const double misled = run_fit(input).parameters[0].value;
-  input.settings.find<FitSettings>()->huber = 1.345;
+  input.settings.get<FitSettings>().huber = 1.345;
   const FitResult robust = run_fit(input);
   EXPECT_LT(std::abs(robust.parameters[0].value - 0.1), 0.3 * std::abs(misled - 0.1));
   // Outliers count by less in chi-square, and so in the standard errors.
@@ -281,15 +285,16 @@ TEST(Fit, IsNotMisledByOutliersWithHubersLoss) {
 
 TEST(Fit, FitsStripsAndReversedCycles) {
   Case strip = few_bumps(0.12, 28e-6);
-  strip.strip = StripSettings{.bumps = 6, .amplitude = {Control::displacement, 10e-6}, .steps = 150};
+  strip.settings.set(StripSettings{.bumps = 6, .amplitude = {Control::displacement, 10e-6}, .steps = 150});
   FitData data = rig_loop(run_strip(strip), {}, 0.2, 9);
   data.experiment = FittedExperiment::strip;
   expect_found(run_fit(fit_of(strip, data, {any_friction})).parameters[0], 0.12);
 
   Case preloaded = few_bumps(0.12, 28e-6);
-  preloaded.cycle.preload = PlaneTarget{Control::displacement, {-30e-6, 30e-6}};
-  preloaded.cycle.amplitude.value = 8e-6;
-  preloaded.cycle.cycles = 5;
+  CycleSettings& cycle = preloaded.settings.get<CycleSettings>();
+  cycle.preload = PlaneTarget{Control::displacement, {-30e-6, 30e-6}};
+  cycle.amplitude.value = 8e-6;
+  cycle.cycles = 5;
   FitData swing = rig_loop(run_cycles(preloaded), {}, 0.2, 10);
   for (double& s : swing.displacements) s -= std::hypot(30e-6, 30e-6);  // rigs count from the preload
   expect_found(run_fit(fit_of(preloaded, swing, {any_friction})).parameters[0], 0.12);
@@ -353,7 +358,7 @@ TEST(Fit, IsReadFromCaseFiles) {
   const std::string clearance =
       "key = \"bearing.radial_clearance\"\nstart = \"30 um\"\nlower = 0\nupper = \"0.1 mm\"\n";
   const Case input = read(clearance);
-  const FitSettings& fit = *input.settings.find<FitSettings>();
+  const FitSettings& fit = input.settings.get<FitSettings>();
   EXPECT_EQ(fit.data[0].forces[1], 1.5);
   EXPECT_NEAR(fit.data[0].displacements[4], 4e-6, 1e-18);
   EXPECT_NEAR(fit.parameters[0].start, 30e-6, 1e-18);
@@ -404,6 +409,14 @@ TEST(Fit, RefusesNumbersThatSayNothing) {
     EXPECT_NE(said.find(part), std::string::npos) << part << said;
   }
   EXPECT_EQ(said.find("machine_stiffness:"), std::string::npos) << said;
+}
+
+TEST(Fit, NeedsDataAndParameters) {
+  Case input = reference_case();
+  input.settings.set(FitSettings{});
+  std::vector<std::string> keys;
+  for (const InputError& error : find_errors(input, {"fit"})) keys.push_back(error.key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"fit.data", "fit.parameter"}));
 }
 
 TEST(Fit, RefusesStartsThatCannotBeRun) {

@@ -43,11 +43,11 @@ constexpr double towards_middle = 0.75 * 3.141592653589793;
 /// What a rig with a soft machine reads of vibrations about 60 N, with 1 % of noise.
 FitData rig_vibrations(Case truth, double machine_stiffness) {
   const Eigen::Vector2d load = 60.0 * unit_vector(towards_middle);
-  truth.vibration = VibrationSettings{.loads = {load},
-                                      .directions = {towards_middle},
-                                      .amplitudes = amplitudes,
-                                      .frequencies = {1.0},
-                                      .steps = vibration_steps};
+  truth.settings.set(VibrationSettings{.loads = {load},
+                                       .directions = {towards_middle},
+                                       .amplitudes = amplitudes,
+                                       .frequencies = {1.0},
+                                       .steps = vibration_steps});
   FitData data;
   data.experiment = FittedExperiment::vibration;
   data.direction = towards_middle;
@@ -72,11 +72,11 @@ TEST(FitTables, FindFrictionAndMachineFromVibrationsBesideALoop) {
   FitData loop = rig_loop(run_cycles(truth), {.machine_stiffness = machine}, 0.5, 22);
   loop.direction = towards_middle;
   Case input = few_bumps(0.1, 28e-6);
-  input.vibration = VibrationSettings{.loads = {{0.0, -50.0}},
-                                      .directions = {0.0},
-                                      .amplitudes = {1e-6},
-                                      .frequencies = {1.0},
-                                      .steps = vibration_steps};
+  input.settings.set(VibrationSettings{.loads = {{0.0, -50.0}},
+                                       .directions = {0.0},
+                                       .amplitudes = {1e-6},
+                                       .frequencies = {1.0},
+                                       .steps = vibration_steps});
   const FitParameter friction = fitted("friction.coefficient", 0.1, 0.0, 0.5);
   input.settings.set(FitSettings{.data = {rig_vibrations(truth, machine), loop},
                                  .parameters = {friction, fitted("fit.machine_stiffness", 30e6, 5e6, 100e6)},
@@ -134,7 +134,7 @@ TEST(FitTables, FindTheDeeperOfTwoMinimaFromFurtherStarts) {
 /// Of a rig that reads positions from elsewhere, with noise of the standard deviations.
 FitData rig_equilibria(Case truth, double x_origin) {
   const double speed = speed_of_rpm(45000.0);
-  truth.equilibrium = EquilibriumSettings{.speeds = {speed}, .loads = {{40.0, 0.0}, {50.0, 0.0}}, .steps = 1};
+  truth.settings.set(EquilibriumSettings{.speeds = {speed}, .loads = {{40.0, 0.0}, {50.0, 0.0}}, .steps = 1});
   FitData data;
   data.experiment = FittedExperiment::equilibrium;
   std::mt19937_64 engine(23);
@@ -165,7 +165,7 @@ TEST(FitTables, FindClearanceAndOriginFromEquilibria) {
   };
   const FitData data = rig_equilibria(bearing(30e-6), 5e-6);
   Case input = bearing(31e-6);
-  input.equilibrium = EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}, .steps = 1};
+  input.settings.set(EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}, .steps = 1});
   input.settings.set(FitSettings{.data = {data},
                                  .parameters = {fitted("bearing.radial_clearance", 31e-6, 25e-6, 35e-6),
                                                 fitted("fit.data[1].x_origin", 0.0, -20e-6, 20e-6)},
@@ -210,12 +210,12 @@ TEST(FitTables, NameTheSolversThatAreUsed) {
 /// Damping of a running bearing in which contacts slide, over their friction.
 FitData damping_at(double friction) {
   Case truth = film_reference_case({.columns_per_pitch = 4, .rows = 3}, friction);
-  truth.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{40.0, 0.0}}, .steps = 1};
+  truth.settings.set(EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{40.0, 0.0}}, .steps = 1});
   const EquilibriumResult result = run_equilibrium(truth);
   const FilmWhirl& whirl = result.states.at(0).whirls.front();
   FitData data;
   data.experiment = FittedExperiment::equilibrium;
-  data.column(FitColumn::speed).values = truth.equilibrium->speeds;
+  data.column(FitColumn::speed).values = truth.settings.get<EquilibriumSettings>().speeds;
   data.column(FitColumn::load_x).values = {40.0};
   data.column(FitColumn::cyy).values = {(*whirl.impedance)(1, 1).imag() / whirl.frequency};
   data.column(FitColumn::cyy).std = 1.0;
@@ -224,7 +224,7 @@ FitData damping_at(double friction) {
 
 FitResult friction_of(const FitData& damping, double start) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, start);
-  input.equilibrium = EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}, .steps = 1};
+  input.settings.set(EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}, .steps = 1});
   input.settings.set(
       FitSettings{.data = {damping}, .parameters = {fitted("friction.coefficient", start, 0.09, 0.12)}, .starts = 1});
   return run_fit(input);

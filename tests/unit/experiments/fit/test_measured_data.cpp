@@ -52,11 +52,11 @@ std::vector<double> vibrations_alone(Case input, const std::vector<VibrationRow>
   std::vector<double> stiffnesses;
   std::vector<double> loss_factors;
   for (const VibrationRow& row : rows) {
-    input.vibration = VibrationSettings{.loads = {row.load},
-                                        .directions = {row.direction},
-                                        .amplitudes = {row.amplitude},
-                                        .frequencies = {1.0},
-                                        .steps = 2};
+    input.settings.set(VibrationSettings{.loads = {row.load},
+                                         .directions = {row.direction},
+                                         .amplitudes = {row.amplitude},
+                                         .frequencies = {1.0},
+                                         .steps = 2});
     const Cycle cycle = run_vibration(input).vibrations.front().cycle;
     stiffnesses.push_back(*cycle.loaded_stiffness);
     loss_factors.push_back(*cycle.loss_factor);
@@ -72,8 +72,8 @@ void expect_answers(const std::vector<double>& found, const std::vector<double>&
 
 TEST(MeasuredData, VibrationsAreThoseOfTheirRows) {
   Case input = few_bumps(0.15, 28e-6);
-  input.vibration = VibrationSettings{
-      .loads = {{0.0, -50.0}}, .motion = Motion::orbit, .directions = {}, .amplitudes = {5e-6}, .frequencies = {1.0}};
+  input.settings.set(VibrationSettings{
+      .loads = {{0.0, -50.0}}, .motion = Motion::orbit, .directions = {}, .amplitudes = {5e-6}, .frequencies = {1.0}});
   const auto data = measured_vibrations(measured_rows(vibration_rows), input);
   const std::vector<double> alone = vibrations_alone(input, vibration_rows);
   const auto answer = data->answer(data->case_for(input), {});
@@ -90,8 +90,8 @@ TEST(MeasuredData, VibrationsAreAboutTheLoadOfTheirColumnsThenOfTheDataThenOfThe
   Case input = few_bumps(0.15, 28e-6);
   input.bump_foil.bumps = 26;  // bumps on all sides
   const Eigen::Vector2d of_case = 70.0 * unit_vector(to_middle);
-  input.vibration =
-      VibrationSettings{.loads = {of_case}, .directions = {0.0}, .amplitudes = {1e-6}, .frequencies = {1.0}};
+  input.settings.set(
+      VibrationSettings{.loads = {of_case}, .directions = {0.0}, .amplitudes = {1e-6}, .frequencies = {1.0}});
   const std::vector<VibrationRow> one{{of_case, to_middle, 1e-6}};
   FitData table = measured_rows(one);
   const auto answer_of = [&] {
@@ -138,10 +138,11 @@ struct MeasuredPlaces {
 Case measured_bearing(FilmPath path) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
   input.solver.name = SolverName::events;
-  input.equilibrium = EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}, .path = path, .steps = 1};
-  input.equilibrium->positions = {{1e-6, 0.0}};
-  input.equilibrium->frequencies = {123.0};
-  input.equilibrium->limits = input.equilibrium->prefer_stable = true;
+  input.settings.set(EquilibriumSettings{.speeds = {1.0}, .loads = {{1.0, 0.0}}, .path = path, .steps = 1});
+  EquilibriumSettings& equilibrium = input.settings.get<EquilibriumSettings>();
+  equilibrium.positions = {{1e-6, 0.0}};
+  equilibrium.frequencies = {123.0};
+  equilibrium.limits = equilibrium.prefer_stable = true;
   return input;
 }
 
@@ -165,10 +166,12 @@ FitData measured_states(const MeasuredPlaces& table) {
 std::vector<std::vector<double>> states_along(Case input, const std::vector<double>& speeds,
                                               const std::vector<double>& loads, double frequency, bool stuck) {
   input.solver.name = SolverName::newton;
-  input.equilibrium =
-      EquilibriumSettings{.speeds = speeds, .path = input.equilibrium->path, .paths = ComparedPaths::one, .steps = 1};
-  for (const double load : loads) input.equilibrium->loads.emplace_back(load, 0.0);
-  if (frequency > 0.0) input.equilibrium->frequencies = {frequency};
+  input.settings.set(EquilibriumSettings{.speeds = speeds,
+                                         .path = input.settings.get<EquilibriumSettings>().path,
+                                         .paths = ComparedPaths::one,
+                                         .steps = 1});
+  for (const double load : loads) input.settings.get<EquilibriumSettings>().loads.emplace_back(load, 0.0);
+  if (frequency > 0.0) input.settings.get<EquilibriumSettings>().frequencies = {frequency};
   const EquilibriumResult result = run_equilibrium(input);
   std::vector<std::vector<double>> states;
   for (const RunningState& state : result.states) {
@@ -197,8 +200,8 @@ TEST(MeasuredData, EquilibriaAreThoseOfTheirRowsOnARampOfLoads) {
   const auto data = measured_equilibria(measured_states({{fast, slow, fast}, {40.0, 40.0, 50.0}, {}}));
   const Case own = data->case_for(input);
   EXPECT_EQ(own.solver.name, SolverName::newton);
-  EXPECT_TRUE(own.equilibrium->positions.empty());
-  EXPECT_FALSE(own.equilibrium->limits || own.equilibrium->prefer_stable);
+  EXPECT_TRUE(own.settings.get<EquilibriumSettings>().positions.empty());
+  EXPECT_FALSE(own.settings.get<EquilibriumSettings>().limits || own.settings.get<EquilibriumSettings>().prefer_stable);
   const auto answer = data->answer(own, {.x_origin = 1e-6, .y_origin = 2e-6, .torque_origin = 3e-3});
   ASSERT_TRUE(answer);
   const auto at_fast = states_along(input, {fast}, {40.0, 50.0}, 0.0, false);
@@ -241,7 +244,7 @@ TEST(MeasuredData, EquilibriaThatAreNotFoundAreNone) {
   Case input = measured_bearing(FilmPath::load_ramp);
   const auto data = measured_equilibria(measured_states({{5000.0}, {1e6}, {}}));
   input = data->case_for(input);
-  input.equilibrium->steps = 1;
+  input.settings.get<EquilibriumSettings>().steps = 1;
   EXPECT_FALSE(data->answer(input, {}));
 }
 

@@ -44,7 +44,7 @@ void expect_error(const std::string& text, const std::string& key, const std::st
 
 TEST(OptimiseSettings, AreReadFromCaseFilesAndWritten) {
   const Case input = read_optimisation(std::string(table) + clearance + "start = 3e-5\nlog = true\n");
-  const OptimiseSettings& optimise = *input.settings.find<OptimiseSettings>();
+  const OptimiseSettings& optimise = input.settings.get<OptimiseSettings>();
   EXPECT_EQ(optimise.command, "cycle");
   EXPECT_EQ(optimise.maximise, std::vector<std::string>{"loss_factor"});
   EXPECT_EQ(optimise.limits, std::vector<std::string>{"max_force > 100 N"});

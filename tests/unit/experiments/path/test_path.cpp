@@ -13,10 +13,12 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "results/netcdf_image.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -57,17 +59,17 @@ Program path_program(const PathSettings& path) {
 }
 
 TEST(PathProgram, BeginsWithTheWayToTheFirstPoint) {
-  const Program through = path_program(*along({{1e-6, 0.0}, {1e-6, 2e-6}}).settings.find<PathSettings>());
+  const Program through = path_program(along({{1e-6, 0.0}, {1e-6, 2e-6}}).settings.get<PathSettings>());
   ASSERT_EQ(through.size(), 2U);
   EXPECT_EQ(through[1].line.place(through[1].begin), Eigen::Vector2d(1e-6, 0.0));
   EXPECT_EQ(through[1].line.place(through[1].end), Eigen::Vector2d(1e-6, 2e-6));
   // The assembly is the first point where that is the centre of the bearing.
-  EXPECT_EQ(increments_of(path_program(*along({{0.0, 0.0}, {1e-6, 0.0}}).settings.find<PathSettings>())), 2);
-  EXPECT_EQ(increments_of(path_program(*along({{1e-6, 0.0}, {0.0, 0.0}}).settings.find<PathSettings>())), 3);
+  EXPECT_EQ(increments_of(path_program(along({{0.0, 0.0}, {1e-6, 0.0}}).settings.get<PathSettings>())), 2);
+  EXPECT_EQ(increments_of(path_program(along({{1e-6, 0.0}, {0.0, 0.0}}).settings.get<PathSettings>())), 3);
 }
 
 TEST(PathProgram, GoesRoundAnEllipseInItsSense) {
-  PathSettings path = *orbiting().settings.find<PathSettings>();
+  PathSettings path = orbiting().settings.get<PathSettings>();
   for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
     path.sense = sense;
     const Program program = path_program(path);
@@ -91,8 +93,9 @@ TEST(RunPath, AlongALineIsACycle) {
   for (const SolverName solver : {SolverName::newton, SolverName::events}) {
     Case input = reference_case();
     input.solver.name = solver;
-    input.cycle.directions = {0.7};
-    input.cycle.steps = 20;
+    CycleSettings& settings = input.settings.get<CycleSettings>();
+    settings.directions = {0.7};
+    settings.steps = 20;
     const Cycle cycle = run_cycles(input).cycles[0];
     PathSettings& path = input.settings.set(PathSettings{});
     for (const Increment& increment : cycle.increments) path.points.values.emplace_back(increment.x, increment.y);
@@ -119,7 +122,7 @@ TEST(RunPath, OfTheMirrorImageIsTheMirrorImage) {
   const Case input = orbiting();
   Case mirrored = input;
   mirrored.bearing.wrap = Wrap::counterclockwise;
-  PathSettings& path = *mirrored.settings.find<PathSettings>();
+  PathSettings& path = mirrored.settings.get<PathSettings>();
   path.centre.value.y() *= -1.0;
   path.tilt *= -1.0;
   path.sense = Sense::clockwise;
@@ -158,7 +161,7 @@ TEST(RunPath, OrbitsTakeWhatFrictionTakes) {
 TEST(RunPath, OrbitsWithoutFrictionTakeNothing) {
   Case input = orbiting(SolverName::events);
   input.friction = {};
-  input.settings.find<PathSettings>()->orbits = 1;
+  input.settings.get<PathSettings>().orbits = 1;
   const CycleResult result = run_path(input);
   ASSERT_TRUE(result.converged());
   const Increment& begin = only(result).increments[40];
@@ -174,9 +177,10 @@ TEST(RunPath, OrbitsWithoutFrictionTakeExactlyNothing) {
         for (const int steps : {8, 40, 41}) {
           Case input = orbiting(solver);
           input.friction = {};
-          input.settings.find<PathSettings>()->sense = sense;
-          input.settings.find<PathSettings>()->semi_axes.value = axes;
-          input.settings.find<PathSettings>()->steps = steps;
+          PathSettings& path = input.settings.get<PathSettings>();
+          path.sense = sense;
+          path.semi_axes.value = axes;
+          path.steps = steps;
           const CycleResult result = run_path(input);
           ASSERT_TRUE(result.converged());
           for (const OrbitLoop& orbit : only(result).orbits) EXPECT_EQ(orbit.energy, 0.0) << axes << ' ' << steps;
@@ -189,7 +193,7 @@ TEST(RunPath, OrbitsWithoutFrictionTakeExactlyNothing) {
 TEST(RunPath, OrbitsWithFrictionTakeTheirWork) {
   for (const int steps : {8, 40}) {
     Case input = orbiting();
-    input.settings.find<PathSettings>()->steps = steps;
+    input.settings.get<PathSettings>().steps = steps;
     const CycleResult result = run_path(input);
     const auto& increments = only(result).increments;
     const auto at = [&](int orbit) { return increments[static_cast<std::size_t>((orbit + 1) * steps)].work; };
@@ -199,9 +203,10 @@ TEST(RunPath, OrbitsWithFrictionTakeTheirWork) {
 
 TEST(RunPath, FollowsLoadsInThePlane) {
   Case input = orbiting();
-  input.settings.find<PathSettings>()->centre = {Control::load, {0.0, -80.0}};
-  input.settings.find<PathSettings>()->semi_axes = {Control::load, {20.0, 20.0}};
-  input.settings.find<PathSettings>()->orbits = 1;
+  PathSettings& path = input.settings.get<PathSettings>();
+  path.centre = {Control::load, {0.0, -80.0}};
+  path.semi_axes = {Control::load, {20.0, 20.0}};
+  path.orbits = 1;
   const CycleResult result = run_path(input);
   ASSERT_TRUE(result.converged());
   for (std::size_t k = 40; k <= 80; ++k) {
@@ -226,7 +231,7 @@ TEST(RunPath, TangentsAreThoseOfOneSidedDifferences) {
   const Eigen::Vector2d direction = (points[3] - points[2]).normalized();
   for (const double sense : {1.0, -1.0}) {
     Case beyond = input;
-    beyond.settings.find<PathSettings>()->points.values.push_back(points[3] + sense * 1e-11 * direction);
+    beyond.settings.get<PathSettings>().points.values.push_back(points[3] + sense * 1e-11 * direction);
     const CycleResult further = run_path(beyond);
     const Increment& a = only(further).increments[4];
     const Increment& b = only(further).increments[5];
@@ -261,8 +266,9 @@ Case long_orbit() {
   input.bump_foil.bumps = 8;
   input.bump_foil.model = BumpFoilModel::frame;
   input.pads.resize(3);
-  input.settings.find<PathSettings>()->orbits = 4;
-  input.settings.find<PathSettings>()->steps = 700;
+  PathSettings& path = input.settings.get<PathSettings>();
+  path.orbits = 4;
+  path.steps = 700;
   return input;
 }
 
@@ -307,7 +313,7 @@ TEST(RunPath, ForgetsWhatItHasPassedOn) {
 
 TEST(RunPath, RefusesPathsThatTheMemoryDoesNotHold) {
   Case input = orbiting();
-  input.settings.find<PathSettings>()->orbits = 1'000'000;
+  input.settings.get<PathSettings>().orbits = 1'000'000;
   try {
     run_path(input);
     FAIL();
@@ -402,6 +408,25 @@ TEST(PathExperiment, WritesPartialResultsAsItGoes) {
   expect_same_files(long_orbit(), [](double calls) { return calls < 2000.0; });
   expect_same_files(orbiting(), [](double calls) { return calls < 50.0; });
   expect_same_files(along({{0.0, -50.0}, {0.0, -1e7}}, Control::load));
+}
+
+TEST(PathSettings, KnowsPathsThroughPointsOrRoundAnEllipse) {
+  const auto path = [](const PathSettings& settings) {
+    return test_support::wrong_keys([&](Case& input) { input.settings.set(settings); });
+  };
+  PathSettings orbit;
+  orbit.centre.value = {0.0, -40e-6};
+  orbit.semi_axes.value = {10e-6, 0.0};
+  EXPECT_EQ(path(orbit), test_support::Keys{});
+  PathSettings points;
+  points.points.values = {{0.0, -40e-6}};
+  EXPECT_EQ(path(points), test_support::Keys{});
+  points.semi_axes = orbit.semi_axes;
+  EXPECT_EQ(path(points), test_support::Keys{"path.semi_axes"});
+  points.centre = orbit.centre;
+  EXPECT_EQ(path(points), test_support::Keys{"path.centre"});
+  orbit.centre.control = Control::load;
+  EXPECT_EQ(path(orbit), test_support::Keys{"path.semi_axes"});
 }
 
 }  // namespace

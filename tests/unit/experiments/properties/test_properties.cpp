@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bumpfoil/experiments/reference_case.hpp"
+
 namespace bumpfoil {
 namespace {
 

@@ -8,6 +8,8 @@
 #include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
 #include "support/full_increment.hpp"
 
 namespace bumpfoil {
@@ -22,7 +24,7 @@ Case strip_case(BumpFoilModel model, StripWeld weld, bool top_foil) {
   strip.top_foil = top_foil;
   strip.amplitude = {.control = Control::displacement, .value = 10e-6};
   strip.steps = 8;
-  input.strip = strip;
+  input.settings.set(strip);
   return input;
 }
 
@@ -39,7 +41,7 @@ class Strip : public testing::TestWithParam<Layout> {
 
 TEST_P(Strip, WithoutFrictionHasNoLoopAndCyclesRepeat) {
   input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
-  input.strip->cycles = 2;
+  input.settings.get<StripSettings>().cycles = 2;
   const CycleResult result = run_strip(input);
   ASSERT_TRUE(result.converged());
   ASSERT_EQ(result.cycles.size(), 2U);
@@ -52,7 +54,7 @@ TEST_P(Strip, WithoutFrictionHasNoLoopAndCyclesRepeat) {
 }
 
 TEST_P(Strip, WithFrictionSettlesInAClosedLoop) {
-  input.strip->cycles = 3;
+  input.settings.get<StripSettings>().cycles = 3;
   const CycleResult result = run_strip(input);
   ASSERT_TRUE(result.converged());
   EXPECT_EQ(result.experiment, Experiment::strip);
@@ -111,8 +113,9 @@ TEST_P(Strip, SolversAgree) {
 TEST_P(Strip, ByLoadOrByDisplacementIsOnePath) {
   const CycleResult by_displacement = run_strip(input);
   const double force = by_displacement.cycles[0].turning_point->max_force;
-  input.strip->amplitude = {.control = Control::load, .value = force};
-  input.strip->steps = 40;
+  StripSettings& strip = input.settings.get<StripSettings>();
+  strip.amplitude = {.control = Control::load, .value = force};
+  strip.steps = 40;
   const CycleResult by_load = run_strip(input);
   ASSERT_TRUE(by_load.converged());
   const Cycle& cycle = by_load.cycles[0];
@@ -144,7 +147,7 @@ class FreeStrip : public testing::TestWithParam<std::tuple<BumpFoilModel, bool, 
 
 TEST_P(FreeStrip, IsSymmetric) {
   for (const int bumps : {1, 2, 4, 5}) {
-    input.strip->bumps = bumps;
+    input.settings.get<StripSettings>().bumps = bumps;
     const CycleResult result = run_strip(input);
     ASSERT_TRUE(result.converged()) << bumps;
     for (const FullIncrement& increment : full_increments(result.cycles[0])) {
@@ -197,9 +200,9 @@ INSTANTIATE_TEST_SUITE_P(Free, FreeStrip,
 
 TEST(RunStrip, IsFullyReversedAboutItsPreload) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
-  input.strip->cycles = 2;
+  input.settings.get<StripSettings>().cycles = 2;
   for (const Target preload : {Target{Control::displacement, 15e-6}, Target{Control::load, 150.0}}) {
-    input.strip->preload = preload;
+    input.settings.get<StripSettings>().preload = preload;
     const CycleResult result = run_strip(input);
     ASSERT_TRUE(result.converged());
     for (const Cycle& cycle : result.cycles) {
@@ -227,7 +230,7 @@ TEST(RunStrip, AssemblyBelongsToTheFirstCycleAlone) {
   Case input = strip_case(BumpFoilModel::truss, StripWeld::one_end, true);
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[3] = 10e-6;  // pressed, and sliding, as soon as the strip is put together
-  input.strip->cycles = 2;
+  input.settings.get<StripSettings>().cycles = 2;
   const CycleResult result = run_strip(input);
   ASSERT_TRUE(result.converged());
   EXPECT_GT(result.cycles[0].assembly_dissipation, 1e-6 * *result.cycles[0].loop_energy);
@@ -236,7 +239,7 @@ TEST(RunStrip, AssemblyBelongsToTheFirstCycleAlone) {
 
 TEST(RunStrip, SwingHasNoStiffnessBeforeItsLowerTurningPoint) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
-  input.strip->preload = Target{Control::displacement, 15e-6};
+  input.settings.get<StripSettings>().preload = Target{Control::displacement, 15e-6};
   // The lower turning point is increment 24; one run ends with the one before, the other with it.
   for (const std::size_t increments : {24U, 25U}) {
     std::size_t calls = 0;
@@ -250,12 +253,13 @@ TEST(RunStrip, SwingHasNoStiffnessBeforeItsLowerTurningPoint) {
 /// Loading from 0 to 20 um and back, and going about 10 um by as much, is the same loop: so is its loss factor.
 TEST(RunStrip, LossFactorDoesNotAskWhereTheLoopBegan) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
-  input.strip->amplitude = {.control = Control::displacement, .value = 20e-6};
-  input.strip->steps = 50;
-  input.strip->cycles = 2;
+  StripSettings& strip = input.settings.get<StripSettings>();
+  strip.amplitude = {.control = Control::displacement, .value = 20e-6};
+  strip.steps = 50;
+  strip.cycles = 2;
   const double push = *run_strip(input).cycles[1].loss_factor;
-  input.strip->amplitude = {.control = Control::displacement, .value = 10e-6};
-  input.strip->preload = Target{Control::displacement, 10e-6};
+  strip.amplitude = {.control = Control::displacement, .value = 10e-6};
+  strip.preload = Target{Control::displacement, 10e-6};
   const double swing = *run_strip(input).cycles[1].loss_factor;
   EXPECT_GT(push, 0.05);
   // They differ by the 1 % of the force that the take-up point lies at.
@@ -275,7 +279,7 @@ TEST(RunStrip, HeightErrorsActBumpByBump) {
 
 TEST(RunStrip, StopsWhenItIsTold) {
   Case input = strip_case(BumpFoilModel::truss, StripWeld::one_end, true);
-  input.strip->cycles = 3;
+  input.settings.get<StripSettings>().cycles = 3;
   int calls = 0;
   const CycleResult result = run_strip(input, [&](double done) {
     EXPECT_NEAR(done, ++calls / 51.0, 1e-12);
@@ -289,8 +293,9 @@ TEST(RunStrip, StopsWhenItIsTold) {
 
 TEST(RunStrip, ALoadBeyondReachIsAFailureThatEndsTheRun) {
   Case input = strip_case(BumpFoilModel::truss, StripWeld::one_end, true);
-  input.strip->amplitude = {.control = Control::load, .value = 1e6};
-  input.strip->cycles = 3;
+  StripSettings& strip = input.settings.get<StripSettings>();
+  strip.amplitude = {.control = Control::load, .value = 1e6};
+  strip.cycles = 3;
   const CycleResult result = run_strip(input);
   EXPECT_FALSE(result.converged());
   ASSERT_EQ(result.cycles.size(), 1U);
@@ -304,7 +309,7 @@ TEST(RunStrip, ALoadBeyondReachIsAFailureThatEndsTheRun) {
 
 TEST(RunStrip, APreloadBeyondReachFailsAtTheStart) {
   Case input = strip_case(BumpFoilModel::truss, StripWeld::one_end, true);
-  input.strip->preload = Target{Control::load, 1e6};
+  input.settings.get<StripSettings>().preload = Target{Control::load, 1e6};
   const CycleResult result = run_strip(input);
   ASSERT_EQ(result.cycles.size(), 1U);
   EXPECT_EQ(result.cycles[0].status, Status::load_out_of_reach);

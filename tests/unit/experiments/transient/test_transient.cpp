@@ -31,13 +31,13 @@ using test_support::wrong_keys;
 Case marched_case(std::vector<SpeedPhase> speed) {
   Case input = film_rotor_case({4, 4});
   input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
-  input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
+  input.settings.get<RotorSettings>().unbalances.emplace_back().amount = 2e-6;
   input.settings.set(TransientSettings{.speed = std::move(speed), .steps_per_revolution = 30});
   return input;
 }
 
 TransientSettings& settings_of(Case& input) {
-  return *input.settings.find<TransientSettings>();
+  return input.settings.get<TransientSettings>();
 }
 
 /// Some turns of the rotor at this speed.
@@ -301,7 +301,7 @@ TEST(Transient, ShowsTurnsAndRubsInATable) {
 /// Warnings name the bearing concerned.
 TEST(Transient, WarnsOfEachBearing) {
   Case input = marched_case({turning(12000.0, 1.0)});
-  RotorSettings& rotor = *input.settings.find<RotorSettings>();
+  RotorSettings& rotor = input.settings.get<RotorSettings>();
   rotor.bearings = {-0.05, 0.05};
   rotor.transverse_inertia = 4e-3;
   input.rotor_bearings.resize(2);

@@ -31,14 +31,14 @@ using test_support::wrong_keys;
 /// 1 kg on each bearing, its centre of mass 1 um from the axis along +X.
 Case unbalanced_case(const std::vector<double>& rpm, FilmResolution mesh = {4, 4}) {
   Case input = film_rotor_case(mesh);
-  input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
+  input.settings.get<RotorSettings>().unbalances.emplace_back().amount = 2e-6;
   input.settings.set(UnbalanceSettings{.speeds = speeds_of_rpm(rpm)});
   return input;
 }
 
 /// Asks for periodic orbits, too.
 UnbalanceSettings with_orbits(Case& input, int steps_per_revolution) {
-  UnbalanceSettings& settings = *input.settings.find<UnbalanceSettings>();
+  UnbalanceSettings& settings = input.settings.get<UnbalanceSettings>();
   settings.orbits = true;
   settings.steps_per_revolution = steps_per_revolution;
   return settings;
@@ -68,7 +68,7 @@ TEST(Unbalance, IsThatOfItsRotor) {
   ASSERT_TRUE(alone.has_value());
   EXPECT_LT((*result.points[0].stuck - *alone).norm(), 1e-9 * alone->norm());
   Case turned = input;
-  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  RotorSettings rotor = input.settings.get<RotorSettings>();
   rotor.unbalances[0].phase = 0.7;
   rotor.unbalances[0].amount = 6e-6;
   turned.settings.set(rotor);
@@ -82,7 +82,7 @@ TEST(Unbalance, IsThatOfItsRotor) {
 TEST(Unbalance, TakesAGrade) {
   const Case input = unbalanced_case({-12000.0});
   Case graded = input;
-  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  RotorSettings rotor = input.settings.get<RotorSettings>();
   rotor.unbalances[0] = {};
   rotor.unbalances[0].grade = 2.5e-3;
   rotor.unbalances[0].grade_speed = speed_of_rpm(12000.0);
@@ -296,7 +296,7 @@ TEST(Unbalance, NoiseIsNoMultiplier) {
 TEST(Unbalance, MultipliersAreThoseOfFreeMotions) {
   Case input = unbalanced_case({-9000.0, -9001.0});
   const UnbalanceSettings settings = with_orbits(input, 60);
-  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  RotorSettings rotor = input.settings.get<RotorSettings>();
   rotor.unbalances[0].amount = 2e-7;
   input.settings.set(rotor);
   const UnbalanceResult result = run_unbalance(input);
@@ -313,7 +313,7 @@ TEST(Unbalance, MultipliersAreThoseOfFreeMotions) {
 /// An orbit as large as the film is no small motion.
 TEST(Unbalance, WarnsOfLargeOrbits) {
   Case input = unbalanced_case({-12000.0});
-  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  RotorSettings rotor = input.settings.get<RotorSettings>();
   rotor.unbalances[0].amount = 5e-5;
   input.settings.set(rotor);
   const Outcome outcome = experiment_named("unbalance").run(input, {});
@@ -326,7 +326,7 @@ TEST(Unbalance, WarnsOfLargeOrbits) {
 TEST(Unbalance, FindsTheOrbit) {
   Case input = unbalanced_case({-11000.0});
   with_orbits(input, 60);
-  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  RotorSettings rotor = input.settings.get<RotorSettings>();
   rotor.unbalances[0].amount = 2e-7;
   input.settings.set(rotor);
   const UnbalanceResult result = run_unbalance(input);

@@ -21,18 +21,18 @@ using std::numbers::pi;
 Case vibration_case(SolverName solver = SolverName::newton) {
   Case input = case_with_given_constants();
   input.solver.name = solver;
-  input.vibration = VibrationSettings{.loads = {{0.0, -50.0}},
-                                      .directions = {0.0, 0.5 * pi},
-                                      .amplitudes = {1e-6},
-                                      .frequencies = {2.0 * pi * 200.0},
-                                      .steps = 20};
+  input.settings.set(VibrationSettings{.loads = {{0.0, -50.0}},
+                                       .directions = {0.0, 0.5 * pi},
+                                       .amplitudes = {1e-6},
+                                       .frequencies = {2.0 * pi * 200.0},
+                                       .steps = 20});
   return input;
 }
 
 /// The only one of a result.
 LinearFoils only(const Case& input, const VibrationResult& result) {
   EXPECT_TRUE(result.converged());
-  const std::vector<LinearFoils> all = linear_foils(*input.vibration, result);
+  const std::vector<LinearFoils> all = linear_foils(input.settings.get<VibrationSettings>(), result);
   EXPECT_EQ(all.size(), 1U);
   return all.at(0);
 }
@@ -104,7 +104,7 @@ class OneBumpVibration : public testing::Test {
     input.bump_foil.bumps = 1;
     input.bump_foil.truss = {.k1 = 150e6, .k2 = 5.43e6, .k3 = 1.36e6, .k4 = 11.25e6, .theta_d = 15.83 * pi / 180.0};
     direction = polar_angles(input.bearing, crest_angles(input))[0];
-    input.vibration->directions = {direction};
+    input.settings.get<VibrationSettings>().directions = {direction};
     set_friction(0.1);
     top_foil = 1.0 / top_foil_compliance();
   }
@@ -116,7 +116,7 @@ class OneBumpVibration : public testing::Test {
   /// The load that the crest carries when pushed outward by v for the first time.
   void press(double v) {
     const double load = (bump.slipping(1.0) + top_foil) * v;
-    input.vibration->loads = {load * unit_vector(direction)};
+    input.settings.get<VibrationSettings>().loads = {load * unit_vector(direction)};
     middle = v;
   }
   /// A cantilever: [Arghir2019, Eq. 5] with i = j = 1.
@@ -141,7 +141,7 @@ class OneBumpVibration : public testing::Test {
 TEST_F(OneBumpVibration, HasTheLoopOfTheClosedForm) {
   press(10e-6);
   for (const double amplitude : {0.5e-6, 2e-6, 8e-6}) {
-    input.vibration->amplitudes = {amplitude};
+    input.settings.get<VibrationSettings>().amplitudes = {amplitude};
     const VibrationResult result = run_vibration(input);
     ASSERT_TRUE(result.converged());
     const FirstHarmonic& harmonic = *result.vibrations[0].harmonic;
@@ -160,10 +160,10 @@ TEST_F(OneBumpVibration, HasTheLoopOfTheClosedForm) {
 TEST_F(OneBumpVibration, ConvergesWithTheIncrements) {
   input.solver.name = SolverName::newton;
   press(10e-6);
-  input.vibration->amplitudes = {3e-6};
+  input.settings.get<VibrationSettings>().amplitudes = {3e-6};
   const double expected = in_phase(corners(bump, top_foil, 7e-6, 13e-6), middle, 3e-6);
   const auto error = [&](int steps) {
-    input.vibration->steps = steps;
+    input.settings.get<VibrationSettings>().steps = steps;
     const VibrationResult result = run_vibration(input);
     return std::abs(direct(result.vibrations.at(0).harmonic->stiffness) - expected) / expected;
   };
@@ -177,7 +177,7 @@ TEST_F(OneBumpVibration, GoesFromTheStuckStiffnessToTheSlidingOneAsTheAmplitudeG
   // The part of the loop that sticks shrinks with the friction over the amplitude.
   set_friction(1e-2);
   press(10e-6);
-  input.vibration->amplitudes = {1e-9, 1e-8, 1e-7, 1e-6, 9e-6};
+  input.settings.get<VibrationSettings>().amplitudes = {1e-9, 1e-8, 1e-7, 1e-6, 9e-6};
   const VibrationResult result = run_vibration(input);
   ASSERT_TRUE(result.converged());
   std::vector<double> stiffness;
@@ -193,8 +193,9 @@ TEST_F(OneBumpVibration, GoesFromTheStuckStiffnessToTheSlidingOneAsTheAmplitudeG
 
 TEST(RunVibration, ToNoAmplitudeIsStuck) {
   Case input = vibration_case();
-  input.vibration->loads = {{80.0, 20.0}};
-  input.vibration->amplitudes = {1e-9};
+  VibrationSettings& vibration = input.settings.get<VibrationSettings>();
+  vibration.loads = {{80.0, 20.0}};
+  vibration.amplitudes = {1e-9};
   const VibrationResult result = run_vibration(input);
   const LinearFoils foils = only(input, result);
   const Eigen::Matrix2d stuck = *result.loads[0].tangents.unloading;
@@ -212,9 +213,10 @@ class RunVibrationWith : public testing::TestWithParam<SolverName> {};
 
 TEST_P(RunVibrationWith, Dissipates) {
   Case input = vibration_case(GetParam());
-  input.vibration->loads = {{0.0, -50.0}, {80.0, 20.0}};
-  input.vibration->amplitudes = {0.5e-6, 3e-6};
-  input.vibration->steps = 10;
+  VibrationSettings& vibration = input.settings.get<VibrationSettings>();
+  vibration.loads = {{0.0, -50.0}, {80.0, 20.0}};
+  vibration.amplitudes = {0.5e-6, 3e-6};
+  vibration.steps = 10;
   const VibrationResult result = run_vibration(input);
   ASSERT_TRUE(result.converged());
   ASSERT_EQ(result.vibrations.size(), 8U);
@@ -234,13 +236,14 @@ TEST_P(RunVibrationWith, Dissipates) {
 
 TEST_P(RunVibrationWith, HasAMirrorImage) {
   Case input = vibration_case(GetParam());
-  input.vibration->loads = {{30.0, -50.0}};
+  input.settings.get<VibrationSettings>().loads = {{30.0, -50.0}};
   const LinearFoils foils = only(input, run_vibration(input));
   Case image = input;
   image.bearing.weld_angle = -input.bearing.weld_angle;
   image.bearing.wrap = Wrap::counterclockwise;
-  image.vibration->loads = {{30.0, 50.0}};
-  image.vibration->directions = {0.0, -0.5 * pi};
+  VibrationSettings& vibration = image.settings.get<VibrationSettings>();
+  vibration.loads = {{30.0, 50.0}};
+  vibration.directions = {0.0, -0.5 * pi};
   const LinearFoils mirrored = only(image, run_vibration(image));
   const Eigen::DiagonalMatrix<double, 2> mirror(1.0, -1.0);
   const double size = foils.stiffness.norm();
@@ -274,12 +277,13 @@ TEST(RunVibration, HoldsTheCrossDisplacementAndGoesRound) {
 
 TEST(RunVibration, AboutOneLoadKnowsNothingOfTheOthers) {
   Case input = vibration_case();
-  input.vibration->loads = {{0.0, -50.0}, {60.0, 0.0}};
-  input.vibration->amplitudes = {1e-6, 2e-6};
+  VibrationSettings& vibration = input.settings.get<VibrationSettings>();
+  vibration.loads = {{0.0, -50.0}, {60.0, 0.0}};
+  vibration.amplitudes = {1e-6, 2e-6};
   const VibrationResult all = run_vibration(input);
-  input.vibration->loads = {{60.0, 0.0}};
-  input.vibration->directions = {0.5 * pi};
-  input.vibration->amplitudes = {2e-6};
+  vibration.loads = {{60.0, 0.0}};
+  vibration.directions = {0.5 * pi};
+  vibration.amplitudes = {2e-6};
   const VibrationResult alone = run_vibration(input);
   ASSERT_TRUE(all.converged() && alone.converged());
   EXPECT_EQ(all.vibrations[7].harmonic->stiffness, alone.vibrations[0].harmonic->stiffness);
@@ -289,7 +293,7 @@ TEST(RunVibration, AboutOneLoadKnowsNothingOfTheOthers) {
 TEST(LinearFoilsOf, OneDirectionAreItsColumn) {
   Case input = vibration_case();
   const LinearFoils both = only(input, run_vibration(input));
-  input.vibration->directions = {1.5 * pi};  // -Y: the same loop, begun on its other side
+  input.settings.get<VibrationSettings>().directions = {1.5 * pi};  // -Y: the same loop, begun on its other side
   const VibrationResult down = run_vibration(input);
   const LinearFoils column = only(input, down);
   EXPECT_TRUE(std::isnan(column.stiffness(0, 0)) && std::isnan(column.loss(1, 0)));
@@ -298,17 +302,18 @@ TEST(LinearFoilsOf, OneDirectionAreItsColumn) {
   EXPECT_TRUE(std::isnan(column.loss_factor.x()));
   EXPECT_EQ(column.loss_factor.y(), *down.vibrations[0].cycle.loss_factor);
   EXPECT_EQ(column.damping(100.0)(1, 1), column.loss(1, 1) / 100.0);
-  input.vibration->directions = {1.0};
+  input.settings.get<VibrationSettings>().directions = {1.0};
   const LinearFoils skew = only(input, run_vibration(input));
   EXPECT_TRUE(skew.stiffness.array().isNaN().all() && skew.loss_factor.array().isNaN().all());
 }
 
 TEST(LinearFoilsOf, TwoDirectionsAreTheMatrix) {
   Case input = vibration_case();
-  input.vibration->loads = {{80.0, 20.0}};
-  input.vibration->amplitudes = {1e-9};  // stick: one matrix for all directions
+  VibrationSettings& vibration = input.settings.get<VibrationSettings>();
+  vibration.loads = {{80.0, 20.0}};
+  vibration.amplitudes = {1e-9};  // stick: one matrix for all directions
   const LinearFoils axes = only(input, run_vibration(input));
-  input.vibration->directions = {0.5, 0.5 - 0.5 * pi};
+  vibration.directions = {0.5, 0.5 - 0.5 * pi};
   const LinearFoils skew = only(input, run_vibration(input));
   // A hundred loops leave a little that still slips.
   EXPECT_LT((axes.stiffness - skew.stiffness).norm(), 1e-4 * axes.stiffness.norm());
@@ -318,10 +323,11 @@ TEST(LinearFoilsOf, TwoDirectionsAreTheMatrix) {
 Case orbiting_case(double friction, double radius, int steps = 20) {
   Case input = vibration_case();
   input.friction = {.top_bump = friction, .bump_sleeve = friction};
-  input.vibration->motion = Motion::orbit;
-  input.vibration->directions.clear();
-  input.vibration->amplitudes = {radius};
-  input.vibration->steps = steps;
+  VibrationSettings& vibration = input.settings.get<VibrationSettings>();
+  vibration.motion = Motion::orbit;
+  vibration.directions.clear();
+  vibration.amplitudes = {radius};
+  vibration.steps = steps;
   return input;
 }
 
@@ -365,12 +371,12 @@ TEST(RunVibration, RoundACircleIsStoppedBetweenTwo) {
   EXPECT_EQ(result.vibrations[0].cycle.status, Status::interrupted);
   EXPECT_FALSE(result.vibrations[0].harmonic);
   EXPECT_EQ(result.vibrations[1].cycle.status, Status::interrupted);
-  EXPECT_TRUE(std::isnan(linear_foils(*input.vibration, result)[0].stiffness(0, 0)));
+  EXPECT_TRUE(std::isnan(linear_foils(input.settings.get<VibrationSettings>(), result)[0].stiffness(0, 0)));
 }
 
 TEST(RunVibration, GoesOnBesideALoadThatIsOutOfReach) {
   Case input = vibration_case();
-  input.vibration->loads = {{0.0, -1e8}, {0.0, -50.0}};
+  input.settings.get<VibrationSettings>().loads = {{0.0, -1e8}, {0.0, -50.0}};
   const VibrationResult result = run_vibration(input);
   EXPECT_FALSE(result.converged());
   ASSERT_EQ(result.vibrations.size(), 4U);
@@ -381,7 +387,7 @@ TEST(RunVibration, GoesOnBesideALoadThatIsOutOfReach) {
     EXPECT_FALSE(result.vibrations[i].harmonic);
     EXPECT_TRUE(result.vibrations[i + 2].cycle.converged());
   }
-  const std::vector<LinearFoils> all = linear_foils(*input.vibration, result);
+  const std::vector<LinearFoils> all = linear_foils(input.settings.get<VibrationSettings>(), result);
   EXPECT_TRUE(all[0].stiffness.array().isNaN().all() && std::isnan(all[0].residual));
   EXPECT_TRUE(all[1].stiffness.allFinite());
 }
@@ -403,7 +409,7 @@ TEST(RunVibration, EndsWhereItIsStopped) {
 
 TEST(RunVibration, NeedsItsTable) {
   Case input = vibration_case();
-  input.vibration.reset();
+  input.settings.remove<VibrationSettings>();
   EXPECT_THROW(run_vibration(input), Error);
 }
 

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/pages/report.hpp"
 #include "bumpfoil/results/checksum.hpp"
 #include "experiments/vibration/ross_toml.hpp"
@@ -26,18 +27,18 @@ using nlohmann::json;
 /// One load is reachable, the other is not.
 Case filed_vibration_case() {
   Case input = reference_case();
-  input.vibration = VibrationSettings{.loads = {{0.0, -50.0}, {0.0, -1e8}},
-                                      .directions = {0.0, 0.5 * std::numbers::pi},
-                                      .amplitudes = {1e-6, 2e-6},
-                                      .frequencies = {1000.0, 2000.0},
-                                      .steps = 8};
+  input.settings.set(VibrationSettings{.loads = {{0.0, -50.0}, {0.0, -1e8}},
+                                       .directions = {0.0, 0.5 * std::numbers::pi},
+                                       .amplitudes = {1e-6, 2e-6},
+                                       .frequencies = {1000.0, 2000.0},
+                                       .steps = 8});
   return input;
 }
 
 struct Run {
   Case input{filed_vibration_case()};
   VibrationResult result{run_vibration(input)};
-  std::vector<LinearFoils> foils{linear_foils(*input.vibration, result)};
+  std::vector<LinearFoils> foils{linear_foils(input.settings.get<VibrationSettings>(), result)};
   std::vector<ResultFile> files{test_support::files_of("vibration", input, vibration_outcome(input, result),
                                                        RunStatus::failed,
                                                        {.command_line = "bumpfoil", .case_text = ""})};
@@ -166,7 +167,7 @@ TEST(VibrationFiles, TellWhatEachPadTakes) {
   input.bump_foil.bumps = 7;
   input.bearing.radial_clearance = -2e-6;
   input.pads.resize(3);
-  input.vibration->directions.pop_back();
+  input.settings.get<VibrationSettings>().directions.pop_back();
   const VibrationResult result = run_vibration(input);
   const test_support::TemporaryFolder folder;
   for (const ResultFile& file : test_support::files_of("vibration", input, vibration_outcome(input, result), {},
@@ -267,11 +268,12 @@ TEST(ExportedFrequencies, AreFiveAtLeast) {
 
 TEST(VibrationFiles, OfOrbitsHaveASenseForADirection) {
   Case input = filed_vibration_case();
-  input.vibration->loads.pop_back();
-  input.vibration->motion = Motion::orbit;
-  input.vibration->directions.clear();
+  VibrationSettings& vibration = input.settings.get<VibrationSettings>();
+  vibration.loads.pop_back();
+  vibration.motion = Motion::orbit;
+  vibration.directions.clear();
   const VibrationResult result = run_vibration(input);
-  const std::vector<LinearFoils> foils = linear_foils(*input.vibration, result);
+  const std::vector<LinearFoils> foils = linear_foils(vibration, result);
   const test_support::TemporaryFolder folder;
   for (const ResultFile& file : test_support::files_of("vibration", input, vibration_outcome(input, result), {},
                                                        {.command_line = "bumpfoil", .case_text = ""})) {

@@ -2,6 +2,11 @@
 
 #include <numbers>
 
+#include "bumpfoil/experiments/cycle/cycle_settings.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
+#include "bumpfoil/experiments/reference_case.hpp"
+#include "bumpfoil/experiments/strip/strip_settings.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -46,7 +51,7 @@ Preset rubio() {
   foil.height = 0.381e-3;
   foil.youngs_modulus = 213e9;
   preset.input.top_foil.youngs_modulus = 213e9;
-  preset.input.cycle.amplitude.value = 63.6e-6;
+  preset.input.settings.get<CycleSettings>().amplitude.value = 63.6e-6;
   return preset;
 }
 
@@ -80,8 +85,8 @@ Preset larsen() {
   foil.youngs_modulus = 207e9;
   foil.poisson_ratio = 0.3;
   input.top_foil = {.thickness = 0.254e-3, .youngs_modulus = 207e9, .poisson_ratio = 0.3};
-  input.cycle = {};
-  input.strip = StripSettings{.bumps = 10, .amplitude = {.value = 20e-6}, .cycles = 2};
+  input.settings.remove<CycleSettings>();
+  input.settings.set(StripSettings{.bumps = 10, .amplitude = {.value = 20e-6}, .cycles = 2});
   return preset;
 }
 
@@ -123,7 +128,7 @@ Preset three_pads() {
   input.bump_foil.bumps = 8;
   input.pads.resize(3);
   for (Pad& pad : input.pads) pad.lobe = 10e-6;
-  input.cycle.amplitude.value = 60e-6;
+  input.settings.get<CycleSettings>().amplitude.value = 60e-6;
   preset.remarks.insert(preset.remarks.end(), {{"pad[1].weld_edge", assumed},
                                                {"pad[1].lobe", assumed},
                                                {"pad[2].weld_edge", assumed},
@@ -198,13 +203,33 @@ Preset running() {
   Case& input = preset.input;
   input.title = "First-generation bearing, running in air";
   input.top_foil.formed_radius = {FormedTo::seated};
-  input.cycle = {};
-  input.equilibrium = EquilibriumSettings{.speeds = {45000.0 * (2.0 * pi / 60.0)},
-                                          .loads = {{10.0, 0.0}, {20.0, 0.0}, {50.0, 0.0}, {100.0, 0.0}}};
+  input.settings.remove<CycleSettings>();
+  input.settings.set(EquilibriumSettings{.speeds = {45000.0 * (2.0 * pi / 60.0)},
+                                         .loads = {{10.0, 0.0}, {20.0, 0.0}, {50.0, 0.0}, {100.0, 0.0}}});
   return preset;
 }
 
 }  // namespace
+
+Case reference_case() {
+  Case reference;
+  reference.title = "First-generation bearing, Arghir & Benchekroun 2019, Table 1";
+  reference.bearing.radius = 19.05e-3;
+  reference.bearing.axial_length = 38.1e-3;
+  reference.bearing.radial_clearance = 31.8e-6;
+  BumpFoil& foil = reference.bump_foil;
+  foil.bumps = 26;
+  foil.pitch = 4.572e-3;
+  foil.length = 3.556e-3;
+  foil.height = 0.508e-3;
+  foil.thickness = 0.102e-3;
+  foil.youngs_modulus = 214e9;
+  foil.poisson_ratio = 0.29;
+  reference.top_foil = {.thickness = 0.102e-3, .youngs_modulus = 214e9, .poisson_ratio = 0.29};
+  reference.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
+  reference.settings.set(CycleSettings{.directions = {0.0, pi, 0.5 * pi, 1.5 * pi}, .amplitude = {.value = 79.5e-6}});
+  return reference;
+}
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all{{.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}},
