@@ -8,7 +8,7 @@ models = {
     "truss": {"model": "truss"},
     "frame": {"model": "frame"},
     "frame, large displacements": {"model": "frame", "geometry": "nonlinear"},
-    "former model": {"model": "former"},
+    "Le Lez (2007)": {"model": "former"},
 }
 axes = plt.subplots(layout="constrained")[1]
 for (name, bump_foil), line in zip(models.items(), ("-", "--", "-.", ":")):

@@ -52,7 +52,7 @@ struct StepEvent {
   ContactMode to{};
 };
 
-/// A computed increment: its end state, the events on the way, its cost and its status.
+/// A computed increment: its end state, the events during it, its cost and its status.
 struct Step {
   Status status{Status::converged};
   BearingState state;               ///< new; after a failure it means nothing but where the increment was to lead

@@ -41,7 +41,7 @@ Increment place_increment(const BearingModel& foils, const Step& step, const Eig
 /// Fills in elastic energy and residuals of a state.
 void check_increment(const BearingModel& foils, const BearingState& state, Increment& increment);
 
-/// An increment that failed on its way to `step`'s place: everything that is not known is not a number.
+/// An increment that failed before the place of `step`: everything that is not known is not a number.
 Increment failed_increment(const Step& step, const Eigen::Vector2d& direction);
 
 }  // namespace bumpfoil

@@ -32,7 +32,7 @@ struct JointLaw {
   double round_off{};               ///< residuals up to this are none, in the unit of the rows
   double longest_step{};            ///< of any journal in one step of Newton's method, m
 
-  /// What is left of the way, in the units of the rows. @param forces  F_i, N
+  /// Remaining distance, in the units of the rows. @param forces  F_i, N
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& y, const std::vector<JournalVector>& forces) const;
   /// Matrix of the rows where the films answer with dF_i/dq_i = K_i.
   [[nodiscard]] Eigen::MatrixXd matrix(const std::vector<JournalMatrix>& K) const;

@@ -29,7 +29,7 @@ struct JournalLaw {
   double round_off{};         ///< residuals up to this are none, in the unit of the rows
   double longest_step{};      ///< of the journal in one step of Newton's method, m
 
-  /// What is left of the way, in the unit of the rows.
+  /// Remaining distance, in the unit of the rows.
   [[nodiscard]] JournalVector residual(const JournalVector& q, const JournalVector& F) const;
   /// Matrix of the rows where the film answers with dF/dq = K.
   [[nodiscard]] JournalMatrix matrix(const JournalMatrix& K) const;

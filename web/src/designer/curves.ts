@@ -49,7 +49,7 @@ export class CurvePanel {
   private panel: OverPanel | undefined;
   private layout = '';
 
-  /** @param choose  told of the speed or the place in the list of loads that is clicked */
+  /** @param choose  called with the speed or the place in the list of loads that is clicked */
   constructor(
     title: string,
     private readonly over: Line['over'],

@@ -53,7 +53,7 @@ export class EnsembleView {
     while (samples.length < bearings) {
       const part = await this.solver.ask<SamplesAnswer>({ what: 'samples', text, first: samples.length, count: atATime, before: samples });
       if (this.begun !== text) return;
-      // Overtaken by what asked for bearings elsewhere: it is asked again.
+      // Another request for bearings came first: repeat this one.
       if (!part) continue;
       if (isRefused(part)) {
         this.caption.textContent = part.errors.map(({ message }) => message).join(' · ');

@@ -233,7 +233,7 @@ export interface Section {
   /** Of the table itself. */
   words: string;
   fields: () => Field[];
-  /** Whether an error is told beside one of its fields. */
+  /** Whether an error is shown beside one of its fields. */
   tells: (error: InputError) => boolean;
   refresh: (errors: InputError[]) => void;
 }
@@ -349,7 +349,7 @@ export interface Form {
   root: HTMLElement;
   /** @param errors  of the case, for the fields that they are about */
   refresh: (errors: InputError[]) => void;
-  /** Whether an error is told beside a field. */
+  /** Whether an error is shown beside a field. */
   tells: (error: InputError) => boolean;
   /** Shows those alone that have all of the words. @return how many */
   search: (typed: string) => number;

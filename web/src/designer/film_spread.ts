@@ -9,7 +9,6 @@ import { SpreadCharts } from './spread';
 const bearings = 40;
 /** So many at a time are drawn together. */
 const atATime = 4;
-const shown = ['h_min'];
 
 export class FilmSpread {
   readonly root: HTMLElement;
@@ -46,7 +45,7 @@ export class FilmSpread {
     while (samples.length < bearings) {
       const answer = await this.solver.ask<EquilibriumAnswer>({ what: 'equilibrium', text, speeds: [speed], [held]: [journal], mesh: quickMesh, sample: samples.length });
       if (!going()) return;
-      // Overtaken by what asked for running bearings elsewhere: it is asked again.
+      // Another request for running bearings came first: repeat this one.
       if (!answer) continue;
       if (isRefused(answer) && samples.length === 0) {
         this.caption.textContent = answer.errors.map(({ message }) => message).join(' · ');
@@ -54,7 +53,7 @@ export class FilmSpread {
       }
       // What was drawn may be no bearing.
       const [state] = isRefused(answer) ? [] : answer.states;
-      const quantities = isRefused(answer) ? [] : answer.run.quantities.filter(({ name }) => shown.includes(name));
+      const quantities = isRefused(answer) ? [] : answer.run.quantities.filter(({ leads }) => leads);
       samples.push([quantities.map(({ key }) => (typeof state?.[key] === 'number' ? state[key] : null))]);
       stable += Number(state?.['stable'] === true);
       if (samples.length % atATime > 0) continue;

@@ -285,7 +285,7 @@ class Page {
 async function start(): Promise<void> {
   startTheme();
   const solvers = await makeSolvers();
-  // For those who want numbers without clicking: include/bumpfoil/pages/designer.hpp says what may be asked.
+  // For those who want numbers without clicking: include/bumpfoil/pages/designer.hpp lists the requests.
   Object.assign(window, { bumpfoilAsk: (request: Request) => solvers.slow.ask(request) });
   const keys = await solvers.quick.ask<KeysAnswer>({ what: 'keys' });
   if (!keys || isRefused(keys)) throw new Error(keys?.errors[0]?.message ?? 'the solver does not respond');

@@ -182,7 +182,7 @@ export class RotorView {
   private readonly speed = new NumberControl(() => this.refresh());
   private views: RotorViews | undefined;
   private designs: { now: Design; before: Design } | undefined;
-  /** What the case said of speeds when it was last asked. */
+  /** Speeds of the case when it was last read. */
   private said = '';
   /** What the answers are to, or will be. */
   private begun = '';
@@ -256,7 +256,7 @@ export class RotorView {
           // What is no longer in sight begins anew when it is looked at again.
           if (!isSeen(this.root)) this.begun = '';
           if (this.begun !== wanted) return;
-          // Without one it was overtaken, by a change or by what asked elsewhere.
+          // Without one, a change or another request came first.
           const answer = await (quick ? this.quick : this.slow).ask<StabilityAnswer>(quick ? pair[0] : pair[1]);
           if (answer) this.known.set(key, answer);
         }

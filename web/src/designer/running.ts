@@ -48,8 +48,8 @@ function runOf(answer: EquilibriumAnswer, name: string): Run {
   const state = stateOf(answer);
   const byLoad = state['load_x_N'] !== null;
   // The requested state is not found.
-  const asked = byLoad ? /^(speed|load_[xy]|force_[xy])$/ : /^(speed|[xy])$/;
-  const quantities = run.quantities.filter(({ name: its, key, listed }) => listed && !asked.test(its) && (state[key] ?? null) !== null);
+  const requested = byLoad ? /^(speed|load_[xy]|force_[xy])$/ : /^(speed|[xy])$/;
+  const quantities = run.quantities.filter(({ name: its, key, listed }) => listed && !requested.test(its) && (state[key] ?? null) !== null);
   return new Run({
     ...run,
     name,
@@ -146,7 +146,7 @@ export class RunningView {
   private layout = '';
   private lines: ReturnType<typeof linesAbout> = [];
   private designs: { now: Design; before: Design } | undefined;
-  /** What the case said of running when it was last asked. */
+  /** Operating points of the case when it was last read. */
   private said = '';
   /** What the answers are to, or will be. */
   private begun = '';
@@ -269,7 +269,7 @@ export class RunningView {
       // What is no longer in sight begins anew when it is looked at again.
       if (!isSeen(this.root)) this.begun = '';
       if (this.begun !== wanted) return undefined;
-      // Without one it was overtaken by what asked for running bearings elsewhere.
+      // Without one, another request for running bearings came first.
       const answer = await solver.ask<EquilibriumAnswer>(request);
       if (answer) this.known.set(key, answer);
     }

@@ -93,7 +93,7 @@ export class VibrationView {
     for (const text of now === before ? [now] : [now, before]) {
       const answer = await this.solver.ask<VibrationAnswer>({ ...about, text });
       if (this.begun !== wanted) return;
-      // Overtaken by what asked for vibrations elsewhere.
+      // Another request for vibrations came first.
       if (!answer) return this.compute(wanted, about, { now, before });
       if (isRefused(answer)) {
         this.caption.textContent = answer.errors.map(({ message }) => message).join(' · ');

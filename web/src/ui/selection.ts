@@ -32,7 +32,7 @@ export class Selection {
     this.index = Math.min(Math.max(0, wanted), Math.max(0, cycle.size - 1));
   }
 
-  /** Looks at other runs, each in the place of one, in the same way as before. Nobody is told until tell() is called. */
+  /** Looks at other runs, each in the place of one, in the same way as before. Listeners hear of it when tell() is called. */
   replace(runs: Run[]): void {
     const run = at(runs, Math.min(this.runs.indexOf(this.run), runs.length - 1));
     this.runs = runs;

@@ -8,7 +8,7 @@ import { look, onLookChange, rampColour } from '../ui/theme';
 /** From so many runs on, their list is searched. */
 export const searched = 9;
 
-/** "friction: coefficient 0.2", as it is searched for and told beside the name. */
+/** "friction: coefficient 0.2", as it is searched for and shown beside the name. */
 function familyText({ family }: Comparison, run: Run): string {
   const value = family?.values.get(run);
   if (!family || value === undefined) return '';
