@@ -256,7 +256,7 @@ constexpr auto cycle_list = std::to_array<CycleQuantity>({
      [](const Cycle& cycle, const Case&) { return cycle.compression ? cycle.compression->compression : absent; },
      of_all, "maximum compression", shown::micrometres},
     {"max_stress_top_foil", "Pa", "maximum bending stress of the top foil over all increments",
-     peak<&Cycle::top_foil_stress>, of_all, "maximum stress, top foil", shown::megapascals},
+     peak<&Cycle::top_foil_stress>, of_all | shown_first, "maximum stress, top foil", shown::megapascals},
     {"max_stress_bump_foil", "Pa", "maximum bending stress of the bump foil over all increments",
      peak<&Cycle::bump_foil_stress>, of_all, "maximum stress, bump foil", shown::megapascals},
     {"above_yield_top_foil", "", "whether the stress of the top foil exceeds its yield stress", yields<0>, of_all, "",

@@ -206,7 +206,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"p_min", "Pa", "minimum pressure", pressure<&FilmBearingOutcome::min_pressure>, csv | sampled, "minimum pressure",
      shown::bars},
     {"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
-     csv | sampled, "torque", shown::newton_millimetres},
+     csv | shown_first | sampled, "torque", shown::newton_millimetres},
     {"couette_torque", "N m", "Couette part of the torque", of<&FilmBearingOutcome::couette_torque>, none, "Couette torque"},
     {"poiseuille_torque", "N m", "Poiseuille part of the torque",
      [](const B&, const S& state) {

@@ -1,15 +1,13 @@
 /** The running bearing over speed and over load, about the point at which it is looked at. */
 import { OverPanel, type Measure } from '../charts/over';
 import type { Quantity } from '../data/format';
+import { mainQuantities, numbersAmong } from '../data/main_quantities';
 import { at, capital } from '../data/run';
 import { speedText, States } from '../data/states';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import type { EquilibriumAnswer } from './format';
 import { isSame, type Point } from './point';
-
-/** What is drawn of the states, the first of them at first. */
-const drawn = ['h_min', 'power', 'torque', 'p_max', 'attitude_angle', 'eccentricity_ratio', 'kxx', 'kyy', 'critical_mass', 'growth_held'];
 
 /** Of the speed that is looked at. */
 const speedRatios = [0.25, 0.5, 0.75, 1, 1.25, 1.5];
@@ -71,18 +69,18 @@ export class CurvePanel {
     const selection = new GridSelection(states.coordinates, [along]);
     selection.show({ place: { [along.name]: index } });
     selection.onChange(() => this.choose(selection.index(along)));
-    this.panel = new OverPanel(title, this.measures(states), selection, '');
+    const main = now.run.quantities.filter(({ first }) => first);
+    const drawn = mainQuantities(numbersAmong(main, (key) => now.states.map((state) => state[key])), [], main.length);
+    this.panel = new OverPanel(title, this.measures(drawn), selection, '');
     this.root.replaceChildren(this.panel.root);
   }
 
-  private measures(states: States): Measure[] {
-    return drawn.flatMap((name): Measure[] => {
-      const quantity = states.data.quantities.find((one: Quantity) => one.name === name);
-      if (!quantity) return [];
+  private measures(quantities: Quantity[]): Measure[] {
+    return quantities.map((quantity): Measure => {
       const degrees = quantity.unit === 'degree';
       const text = capital(degrees ? `${quantity.label} (°)` : quantity.label);
-      const part = (of: () => States | undefined, words: string): Measure['parts'][number] => ({ key: words === '' ? quantity.key : `${quantity.key}_${words}`, text: words === '' ? text : words, has: () => true, value: (place) => of()?.numberAt(name, place) ?? NaN });
-      return [{ text, unit: degrees ? '' : quantity.unit, parts: this.before ? [part(() => this.states, 'current'), part(() => this.before, 'baseline')] : [part(() => this.states, '')] }];
+      const part = (of: () => States | undefined, words: string): Measure['parts'][number] => ({ key: words === '' ? quantity.key : `${quantity.key}_${words}`, text: words === '' ? text : words, has: () => true, value: (place) => of()?.numberAt(quantity.name, place) ?? NaN });
+      return { text, unit: degrees ? '' : quantity.unit, parts: this.before ? [part(() => this.states, 'current'), part(() => this.before, 'baseline')] : [part(() => this.states, '')] };
     });
   }
 }

@@ -1,4 +1,5 @@
 /** The main numbers of one direction in large letters, and by how much they differ from those before. */
+import { mainQuantities, numbersAmong } from '../data/main_quantities';
 import { at } from '../data/run';
 import { differences, formatNumber, formatQuantity, scaleFor } from '../data/units';
 import { numberOf } from '../tables/results';
@@ -6,7 +7,8 @@ import type { Comparison } from '../ui/comparison';
 import { el } from '../ui/dom';
 import { roving } from '../ui/roving';
 
-const leading = ['loaded_stiffness', 'max_force', 'loop_energy', 'loss_factor', 'take_up', 'max_stress_top_foil'];
+/** So many tiles. */
+const shown = 7;
 
 export function numberTiles(keys: number[], comparison: Comparison): HTMLElement {
   const { selection } = comparison;
@@ -21,22 +23,19 @@ export function numberTiles(keys: number[], comparison: Comparison): HTMLElement
     const { key } = selection.cycle;
     buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(keys[i] === key)));
     const [now, before] = [at(comparison.runs, 0), comparison.runs[1]];
+    const numbers = numbersAmong(now.quantities, (name) => now.cycles.map(({ summary }) => summary?.[name]));
     tiles.replaceChildren(
-      ...leading.flatMap((name) => {
-        const quantity = now.quantities.find((one) => one.name === name);
-        if (!quantity) return [];
+      ...mainQuantities(numbers, [], shown).map((quantity) => {
         const value = numberOf(now.cycle(key)?.summary?.[quantity.key]);
         const old = numberOf(before?.cycle(key)?.summary?.[quantity.key]);
         const [, percent] = before ? differences(value, old, scaleFor(Math.abs(old ?? 0), quantity.unit)) : ['', ''];
-        return [
-          el(
-            'div',
-            { class: 'tile', 'data-key': quantity.key, title: quantity.meaning },
-            el('span', { class: 'what' }, quantity.label),
-            el('strong', {}, quantity.unit === '' ? formatNumber(value, 3) : formatQuantity(value, quantity.unit)),
-            el('span', { class: 'change' }, before ? (percent === '0 %' ? 'unchanged' : `${percent ?? ''} vs. baseline`) : ''),
-          ),
-        ];
+        return el(
+          'div',
+          { class: 'tile', 'data-key': quantity.key, title: quantity.meaning },
+          el('span', { class: 'what' }, quantity.label),
+          el('strong', {}, quantity.unit === '' ? formatNumber(value, 3) : formatQuantity(value, quantity.unit)),
+          el('span', { class: 'change' }, before ? (percent === '0 %' ? 'unchanged' : `${percent ?? ''} vs. baseline`) : ''),
+        );
       }),
     );
   };

@@ -1,5 +1,6 @@
 import { shortfallOf } from '../data/outcome';
 import type { Quantity } from '../data/format';
+import { mainQuantities, numbersAmong } from '../data/main_quantities';
 import { at, type Cycle, type Run } from '../data/run';
 import { formatNumber, formatQuantity } from '../data/units';
 import type { Comparison } from '../ui/comparison';
@@ -9,14 +10,13 @@ import { look, onLookChange } from '../ui/theme';
 import { numberOf } from '../tables/results';
 import { curvesOfRun } from '../charts/curves';
 
-/** What cards show, those of it that the results have, the first in large letters; of several runs what can be compared. */
-const leading = ['loaded_stiffness', 'max_force', 'secant_stiffness', 'loss_factor'];
-const leadingOfSeveral = ['loaded_stiffness', 'loss_factor'];
+/** So many quantities are on a card, the first in large letters; of several runs fewer, as they are side by side. */
+const shown = { one: 4, several: 3 };
 
 function quantitiesOf(runs: Run[], several: boolean): Quantity[] {
-  const names = several ? leadingOfSeveral : leading;
-  const all = names.flatMap((name) => runs.flatMap((run) => run.quantities.filter((quantity) => quantity.name === name)));
-  return all.filter((quantity, i) => all.findIndex(({ key }) => key === quantity.key) === i);
+  const all = runs.flatMap((run) => numbersAmong(run.quantities, (key) => run.cycles.map(({ summary }) => summary?.[key])));
+  const unique = all.filter((quantity, i) => all.findIndex(({ key }) => key === quantity.key) === i);
+  return mainQuantities(unique, [], several ? shown.several : shown.one);
 }
 
 function valueText(run: Run, cycle: Cycle, { key, unit }: Quantity): string {
