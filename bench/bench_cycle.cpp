@@ -26,11 +26,10 @@ void increment(benchmark::State& bench) {
   const BearingModel foils = *make_bearing_foils(input);
   NewtonSolver solver(foils.problem);
   std::vector<ContactLoading> loadings;
-  for (int k = 0; k <= 2 * input.settings.get<CycleSettings>().steps; ++k) {
-    const int from_centre =
-        k <= input.settings.get<CycleSettings>().steps ? k : 2 * input.settings.get<CycleSettings>().steps - k;
-    const double displacement =
-        input.settings.get<CycleSettings>().amplitude.value * from_centre / input.settings.get<CycleSettings>().steps;
+  const auto& cycle = input.settings.get<CycleSettings>();
+  for (int k = 0; k <= 2 * cycle.steps; ++k) {
+    const int from_centre = k <= cycle.steps ? k : 2 * cycle.steps - k;
+    const double displacement = cycle.amplitude.value * from_centre / cycle.steps;
     loadings.push_back(loading_under(foils, {.position = {displacement, 0.0}}));
   }
   const ContactState unstressed = ContactState::unstressed(foils.problem);

@@ -145,8 +145,8 @@ std::string time_siconos(SiconosMethod method, const ContactProblem& problem, co
 std::string bearing_rows() {
   const Case input = reference_case();
   const BearingModel foils = *make_bearing_foils(input);
-  const Loadings loadings = loadings_of(foils, input.settings.get<CycleSettings>().amplitude.value,
-                                        input.settings.get<CycleSettings>().steps);
+  const auto& cycle = input.settings.get<CycleSettings>();
+  const Loadings loadings = loadings_of(foils, cycle.amplitude.value, cycle.steps);
   const auto named = [](SolverName name) {
     SolverSettings settings;
     settings.name = name;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bumpfoil/experiments/cycle/cycle_settings.hpp"
-#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "case/case_keys.hpp"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "bumpfoil/experiments/build.hpp"
-#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/motion/rest.hpp"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"
 #include "bumpfoil/model/case_names.hpp"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string_view>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_settings.hpp"

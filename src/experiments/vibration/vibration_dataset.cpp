@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bumpfoil/core/angle.hpp"
-#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/vibration/vibration_quantities.hpp"

@@ -11,7 +11,6 @@
 #include "bumpfoil/experiments/path/path.hpp"
 #include "bumpfoil/experiments/reference_case.hpp"
 #include "bumpfoil/experiments/strip/strip_settings.hpp"
-#include "bumpfoil/experiments/vibration/vibration_settings.hpp"
 #include "support/wrong_keys.hpp"
 
 namespace bumpfoil {

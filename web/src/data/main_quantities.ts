@@ -4,6 +4,7 @@ import type { Quantity } from './format';
 /**
  * The few quantities of a case that are shown large.
  * @param limited  names of those that limits are set on: all of them come first
+ * @param most     number of quantities, unless more are limited
  */
 export function mainQuantities<Q extends Pick<Quantity, 'name' | 'first' | 'leads' | 'key_figure'>>(quantities: Q[], limited: string[] = [], most = 3): Q[] {
   const own = limited.flatMap((name) => quantities.find((one) => one.name === name) ?? []);

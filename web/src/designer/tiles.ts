@@ -7,7 +7,7 @@ import type { Comparison } from '../ui/comparison';
 import { el } from '../ui/dom';
 import { roving } from '../ui/roving';
 
-/** So many tiles. */
+/** Number of tiles. */
 const shown = 7;
 
 export function numberTiles(keys: number[], comparison: Comparison): HTMLElement {

@@ -10,7 +10,7 @@ import { look, onLookChange } from '../ui/theme';
 import { numberOf } from '../tables/results';
 import { curvesOfRun } from '../charts/curves';
 
-/** So many quantities are on a card, the first in large letters; of several runs fewer, as they are side by side. */
+/** Number of quantities on a card, the first in large letters; fewer for several runs, which are side by side. */
 const shown = { one: 4, several: 3 };
 
 function quantitiesOf(runs: Run[], several: boolean): Quantity[] {

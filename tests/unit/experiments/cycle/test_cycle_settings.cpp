@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/wrong_keys.hpp"
 
 namespace bumpfoil {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/wrong_keys.hpp"
 
 namespace bumpfoil {

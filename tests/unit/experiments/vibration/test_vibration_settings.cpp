@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "bumpfoil/experiments/reference_case.hpp"
 #include "support/wrong_keys.hpp"
 
 namespace bumpfoil {
